@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Small rotation calculus that the library uses inside.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace surefoot {
+
+/// [v]_x, so that hat(a) * b == a.cross(b).
+[[nodiscard]] inline Eigen::Matrix3d hat(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+/// J_l(phi): the translation of se3_exp is J_l(phi) * rho.
+[[nodiscard]] Eigen::Matrix3d so3_left_jacobian(const Eigen::Vector3d& rotation_vector);
+/// Inverse of J_l; |phi| <= pi.
+[[nodiscard]] Eigen::Matrix3d so3_left_jacobian_inverse(const Eigen::Vector3d& rotation_vector);
+
+}  // namespace surefoot
