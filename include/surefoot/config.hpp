@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Every parameter of the odometry. Defaults, units, ranges and where each value comes from stand
+// once, in the table behind parameters(); `surefoot config` and docs/config.md print it.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+/// How points are brought to the mid-scan instant.
+enum class DeskewMode {
+  none,               ///< points are left as measured
+  constant_velocity,  ///< one twist for the scan, not clamped: what KISS-ICP does
+  piecewise           ///< the paper: clamped twist, K segments, eqs. (5)-(12)
+};
+
+/// How the six degrees of freedom are solved.
+enum class RegistrationMode {
+  decoupled,  ///< the paper: horizontal, then vertical stage, Algorithm 1
+  coupled     ///< one 6-DoF problem, eq. (4), to compare with
+};
+
+/// The residual of the coupled registration.
+enum class CoupledResidual { point_to_point, point_to_plane };
+
+/// Where the level frame, in which "horizontal" and "vertical" are split, comes from.
+enum class LevelMode {
+  ground,  ///< the ground seen in the first scan
+  mount,   ///< the mount given by the user: the base is level at the start
+  none     ///< the LiDAR's own z axis
+};
+
+/// Parameters of the odometry; constant once an Odometry was made from them.
+struct Config {
+  struct Preprocess {
+    double min_range;    // [m]
+    double max_range;    // [m]
+    int min_points;      // fewer valid points: scan rejected
+    double min_extent;   // [m] smaller cloud: scan rejected
+  } preprocess;
+
+  struct Level {
+    LevelMode mode;
+    double max_tilt_deg;  // a plane steeper than this in the LiDAR frame is not the ground
+    double mount_x, mount_y, mount_z;                          // T_base_lidar [m]
+    double mount_roll_deg, mount_pitch_deg, mount_yaw_deg;  // T_base_lidar
+  } level;
+
+  struct MotionPrior {
+    double max_extrapolation;  // [s] longer gaps are predicted for this long only
+  } motion_prior;
+
+  struct Deskew {
+    DeskewMode mode;
+    int segments;         // K
+    double clamp_z;       // zeta_z [m]
+    double clamp_roll;    // zeta_r [rad]
+    double clamp_pitch;   // zeta_p [rad]
+  } deskew;
+
+  struct Downsample {
+    double map_voxel;     // [m] thinning of what enters the map
+    double source_voxel;  // [m] thinning of what is registered
+  } downsample;
+
+  struct Map {
+    double voxel_size;     // [m]
+    int points_per_voxel;
+    double min_spacing;    // [m]
+    double radius;         // [m] voxels farther from the sensor leave
+  } map;
+
+  struct Registration {
+    RegistrationMode mode;
+    CoupledResidual coupled_residual;
+    int max_iterations;
+    double max_distance;      // d_max [m]
+    double relaxed_distance;  // d_relaxed [m]
+    int early_iterations;     // T_early = {1..early_iterations}
+    double convergence;       // [m, rad]
+  } registration;
+
+  struct Horizontal {
+    double kernel_scale;  // kappa_H [m]
+  } horizontal;
+
+  struct Vertical {
+    int sub_iterations;         // U_V
+    int min_neighbours;         // N_min
+    double min_normal_z;        // tau_n
+    double max_range;           // r_max [m]
+    double near_distance;       // d_0 [m]
+    double distance_decay;      // beta [1/m^2]
+    double near_gate;           // epsilon_0 [m]
+    double near_suppression;    // epsilon_s
+    double kernel_scale;        // kappa_V [m]
+    double trust_region;        // zeta_V [m, rad]
+  } vertical;
+
+  struct Health {
+    int min_matches;
+    double min_match_ratio;     // of the registered points, at the end
+    double max_correction;      // [m] registration against prediction
+    double max_correction_deg;
+    double min_information;     // share of the average below which a direction is degenerate
+    int restart_after;          // scans lost in a row before the map is begun anew
+  } health;
+
+  /// The defaults of the parameter table.
+  Config();
+};
+
+/// A value out of range or an unknown name; the message names key, value, unit and range.
+class ConfigError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// One row of the parameter table.
+struct ParameterInfo {
+  std::string name;           ///< "deskew.segments"
+  std::string default_value;
+  std::string unit;           ///< "" where the value has none
+  std::string range;          ///< "1 .. 64" or "none | constant_velocity | piecewise"
+  std::string help;           ///< one line; the paper's symbol where it has one
+  std::string source;         ///< where the default comes from
+};
+
+/// The parameter table, in the order of Config.
+[[nodiscard]] const std::vector<ParameterInfo>& parameters();
+/// Sets one parameter from text. Throws ConfigError.
+void set_parameter(Config& config, std::string_view name, std::string_view value);
+/// A parameter as text that set_parameter takes back to the same value.
+[[nodiscard]] std::string get_parameter(const Config& config, std::string_view name);
+/// Throws ConfigError if a value is out of its range or two values contradict each other.
+void validate(const Config& config);
+
+/// Names of the methods: named sets of parameters.
+[[nodiscard]] const std::vector<std::string>& methods();
+/// Parameters of a method. Throws ConfigError naming the methods there are.
+[[nodiscard]] Config method_config(std::string_view method);
+
+}  // namespace surefoot

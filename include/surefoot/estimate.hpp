@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "surefoot/pose.hpp"
+#include "surefoot/scan_trajectory.hpp"
+
+namespace surefoot {
+
+/// Whether a pose can be trusted.
+enum class Status {
+  ok,               ///< registered, every direction observed
+  first_scan,       ///< the map begins (again) with this scan; the pose is the prediction
+  degenerate,       ///< registered, but the directions named in `degenerate` rest on little
+  too_few_matches,  ///< not registered: the pose is the prediction, the map is unchanged
+  diverged,         ///< registration ended somewhere implausible: likewise
+  rejected          ///< the scan could not be used, `message` says why; nothing changed
+};
+[[nodiscard]] std::string_view to_string(Status status);
+
+/// What one stage of the registration did.
+struct StageReport {
+  int iterations = 0;         ///< updates that were solved and applied
+  int matches = 0;            ///< correspondences in the last of them
+  double residual = 0.0;      ///< [m] weighted RMS over these
+  double observability = 0.0; ///< vertical stage: mean of Omega_i, eq. (30), over these
+};
+
+/// A motion that the scan hardly constrains.
+struct DegenerateDirection {
+  Twist direction = Twist::Zero();  ///< unit vector in the map's axes about the sensor; the three
+                                    ///< rotations are scaled by the matches' RMS distance [1/m]
+  double information = 0.0;         ///< its share of what an evenly built scene would give (1)
+  std::string name;                 ///< its largest part, seen along the sensor's heading:
+                                    ///< forward, lateral, up, roll, pitch or yaw
+};
+
+/// The answer to one scan.
+struct Estimate {
+  Status status = Status::rejected;
+  std::string message;               ///< what was seen and expected; empty when ok
+
+  std::int64_t stamp_ns = 0;         ///< mid-scan, the instant of `T_map_lidar`
+  Pose T_map_lidar;                  ///< pose at mid-scan
+  ScanTrajectory trajectory;         ///< poses within the scan, as its points were deskewed
+  Twist twist = Twist::Zero();       ///< velocity since the last pose, LiDAR frame [m/s, rad/s]
+  Matrix6 covariance = Matrix6::Zero();  ///< of the pose against the map; [x y z roll pitch yaw]
+                                         ///< in the map's axes about the sensor [m, rad]
+  std::vector<DegenerateDirection> degenerate;
+
+  bool converged = false;            ///< the last update was below registration.convergence
+  StageReport horizontal;
+  StageReport vertical;
+  int points = 0;                    ///< valid points of the scan
+  int registered_points = 0;         ///< of these, after thinning, registered
+
+  /// Pose at any instant of the scan [ns, sensor's epoch].
+  [[nodiscard]] Pose pose_at(std::int64_t instant_ns) const {
+    return trajectory.at_time(instant_ns);
+  }
+  /// Whether the scan was registered (or began the map), so that the pose was measured.
+  [[nodiscard]] bool trusted() const {
+    return status == Status::ok || status == Status::first_scan || status == Status::degenerate;
+  }
+};
+
+}  // namespace surefoot

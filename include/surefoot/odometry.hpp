@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surefoot/config.hpp"
+#include "surefoot/estimate.hpp"
+#include "surefoot/scan.hpp"
+
+namespace surefoot {
+
+/// The steps of one scan, for whoever measures their time.
+enum class Step { preprocess, deskew, downsample, search, horizontal, vertical, assess, map, idle };
+
+/// How the map's level frame was found.
+struct LevelReport {
+  LevelMode mode = LevelMode::none;
+  bool from_ground = false;    ///< a ground plane was found and defines "level"
+  double tilt_deg = 0.0;       ///< between the LiDAR's z axis and the map's
+  double ground_height = 0.0;  ///< of the sensor above that ground [m]
+  std::string message;         ///< one sentence for the user
+};
+
+/// A scan's points at its mid-scan instant; order and number as the valid points of the scan.
+struct DeskewedScan {
+  std::vector<Eigen::Vector3f> points;  ///< [m] LiDAR frame at Estimate::stamp_ns
+  std::vector<float> intensities;       ///< empty or one per point
+};
+
+/// LiDAR odometry of the paper: one scan in, one estimate out.
+///
+/// The same scans give the same bits, at any number of threads. Nothing is printed, no clock is
+/// read. An object belongs to one thread at a time.
+class Odometry {
+ public:
+  /// Throws ConfigError. `T_world_start`: where the map's frame lies in the caller's world; poses
+  /// come out in that world, the arithmetic stays near the start. It should not tilt the world,
+  /// since "vertical" is the map's z axis. `threads`: at most this many, 1 without oneTBB.
+  explicit Odometry(const Config& config = {}, int threads = 1, const Pose& T_world_start = {});
+  ~Odometry();
+  Odometry(Odometry&&) noexcept;
+  Odometry& operator=(Odometry&&) noexcept;
+
+  /// Algorithm 1. Never throws for what is in a scan: a scan that cannot be used is `rejected`.
+  Estimate add_scan(const Scan& scan);
+
+  [[nodiscard]] const Config& config() const;
+  [[nodiscard]] const LevelReport& level() const;
+  /// The last scan that was not rejected.
+  [[nodiscard]] const DeskewedScan& deskewed_scan() const;
+  /// The local map's points, in the world frame [m].
+  [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const;
+
+  /// Called whenever a step begins (and with Step::idle at the end of a scan). The library reads
+  /// no clock; the observer may.
+  void set_step_observer(std::function<void(Step)> observer);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace surefoot
