@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "report/canvas.hpp"
+
+#include <cairo-svg.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <stdexcept>
+
+namespace surefoot::report {
+
+namespace {
+
+cairo_status_t append(void* sink, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(sink)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+// Length of the UTF-8 sequence at `at`, 0 if there is none that is well-formed (RFC 3629).
+std::size_t utf8_length(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
+  };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7F ? 1 : 0;
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  const bool overlong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xF0 && byte(1) < 0x90);
+  const bool not_a_character = (lead == 0xED && byte(1) > 0x9F) || (lead == 0xF4 && byte(1) > 0x8F);
+  return overlong || not_a_character ? 0 : length;
+}
+
+// cairo drops everything drawn after text that is not UTF-8, so that such text must not reach it.
+std::string printable(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_length(text, at);
+    length == 0 ? result.append("?") : result.append(text, at, length);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return result;
+}
+
+void set_source(cairo_t* cairo, const Color& color) {
+  cairo_set_source_rgba(cairo, color.red, color.green, color.blue, color.alpha);
+}
+
+void stroke_path(cairo_t* cairo, const Stroke& stroke) {
+  set_source(cairo, stroke.color);
+  cairo_set_line_width(cairo, stroke.width);
+  const std::array<double, 2> dashes = {3.5 * stroke.width, 2.5 * stroke.width};
+  cairo_set_dash(cairo, dashes.data(), stroke.dashed ? 2 : 0, 0.0);
+  cairo_stroke(cairo);
+}
+
+void set_font(cairo_t* cairo, const TextStyle& style) {
+  cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, style.size);
+}
+
+}  // namespace
+
+struct Canvas::Page {
+  std::string svg;  // filled by cairo when an SVG page is finished
+  cairo_surface_t* surface = nullptr;
+  cairo_t* cairo = nullptr;
+
+  Page(int width, int height, PageFormat format)
+      : surface(format == PageFormat::kSvg
+                    ? cairo_svg_surface_create_for_stream(append, &svg, width, height)
+                    : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+        cairo(cairo_create(surface)) {}
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+  ~Page() {
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+  }
+};
+
+Canvas::Canvas(int width, int height, PageFormat format)
+    : page_(std::make_shared<Page>(width, height, format)) {
+  cairo_set_line_join(page_->cairo, CAIRO_LINE_JOIN_ROUND);
+  fill({0.0, 0.0, static_cast<double>(width), static_cast<double>(height)}, {1.0, 1.0, 1.0});
+}
+
+void Canvas::fill(const Rect& rect, const Color& color) {
+  cairo_rectangle(page_->cairo, rect.x, rect.y, rect.width, rect.height);
+  set_source(page_->cairo, color);
+  cairo_fill(page_->cairo);
+}
+
+void Canvas::outline(const Rect& rect, const Stroke& stroke) {
+  cairo_rectangle(page_->cairo, rect.x, rect.y, rect.width, rect.height);
+  stroke_path(page_->cairo, stroke);
+}
+
+void Canvas::line(std::span<const Pixel> points, const Stroke& stroke) {
+  for (const Pixel& point : points) cairo_line_to(page_->cairo, point.x(), point.y());
+  stroke_path(page_->cairo, stroke);
+}
+
+void Canvas::circle(const Pixel& center, double radius, const Color& fill, const Stroke& edge) {
+  cairo_new_path(page_->cairo);
+  cairo_arc(page_->cairo, center.x(), center.y(), radius, 0.0, 2.0 * std::numbers::pi);
+  set_source(page_->cairo, fill);
+  cairo_fill_preserve(page_->cairo);
+  stroke_path(page_->cairo, edge);
+}
+
+void Canvas::triangle(const Pixel& center, double radius, const Color& fill, const Stroke& edge) {
+  const double half_side = radius * std::numbers::sqrt3 / 2.0;
+  cairo_move_to(page_->cairo, center.x(), center.y() - radius);
+  cairo_line_to(page_->cairo, center.x() + half_side, center.y() + 0.5 * radius);
+  cairo_line_to(page_->cairo, center.x() - half_side, center.y() + 0.5 * radius);
+  cairo_close_path(page_->cairo);
+  set_source(page_->cairo, fill);
+  cairo_fill_preserve(page_->cairo);
+  stroke_path(page_->cairo, edge);
+}
+
+void Canvas::image(const Raster& raster, const Rect& rect, double opacity) {
+  cairo_surface_t* picture =
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, raster.width, raster.height);
+  const int stride = cairo_image_surface_get_stride(picture);
+  unsigned char* rows = cairo_image_surface_get_data(picture);
+  for (int row = 0; rows != nullptr && row < raster.height; ++row) {
+    const std::uint32_t* from = raster.argb.data() + std::ptrdiff_t{row} * raster.width;
+    std::copy(from, from + raster.width,
+              reinterpret_cast<std::uint32_t*>(rows + std::ptrdiff_t{row} * stride));
+  }
+  cairo_surface_mark_dirty(picture);
+  cairo_save(page_->cairo);
+  cairo_translate(page_->cairo, rect.x, rect.y);
+  cairo_scale(page_->cairo, rect.width / raster.width, rect.height / raster.height);
+  cairo_set_source_surface(page_->cairo, picture, 0.0, 0.0);
+  // Enlarged pixels keep their colour up to the rectangle's border.
+  cairo_pattern_set_extend(cairo_get_source(page_->cairo), CAIRO_EXTEND_PAD);
+  cairo_rectangle(page_->cairo, 0.0, 0.0, raster.width, raster.height);
+  cairo_clip(page_->cairo);
+  cairo_paint_with_alpha(page_->cairo, opacity);
+  cairo_restore(page_->cairo);
+  cairo_surface_destroy(picture);
+}
+
+void Canvas::text(const std::string& text, const Pixel& at, const TextStyle& style) {
+  const double width = text_width(text, style);
+  const double shift = style.anchor == Anchor::kLeft     ? 0.0
+                       : style.anchor == Anchor::kCenter ? -0.5 * width
+                                                         : -width;
+  cairo_save(page_->cairo);
+  cairo_translate(page_->cairo, at.x(), at.y());
+  if (style.upward) cairo_rotate(page_->cairo, -0.5 * std::numbers::pi);
+  cairo_move_to(page_->cairo, shift, 0.0);
+  set_source(page_->cairo, style.color);
+  cairo_show_text(page_->cairo, printable(text).c_str());
+  cairo_new_path(page_->cairo);
+  cairo_restore(page_->cairo);
+}
+
+double Canvas::text_width(const std::string& text, const TextStyle& style) {
+  set_font(page_->cairo, style);
+  cairo_text_extents_t extents;
+  cairo_text_extents(page_->cairo, printable(text).c_str(), &extents);
+  return extents.x_advance;
+}
+
+void Canvas::clip(const Rect& rect) {
+  cairo_save(page_->cairo);
+  cairo_rectangle(page_->cairo, rect.x, rect.y, rect.width, rect.height);
+  cairo_clip(page_->cairo);
+}
+
+void Canvas::unclip() { cairo_restore(page_->cairo); }
+
+void Canvas::save(const std::filesystem::path& path) {
+  std::string bytes;
+  cairo_status_t status = cairo_status(page_->cairo);
+  if (status == CAIRO_STATUS_SUCCESS) {
+    if (cairo_surface_get_type(page_->surface) == CAIRO_SURFACE_TYPE_SVG) {
+      cairo_surface_finish(page_->surface);
+      status = cairo_surface_status(page_->surface);
+      bytes = std::move(page_->svg);
+    } else {
+      status = cairo_surface_write_to_png_stream(page_->surface, append, &bytes);
+    }
+  }
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw std::runtime_error(path.string() +
+                             ": cannot draw the picture: " + cairo_status_to_string(status));
+  }
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot write the picture");
+}
+
+}  // namespace surefoot::report

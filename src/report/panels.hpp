@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The panels of a run's picture, each drawn into its rectangle, and what they share.
+#pragma once
+
+#include <vector>
+
+#include "report/canvas.hpp"
+#include "report/plot.hpp"
+#include "report/run_picture.hpp"
+
+namespace surefoot::report {
+
+namespace style {
+inline constexpr Color kPath{0.84, 0.10, 0.26};
+inline constexpr Color kReference{0.10, 0.11, 0.14};
+inline constexpr Color kStart{0.13, 0.40, 0.95};
+inline constexpr Color kEnd{1.0, 0.82, 0.10};
+inline constexpr Color kUntrusted{0.98, 0.56, 0.08, 0.4};
+inline constexpr Color kHalo{1.0, 1.0, 1.0, 0.9};
+inline constexpr double kBandWidth = 26.0;  // of untrusted stretches of a path [px]
+inline constexpr double kMarkerRadius = 12.0;
+}  // namespace style
+
+/// The input without what cannot be drawn, and the ranges that several panels use.
+struct Run {
+  Trajectory path;
+  std::vector<bool> untrusted;  // as long as `path`
+  Trajectory reference;
+  std::span<const Eigen::Vector3f> map_points;  // may hold points that cannot be drawn
+  Range map_x, map_y;  // where nearly all of the map's points are, empty ([0, 0]) without a map
+  Range heights;       // z of the colour map
+};
+
+[[nodiscard]] Run prepare_run(const PictureInput& input);
+
+/// The map, seen obliquely, with the path and a colour bar.
+void draw_map_panel(Canvas& canvas, const Rect& rect, const Run& run);
+/// Top view x-y into `top`, and below it the side view x-z into `side`, with one x axis.
+void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const Run& run);
+/// z, roll and pitch over time.
+void draw_time_panels(Canvas& canvas, const Rect& rect, const Run& run);
+
+/// Path with halo, reference, untrusted stretches, start and end; one pixel and flag a pose.
+void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
+               const std::vector<bool>& untrusted);
+
+}  // namespace surefoot::report
