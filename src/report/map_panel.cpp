@@ -142,6 +142,7 @@ void draw_map_panel(Canvas& canvas, const Rect& rect, const Run& run) {
             run.untrusted);
   canvas.unclip();
   draw_scale_bar(canvas, scene, view);
+  if (run.map_points.empty()) return;
   draw_color_bar(canvas,
                  {rect.right() - 62.0, rect.y + 0.22 * rect.height, 20.0, 0.56 * rect.height},
                  run.heights);

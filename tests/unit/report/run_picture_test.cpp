@@ -12,6 +12,10 @@
 #include <limits>
 #include <set>
 
+// fontconfig keeps a few patterns of its font cache until the process ends.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+
 namespace surefoot::report {
 namespace {
 
