@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "dataset/point_table.hpp"
+#include "dataset/point_time.hpp"
+#include "dataset/recording.hpp"
+
+namespace surefoot::dataset {
+
+/// The columns that a scan is made of; those that may be absent are null.
+struct ScanColumns {
+  const Column* x = nullptr;
+  const Column* y = nullptr;
+  const Column* z = nullptr;
+  const Column* intensity = nullptr;
+  const Column* ring = nullptr;
+  const Column* time = nullptr;
+};
+
+/// Finds the columns by the names that drivers use, in any case and also behind CloudCompare's
+/// "scalar_". Throws ReadError where x, y or z, or a time field named in the options, is missing.
+[[nodiscard]] ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& options);
+
+/// Smallest and largest time value over the points that are returns (finite, not zero).
+/// `columns.time` must not be null.
+[[nodiscard]] TimeExtents time_extents(const PointTable& table, const ScanColumns& columns);
+
+struct BuiltScan {
+  Scan scan;
+  std::size_t dropped_points = 0;
+};
+
+/// The scan that a table holds. `rule` is needed where there is a time column. Without a `stamp_ns`
+/// absolute times give it: the earliest return's; else it is zero. Points whose time is not finite,
+/// and points without return whose time lies outside the returns', are dropped. Rings outside
+/// 0..65535 become the nearer of the two. Throws ReadError where a point lies more than 2.1 s from
+/// the stamp.
+[[nodiscard]] BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
+                                   const std::optional<PointTimeRule>& rule,
+                                   std::optional<std::int64_t> stamp_ns, StampAt stamp_at);
+
+}  // namespace surefoot::dataset
