@@ -38,16 +38,16 @@ enum class LevelMode {
 /// Parameters of the odometry; constant once an Odometry was made from them.
 struct Config {
   struct Preprocess {
-    double min_range;    // [m]
-    double max_range;    // [m]
-    int min_points;      // fewer valid points: scan rejected
-    double min_extent;   // [m] smaller cloud: scan rejected
+    double min_range;   // [m]
+    double max_range;   // [m]
+    int min_points;     // fewer valid points: scan rejected
+    double min_extent;  // [m] smaller cloud: scan rejected
   } preprocess;
 
   struct Level {
     LevelMode mode;
     double max_tilt_deg;  // a plane steeper than this in the LiDAR frame is not the ground
-    double mount_x, mount_y, mount_z;                          // T_base_lidar [m]
+    double mount_x, mount_y, mount_z;                       // T_base_lidar [m]
     double mount_roll_deg, mount_pitch_deg, mount_yaw_deg;  // T_base_lidar
   } level;
 
@@ -57,10 +57,10 @@ struct Config {
 
   struct Deskew {
     DeskewMode mode;
-    int segments;         // K
-    double clamp_z;       // zeta_z [m]
-    double clamp_roll;    // zeta_r [rad]
-    double clamp_pitch;   // zeta_p [rad]
+    int segments;        // K
+    double clamp_z;      // zeta_z [m]
+    double clamp_roll;   // zeta_r [rad]
+    double clamp_pitch;  // zeta_p [rad]
   } deskew;
 
   struct Downsample {
@@ -69,10 +69,10 @@ struct Config {
   } downsample;
 
   struct Map {
-    double voxel_size;     // [m]
+    double voxel_size;  // [m]
     int points_per_voxel;
-    double min_spacing;    // [m]
-    double radius;         // [m] voxels farther from the sensor leave
+    double min_spacing;  // [m]
+    double radius;       // [m] voxels farther from the sensor leave
   } map;
 
   struct Registration {
@@ -90,25 +90,25 @@ struct Config {
   } horizontal;
 
   struct Vertical {
-    int sub_iterations;         // U_V
-    int min_neighbours;         // N_min
-    double min_normal_z;        // tau_n
-    double max_range;           // r_max [m]
-    double near_distance;       // d_0 [m]
-    double distance_decay;      // beta [1/m^2]
-    double near_gate;           // epsilon_0 [m]
-    double near_suppression;    // epsilon_s
-    double kernel_scale;        // kappa_V [m]
-    double trust_region;        // zeta_V [m, rad]
+    int sub_iterations;       // U_V
+    int min_neighbours;       // N_min
+    double min_normal_z;      // tau_n
+    double max_range;         // r_max [m]
+    double near_distance;     // d_0 [m]
+    double distance_decay;    // beta [1/m^2]
+    double near_gate;         // epsilon_0 [m]
+    double near_suppression;  // epsilon_s
+    double kernel_scale;      // kappa_V [m]
+    double trust_region;      // zeta_V [m, rad]
   } vertical;
 
   struct Health {
     int min_matches;
-    double min_match_ratio;     // of the registered points, at the end
-    double max_correction;      // [m] registration against prediction
+    double min_match_ratio;  // of the registered points, at the end
+    double max_correction;   // [m] registration against prediction
     double max_correction_deg;
-    double min_information;     // share of the average below which a direction is degenerate
-    int restart_after;          // scans lost in a row before the map is begun anew
+    double min_information;  // share of the average below which a direction is degenerate
+    int restart_after;       // scans lost in a row before the map is begun anew
   } health;
 
   /// The defaults of the parameter table.
@@ -123,12 +123,12 @@ class ConfigError : public std::invalid_argument {
 
 /// One row of the parameter table.
 struct ParameterInfo {
-  std::string name;           ///< "deskew.segments"
+  std::string name;  ///< "deskew.segments"
   std::string default_value;
-  std::string unit;           ///< "" where the value has none
-  std::string range;          ///< "1 .. 64" or "none | constant_velocity | piecewise"
-  std::string help;           ///< one line; the paper's symbol where it has one
-  std::string source;         ///< where the default comes from
+  std::string unit;    ///< "" where the value has none
+  std::string range;   ///< "1 .. 64" or "none | constant_velocity | piecewise"
+  std::string help;    ///< one line; the paper's symbol where it has one
+  std::string source;  ///< where the default comes from
 };
 
 /// The parameter table, in the order of Config.

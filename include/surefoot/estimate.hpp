@@ -25,10 +25,10 @@ enum class Status {
 
 /// What one stage of the registration did.
 struct StageReport {
-  int iterations = 0;         ///< updates that were solved and applied
-  int matches = 0;            ///< correspondences in the last of them
-  double residual = 0.0;      ///< [m] weighted RMS over these
-  double observability = 0.0; ///< vertical stage: mean of Omega_i, eq. (30), over these
+  int iterations = 0;          ///< updates that were solved and applied
+  int matches = 0;             ///< correspondences in the last of them
+  double residual = 0.0;       ///< [m] weighted RMS over these
+  double observability = 0.0;  ///< vertical stage: mean of Omega_i, eq. (30), over these
 };
 
 /// A motion that the scan hardly constrains.
@@ -43,21 +43,21 @@ struct DegenerateDirection {
 /// The answer to one scan.
 struct Estimate {
   Status status = Status::rejected;
-  std::string message;               ///< what was seen and expected; empty when ok
+  std::string message;  ///< what was seen and expected; empty when ok
 
-  std::int64_t stamp_ns = 0;         ///< mid-scan, the instant of `T_map_lidar`
-  Pose T_map_lidar;                  ///< pose at mid-scan
-  ScanTrajectory trajectory;         ///< poses within the scan, as its points were deskewed
-  Twist twist = Twist::Zero();       ///< velocity since the last pose, LiDAR frame [m/s, rad/s]
+  std::int64_t stamp_ns = 0;             ///< mid-scan, the instant of `T_map_lidar`
+  Pose T_map_lidar;                      ///< pose at mid-scan
+  ScanTrajectory trajectory;             ///< poses within the scan, as its points were deskewed
+  Twist twist = Twist::Zero();           ///< velocity since the last pose, LiDAR frame [m/s, rad/s]
   Matrix6 covariance = Matrix6::Zero();  ///< of the pose against the map; [x y z roll pitch yaw]
                                          ///< in the map's axes about the sensor [m, rad]
   std::vector<DegenerateDirection> degenerate;
 
-  bool converged = false;            ///< the last update was below registration.convergence
+  bool converged = false;  ///< the last update was below registration.convergence
   StageReport horizontal;
   StageReport vertical;
-  int points = 0;                    ///< valid points of the scan
-  int registered_points = 0;         ///< of these, after thinning, registered
+  int points = 0;             ///< valid points of the scan
+  int registered_points = 0;  ///< of these, after thinning, registered
 
   /// Pose at any instant of the scan [ns, sensor's epoch].
   [[nodiscard]] Pose pose_at(std::int64_t instant_ns) const {

@@ -13,11 +13,11 @@ namespace surefoot {
 /// Structure of arrays: every optional array is either empty or as long as `points`.
 /// Points that are NaN, infinite or exactly zero are "no return" and are skipped by the odometry.
 struct Scan {
-  std::int64_t stamp_ns = 0;              ///< instant that `times_ns` counts from; sensor's epoch
-  std::vector<Eigen::Vector3f> points;    ///< [m], LiDAR frame: x forward, y left, z up
-  std::vector<float> intensities;         ///< as the sensor gives them
-  std::vector<std::int32_t> times_ns;     ///< point's instant minus stamp_ns; empty: no point times
-  std::vector<std::uint16_t> rings;       ///< laser, counted from the lowest
+  std::int64_t stamp_ns = 0;            ///< instant that `times_ns` counts from; sensor's epoch
+  std::vector<Eigen::Vector3f> points;  ///< [m], LiDAR frame: x forward, y left, z up
+  std::vector<float> intensities;       ///< as the sensor gives them
+  std::vector<std::int32_t> times_ns;   ///< point's instant minus stamp_ns; empty: no point times
+  std::vector<std::uint16_t> rings;     ///< laser, counted from the lowest
 };
 
 }  // namespace surefoot

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "surefoot/config.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+#include "odometry/config_fields.hpp"
+
+namespace surefoot {
+
+namespace {
+
+template <typename Enum>
+using EnumNames = std::span<const std::pair<Enum, const char*>>;
+
+EnumNames<DeskewMode> enum_names(DeskewMode) {
+  static constexpr std::pair<DeskewMode, const char*> names[] = {
+      {DeskewMode::none, "none"},
+      {DeskewMode::constant_velocity, "constant_velocity"},
+      {DeskewMode::piecewise, "piecewise"}};
+  return names;
+}
+EnumNames<RegistrationMode> enum_names(RegistrationMode) {
+  static constexpr std::pair<RegistrationMode, const char*> names[] = {
+      {RegistrationMode::decoupled, "decoupled"}, {RegistrationMode::coupled, "coupled"}};
+  return names;
+}
+EnumNames<CoupledResidual> enum_names(CoupledResidual) {
+  static constexpr std::pair<CoupledResidual, const char*> names[] = {
+      {CoupledResidual::point_to_point, "point_to_point"},
+      {CoupledResidual::point_to_plane, "point_to_plane"}};
+  return names;
+}
+EnumNames<LevelMode> enum_names(LevelMode) {
+  static constexpr std::pair<LevelMode, const char*> names[] = {
+      {LevelMode::ground, "ground"}, {LevelMode::mount, "mount"}, {LevelMode::none, "none"}};
+  return names;
+}
+
+/// The shortest text that reads back to the same number.
+std::string number_text(double value) {
+  std::array<char, 32> buffer;
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return error == std::errc{} ? std::string(buffer.data(), end) : std::string("?");
+}
+
+std::string range_text(const ConfigField& field, Config& config) {
+  return std::visit(
+      [&](auto* slot) -> std::string {
+        using Value = std::remove_pointer_t<decltype(slot)>;
+        if constexpr (std::is_enum_v<Value>) {
+          std::string text;
+          for (const auto& [value, name] : enum_names(Value{})) {
+            text += (text.empty() ? "" : " | ") + std::string(name);
+          }
+          return text;
+        } else {
+          return number_text(field.min) + " .. " + number_text(field.max);
+        }
+      },
+      field.slot(config));
+}
+
+[[noreturn]] void refuse(const ConfigField& field, Config& config, std::string_view value) {
+  const std::string unit = *field.unit ? " " + std::string(field.unit) : "";
+  throw ConfigError("parameter " + std::string(field.name) + ": got '" + std::string(value) +
+                    "', expected " + range_text(field, config) + unit + " (" + field.help + ")");
+}
+
+template <typename Number>
+bool parse_number(std::string_view text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc{} && result.ptr == end;
+}
+
+void assign(const ConfigField& field, Config& config, std::string_view text) {
+  std::visit(
+      [&](auto* slot) {
+        using Value = std::remove_pointer_t<decltype(slot)>;
+        Value parsed{};
+        if constexpr (std::is_enum_v<Value>) {
+          for (const auto& [value, name] : enum_names(Value{})) {
+            if (text == name) {
+              *slot = value;
+              return;
+            }
+          }
+          refuse(field, config, text);
+        } else {
+          if (!parse_number(text, parsed)) refuse(field, config, text);
+          const double number = static_cast<double>(parsed);
+          if (!std::isfinite(number) || number < field.min || number > field.max) {
+            refuse(field, config, text);
+          }
+          *slot = parsed;
+        }
+      },
+      field.slot(config));
+}
+
+const ConfigField& find_field(std::string_view name) {
+  for (const ConfigField& field : config_fields()) {
+    if (name == field.name) return field;
+  }
+  throw ConfigError("there is no parameter '" + std::string(name) +
+                    "'; `surefoot config` prints the ones there are");
+}
+
+std::string text_of(const ConfigField& field, Config& config) {
+  return std::visit(
+      [](auto* slot) -> std::string {
+        using Value = std::remove_pointer_t<decltype(slot)>;
+        if constexpr (std::is_enum_v<Value>) {
+          for (const auto& [value, name] : enum_names(Value{})) {
+            if (value == *slot) return name;
+          }
+          return "?";
+        } else {
+          return number_text(*slot);
+        }
+      },
+      field.slot(config));
+}
+
+}  // namespace
+
+Config::Config() {
+  for (const ConfigField& field : config_fields()) assign(field, *this, field.default_value);
+}
+
+const std::vector<ParameterInfo>& parameters() {
+  static const std::vector<ParameterInfo> infos = [] {
+    std::vector<ParameterInfo> result;
+    Config config;
+    for (const ConfigField& field : config_fields()) {
+      result.push_back({field.name, field.default_value, field.unit, range_text(field, config),
+                        field.help, field.source});
+    }
+    return result;
+  }();
+  return infos;
+}
+
+void set_parameter(Config& config, std::string_view name, std::string_view value) {
+  assign(find_field(name), config, value);
+}
+
+std::string get_parameter(const Config& config, std::string_view name) {
+  Config copy = config;
+  return text_of(find_field(name), copy);
+}
+
+void validate(const Config& config) {
+  Config copy = config;
+  for (const ConfigField& field : config_fields()) assign(field, copy, text_of(field, copy));
+  if (config.preprocess.min_range >= config.preprocess.max_range) {
+    throw ConfigError("preprocess.min_range (" + number_text(config.preprocess.min_range) +
+                      " m) must be less than preprocess.max_range (" +
+                      number_text(config.preprocess.max_range) + " m)");
+  }
+  if (config.registration.relaxed_distance < config.registration.max_distance) {
+    throw ConfigError("registration.relaxed_distance (" +
+                      number_text(config.registration.relaxed_distance) +
+                      " m) must not be less than registration.max_distance (" +
+                      number_text(config.registration.max_distance) + " m)");
+  }
+}
+
+const std::vector<std::string>& methods() {
+  static const std::vector<std::string> names = {"paper", "paper-cv", "paper-no-deskew",
+                                                 "paper-coupled"};
+  return names;
+}
+
+Config method_config(std::string_view method) {
+  Config config;
+  if (method == "paper") return config;
+  if (method == "paper-cv") {
+    config.deskew.mode = DeskewMode::constant_velocity;
+    return config;
+  }
+  if (method == "paper-no-deskew") {
+    config.deskew.mode = DeskewMode::none;
+    return config;
+  }
+  if (method == "paper-coupled") {
+    config.registration.mode = RegistrationMode::coupled;
+    return config;
+  }
+  std::string known;
+  for (const std::string& name : methods()) known += (known.empty() ? "" : ", ") + name;
+  throw ConfigError("there is no method '" + std::string(method) + "'; there are: " + known);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "odometry/downsample.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "odometry/voxel_key.hpp"
+#include "odometry/voxel_table.hpp"
+
+namespace surefoot {
+
+namespace {
+
+struct Candidate {
+  std::uint64_t key;
+  float to_centre2;
+  Eigen::Vector3f point;
+
+  /// Total order, so that equally near points do not make the result depend on their order.
+  [[nodiscard]] bool better_than(const Candidate& other) const {
+    const auto rank = [](const Candidate& c) {
+      return std::make_tuple(c.to_centre2, c.point.x(), c.point.y(), c.point.z());
+    };
+    return rank(*this) < rank(other);
+  }
+};
+
+Candidate make_candidate(const Eigen::Vector3f& point, double voxel) {
+  const VoxelIndex index = voxel_index(point.cast<double>(), 1.0 / voxel);
+  const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * voxel;
+  return {voxel_key(index), (point - centre.cast<float>()).squaredNorm(), point};
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points, double voxel) {
+  VoxelTable table;
+  std::vector<Candidate> kept;
+  for (const Eigen::Vector3f& point : points) {
+    const Candidate candidate = make_candidate(point, voxel);
+    const auto next = static_cast<std::uint32_t>(kept.size());
+    const auto [slot, inserted] = table.find_or_insert(candidate.key, next);
+    if (inserted) {
+      kept.push_back(candidate);
+    } else if (candidate.better_than(kept[slot])) {
+      kept[slot] = candidate;
+    }
+  }
+  std::sort(kept.begin(), kept.end(),
+            [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
+  std::vector<Eigen::Vector3f> thinned;
+  thinned.reserve(kept.size());
+  for (const Candidate& candidate : kept) thinned.push_back(candidate.point);
+  return thinned;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "odometry/information.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "odometry/normal_equations.hpp"
+#include "odometry/robust_weight.hpp"
+
+namespace surefoot {
+
+namespace {
+
+struct PlaneSum {
+  NormalEquations<6> equations;
+  double squared_distance = 0.0;  // weighted sum of |s|^2
+  PlaneSum& operator+=(const PlaneSum& other) {
+    equations += other.equations;
+    squared_distance += other.squared_distance;
+    return *this;
+  }
+};
+
+PlaneSum sum_planes(Source& source, const LocalMap& map, const Pose& T_map_lidar,
+                    const Config& config, const Workers& workers) {
+  const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
+  const Eigen::Vector3d& sensor = T_map_lidar.translation;
+  return workers.sum<PlaneSum>(source.points.size(), [&](std::size_t begin, std::size_t end) {
+    PlaneSum sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Match& match = source.matches[i];
+      if (!match.found) continue;
+      const auto [s, q] = about_sensor(R, sensor, source.points[i], match);
+      const Surface& surface = surface_at(map, s + sensor, source.surfaces[i]);
+      if (surface.neighbours < config.vertical.min_neighbours) continue;
+      const Eigen::Matrix<double, 1, 1> r(surface.normal.dot(s - q));
+      const double w =
+          surface.planarity * lorentzian_weight(std::abs(r[0]), config.vertical.kernel_scale);
+      sum.equations.add<1>(plane_jacobian(s, surface.normal), r, w);
+      sum.squared_distance += w * s.squaredNorm();
+    }
+    return sum;
+  });
+}
+
+/// Name of a direction's largest part, in axes turned by the sensor's heading.
+std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
+  static constexpr const char* names[] = {"forward", "lateral", "up", "roll", "pitch", "yaw"};
+  const double yaw = roll_pitch_yaw(T_map_lidar.rotation).z();
+  const Eigen::Matrix3d to_heading =
+      Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  Twist turned;
+  turned << to_heading * direction.head<3>(), to_heading * direction.tail<3>();
+  Eigen::Index largest = 0;
+  turned.cwiseAbs().maxCoeff(&largest);
+  return names[largest];
+}
+
+std::vector<DegenerateDirection> weak_directions(const PlaneSum& sum, const Pose& T_map_lidar,
+                                                 double min_information) {
+  // Rotations in metres at the matches' RMS distance, so that all six compare.
+  const double weight = std::max(sum.equations.weight, 1e-12);
+  const double lever = std::max(std::sqrt(sum.squared_distance / weight), 1e-3);
+  Twist scale = Twist::Ones();
+  scale.tail<3>().setConstant(1.0 / lever);
+  const Matrix6 H = scale.asDiagonal() * sum.equations.H * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
+  std::vector<DegenerateDirection> weak;
+  for (int i = 0; i < 6; ++i) {
+    // Normals spread evenly over the sphere give each translation a third of the weight.
+    const double share = 3.0 * eigen.eigenvalues()[i] / weight;
+    if (share >= min_information) break;
+    const Twist direction = eigen.eigenvectors().col(i);
+    weak.push_back({direction, std::max(share, 0.0), name_direction(direction, T_map_lidar)});
+  }
+  return weak;
+}
+
+}  // namespace
+
+Matrix6 unregistered_covariance(const Config::Health& config) {
+  const double angle = config.max_correction_deg * std::numbers::pi / 180.0;
+  Twist variances;
+  variances.head<3>().setConstant(config.max_correction * config.max_correction);
+  variances.tail<3>().setConstant(angle * angle);
+  return variances.asDiagonal();
+}
+
+void assess(Source& source, const LocalMap& map, const Pose& T_map_lidar, const Config& config,
+            const Workers& workers, Estimate& estimate) {
+  const PlaneSum sum = sum_planes(source, map, T_map_lidar, config, workers);
+  // Variance of one residual. The prior that a pose stays within what a registration may correct
+  // keeps the covariance finite where no surface speaks.
+  const double variance = std::max(sum.equations.rms() * sum.equations.rms(), 1e-8);
+  const Matrix6 prior = unregistered_covariance(config.health).inverse();
+  const Matrix6 information = sum.equations.H / variance + prior;
+  estimate.covariance = information.llt().solve(Matrix6::Identity());
+  estimate.degenerate = weak_directions(sum, T_map_lidar, config.health.min_information);
+  if (estimate.degenerate.empty()) return;
+  estimate.status = Status::degenerate;
+  estimate.message = "the scan hardly constrains:";
+  for (const DegenerateDirection& weak : estimate.degenerate) estimate.message += ' ' + weak.name;
+}
+
+}  // namespace surefoot

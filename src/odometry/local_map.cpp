@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "odometry/local_map.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::size_t kLanes = 4;  // points compared at once: one SSE or NEON vector
+constexpr float kFarAway = 1e15F;  // unused places: farther than anything, and its square finite
+using Lanes = Eigen::Array<float, kLanes, 1>;
+
+// The map is cleaned when the sensor went this share of the radius, not at every scan.
+constexpr double kCleaningShare = 0.05;
+
+}  // namespace
+
+void LocalMap::Moments::add(const Eigen::Vector3d& p) {
+  count += 1.0;
+  sum += p;
+  products += p * p.transpose();
+}
+
+void LocalMap::Moments::add(const Moments& other, const Eigen::Vector3d& offset) {
+  // sum (p + o)(p + o)^T = sum p p^T + s o^T + o s^T + n o o^T
+  const Eigen::Matrix3d cross = other.sum * offset.transpose();
+  products +=
+      other.products + cross + cross.transpose() + other.count * (offset * offset.transpose());
+  sum += other.sum + other.count * offset;
+  count += other.count;
+}
+
+LocalMap::LocalMap(const Config::Map& config, double max_distance)
+    : size_(config.voxel_size),
+      inverse_size_(1.0 / config.voxel_size),
+      min_spacing2_(static_cast<float>(config.min_spacing * config.min_spacing)),
+      radius_(config.radius),
+      capacity_(static_cast<std::uint32_t>(config.points_per_voxel)),
+      stride_((capacity_ + kLanes - 1) / kLanes * kLanes) {
+  const int reach = static_cast<int>(std::ceil(max_distance * inverse_size_));
+  for (int x = -reach; x <= reach; ++x) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int z = -reach; z <= reach; ++z) {
+        const Eigen::Array3i between = Eigen::Array3i(x, y, z).abs() - 1;
+        const double gap2 = (between.max(0).cast<double>() * size_).square().sum();
+        if (gap2 < max_distance * max_distance) {
+          neighbours_.push_back({{x, y, z}, static_cast<float>(gap2)});
+        }
+      }
+    }
+  }
+  // Nearest first; among equal gaps the middle voxel, then faces, edges, corners.
+  const auto rank = [](const Neighbour& n) {
+    return std::make_tuple(n.squared_gap, n.offset.squaredNorm(), n.offset.x(), n.offset.y(),
+                           n.offset.z());
+  };
+  std::sort(neighbours_.begin(), neighbours_.end(),
+            [&](const Neighbour& a, const Neighbour& b) { return rank(a) < rank(b); });
+}
+
+std::uint32_t LocalMap::voxel_at(const VoxelIndex& index) {
+  const auto next = static_cast<std::uint32_t>(voxels_.size());
+  const auto [voxel, inserted] = table_.find_or_insert(voxel_key(index), next);
+  if (inserted) {
+    voxels_.push_back({index, 0, {}});
+    coordinates_.resize(coordinates_.size() + 3 * stride_, kFarAway);
+  }
+  return voxel;
+}
+
+bool LocalMap::crowded(const Voxel& voxel, const float* block, const Eigen::Vector3f& local) const {
+  for (std::size_t i = 0; i < voxel.count; ++i) {
+    const Eigen::Vector3f other(block[i], block[stride_ + i], block[2 * stride_ + i]);
+    if ((other - local).squaredNorm() < min_spacing2_) return true;
+  }
+  return false;
+}
+
+void LocalMap::insert(const Eigen::Vector3d& point) {
+  const VoxelIndex index = voxel_of(point);
+  const std::uint32_t at = voxel_at(index);
+  Voxel& voxel = voxels_[at];
+  if (voxel.count == capacity_) return;
+  const Eigen::Vector3f local = (point - corner(index)).cast<float>();
+  float* const coordinates = block(at);
+  if (crowded(voxel, coordinates, local)) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    coordinates[axis * stride_ + voxel.count] = local[static_cast<Eigen::Index>(axis)];
+  }
+  ++voxel.count;
+  voxel.moments.add(local.cast<double>());
+}
+
+void LocalMap::remove_far(const Eigen::Vector3d& sensor) {
+  if (!cleaned_at_) cleaned_at_ = sensor;
+  if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius_) return;
+  cleaned_at_ = sensor;
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size_);
+  std::uint32_t kept = 0;
+  table_.clear();
+  for (std::uint32_t voxel = 0; voxel < voxels_.size(); ++voxel) {
+    if ((corner(voxels_[voxel].index) + half - sensor).norm() > radius_) continue;
+    if (kept != voxel) {
+      voxels_[kept] = voxels_[voxel];
+      std::copy_n(block(voxel), 3 * stride_, block(kept));
+    }
+    table_.find_or_insert(voxel_key(voxels_[kept].index), kept);
+    ++kept;
+  }
+  voxels_.resize(kept);
+  coordinates_.resize(3 * stride_ * kept);
+}
+
+void LocalMap::clear() {
+  voxels_.clear();
+  coordinates_.clear();
+  table_.clear();
+  cleaned_at_.reset();
+}
+
+void LocalMap::search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, Best& best) const {
+  const float* const x = block(voxel);
+  const std::size_t used = voxels_[voxel].count;
+  for (std::size_t i = 0; i < used; i += kLanes) {
+    const auto lanes = [&](std::size_t axis) {
+      return Eigen::Map<const Lanes>(x + axis * stride_ + i);
+    };
+    const Lanes squared = (lanes(0) - place.x()).square() + (lanes(1) - place.y()).square() +
+                          (lanes(2) - place.z()).square();
+    if (squared.minCoeff() >= best.squared_distance) continue;
+    Eigen::Index lane = 0;
+    best.squared_distance = squared.minCoeff(&lane);
+    best.voxel = voxel;
+    best.point = static_cast<int>(i) + static_cast<int>(lane);
+  }
+}
+
+std::optional<Eigen::Vector3d> LocalMap::nearest(const Eigen::Vector3d& place,
+                                                 double max_distance) const {
+  const VoxelIndex middle = voxel_of(place);
+  const Eigen::Vector3f local = (place - corner(middle)).cast<float>();
+  const auto size = static_cast<float>(size_);
+  // Along an axis, the squared distance from the place to a voxel `steps` voxels away.
+  const auto gap2 = [&](float from_corner, int steps) {
+    const float gap = steps == 0  ? 0.0F
+                      : steps > 0 ? static_cast<float>(steps) * size - from_corner
+                                  : from_corner - static_cast<float>(steps + 1) * size;
+    return gap * gap;
+  };
+  Best best{static_cast<float>(max_distance * max_distance)};
+  for (const auto& [offset, squared_gap] : neighbours_) {
+    if (squared_gap >= best.squared_distance) break;
+    if (gap2(local.x(), offset.x()) + gap2(local.y(), offset.y()) + gap2(local.z(), offset.z()) >=
+        best.squared_distance) {
+      continue;
+    }
+    const std::uint32_t voxel = find(middle + offset);
+    if (voxel == VoxelTable::kNone) continue;
+    search_voxel(voxel, local - offset.cast<float>() * size, best);
+  }
+  if (best.voxel == VoxelTable::kNone) return std::nullopt;
+  const float* const x = block(best.voxel) + best.point;
+  const Eigen::Vector3d in_voxel(x[0], x[stride_], x[2 * stride_]);
+  return corner(voxels_[best.voxel].index) + in_voxel;
+}
+
+Surface LocalMap::surface(const VoxelIndex& voxel) const {
+  Moments around;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const VoxelIndex offset(x, y, z);
+        const std::uint32_t at = find(voxel + offset);
+        if (at != VoxelTable::kNone) {
+          around.add(voxels_[at].moments, offset.cast<double>() * size_);
+        }
+      }
+    }
+  }
+  Surface surface;
+  surface.neighbours = static_cast<int>(around.count);
+  if (surface.neighbours < 3) return surface;
+  const Eigen::Vector3d mean = around.sum / around.count;
+  const Eigen::Matrix3d C = around.products / around.count - mean * mean.transpose();  // [Eq 21]
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(C);
+  surface.normal = eigen.eigenvectors().col(0);  // [Eq 22]
+  const Eigen::Vector3d& spread = eigen.eigenvalues();
+  if (spread[2] > 0.0) surface.planarity = std::max(0.0, (spread[1] - spread[0]) / spread[2]);
+  return surface;
+}
+
+std::vector<Eigen::Vector3d> LocalMap::points() const {
+  std::vector<Eigen::Vector3d> result;
+  for (std::uint32_t at = 0; at < voxels_.size(); ++at) {
+    const Voxel& voxel = voxels_[at];
+    for (std::uint32_t i = 0; i < voxel.count; ++i) {
+      const float* const x = block(at) + i;
+      result.push_back(corner(voxel.index) + Eigen::Vector3d(x[0], x[stride_], x[2 * stride_]));
+    }
+  }
+  return result;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "odometry/registration.hpp"
+
+#include "odometry/coupled.hpp"
+#include "odometry/horizontal.hpp"
+#include "odometry/vertical.hpp"
+
+namespace surefoot {
+
+namespace {
+
+/// d_max(t), eq. (20); iterations count from 1.
+double correspondence_distance(int t, const Config::Registration& config) {
+  return t <= config.early_iterations ? config.relaxed_distance : config.max_distance;  // [Eq 20]
+}
+
+/// Algorithm 1, line 16. Returns the number of matches.
+int find_correspondences(Source& source, const LocalMap& map, const Pose& T_map_lidar,
+                         double max_distance, const Workers& workers) {
+  const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
+  return workers.sum<int>(source.points.size(), [&](std::size_t begin, std::size_t end) {
+    int found = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d place = R * source.points[i].cast<double>() + T_map_lidar.translation;
+      const auto target = map.nearest(place, max_distance);
+      source.matches[i] = {target.has_value(), target.value_or(Eigen::Vector3d::Zero())};
+      found += target.has_value() ? 1 : 0;
+    }
+    return found;
+  });
+}
+
+template <int Size>
+void report(const NormalEquations<Size>& equations, StageReport& stage) {
+  ++stage.iterations;
+  stage.matches = equations.count;
+  stage.residual = equations.rms();
+  stage.observability = equations.count > 0 ? equations.observability / equations.count : 0.0;
+}
+
+/// Lines 17-28: one horizontal update, then U_V vertical ones. Returns the whole update.
+Twist update_decoupled(Source& source, const LocalMap& map, const Config& config,
+                       const Workers& workers, const StepObserver& begin_step,
+                       Registration& result) {
+  begin_step(Step::horizontal);
+  const NormalEquations<3> horizontal =
+      horizontal_equations(source, result.T_map_lidar, config.horizontal, workers);
+  Twist whole = full_horizontal_update(horizontal.solve());
+  result.T_map_lidar = apply_update(result.T_map_lidar, whole);
+  report(horizontal, result.horizontal);
+
+  begin_step(Step::vertical);
+  for (int u = 0; u < config.vertical.sub_iterations; ++u) {
+    const NormalEquations<3> vertical =
+        vertical_equations(source, map, result.T_map_lidar, config.vertical, workers);
+    const Twist delta =
+        full_vertical_update(limit_to_trust_region(vertical.solve(), config.vertical.trust_region));
+    result.T_map_lidar = apply_update(result.T_map_lidar, delta);
+    report(vertical, result.vertical);
+    whole += delta;
+  }
+  return whole;
+}
+
+/// The coupled problem, to compare with: one 6-DoF update, reported as the horizontal stage.
+Twist update_coupled(Source& source, const LocalMap& map, const Config& config,
+                     const Workers& workers, const StepObserver& begin_step, Registration& result) {
+  begin_step(Step::horizontal);
+  const NormalEquations<6> equations =
+      coupled_equations(source, map, result.T_map_lidar, config, workers);
+  const Twist delta = equations.solve();
+  result.T_map_lidar = apply_update(result.T_map_lidar, delta);
+  report(equations, result.horizontal);
+  return delta;
+}
+
+}  // namespace
+
+Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
+                           const Config& config, const Workers& workers,
+                           const StepObserver& begin_step) {
+  Registration result;
+  // Lines 8-9. T_map_lidar is T_icp * T_0 throughout: updates are applied to it from the left.
+  result.T_map_lidar = T_0;
+  source.matches.assign(source.points.size(), Match{});
+  source.surfaces.assign(source.points.size(), CachedSurface{});
+  const bool coupled = config.registration.mode == RegistrationMode::coupled;
+
+  for (int t = 1; t <= config.registration.max_iterations; ++t) {  // line 10
+    begin_step(Step::search);
+    const double d_corr = correspondence_distance(t, config.registration);  // lines 11-15
+    result.matches = find_correspondences(source, map, result.T_map_lidar, d_corr, workers);
+    if (result.matches < config.health.min_matches) break;  // too little to solve with
+    const Twist update = (coupled ? update_coupled : update_decoupled)(source, map, config, workers,
+                                                                       begin_step, result);
+    result.converged = update.norm() < config.registration.convergence;
+    if (!update.allFinite()) break;
+    if (result.converged && t > config.registration.early_iterations) break;
+  }
+  return result;  // line 30
+}
+
+}  // namespace surefoot

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "odometry/matches.hpp"
+#include "odometry/parallel.hpp"
+#include "surefoot/config.hpp"
+#include "surefoot/estimate.hpp"
+#include "surefoot/odometry.hpp"
+
+namespace surefoot {
+
+/// Called when a step begins.
+using StepObserver = std::function<void(Step)>;
+
+/// Where a registration ended.
+struct Registration {
+  Pose T_map_lidar;        ///< at mid-scan
+  bool converged = false;  ///< the last update was below registration.convergence
+  int matches = 0;         ///< correspondences of the last search
+  StageReport horizontal;
+  StageReport vertical;
+};
+
+/// Registers a deskewed scan to the map: Algorithm 1, lines 8-30. `T_0` is the predicted mid-scan
+/// pose. Leaves the last matches and surfaces in `source`.
+[[nodiscard]] Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
+                                         const Config& config, const Workers& workers,
+                                         const StepObserver& begin_step);
+
+}  // namespace surefoot
