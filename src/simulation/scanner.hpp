@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A LiDAR carried through a scene: scans whose every point is measured from the pose that the
+// sensor has at the point's own instant.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "simulation/lidar_model.hpp"
+#include "simulation/motion.hpp"
+#include "simulation/ray_caster.hpp"
+#include "simulation/return_model.hpp"
+#include "surefoot/scan.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::simulation {
+
+struct ScannerOptions {
+  std::uint64_t seed = 0;
+  std::int64_t start_ns = 1'000'000'000'000;  ///< stamp of time 0
+  bool footprint = true;     ///< several rays a beam: mixed pixels, slanted surfaces
+  bool dual_return = false;  ///< strongest and last instead of the strongest alone
+  bool robot_body = false;   ///< the robot's own trunk is in view
+};
+
+/// One return, for the sensor's own packets.
+struct RawReturn {
+  std::uint64_t sequence = 0;  ///< firing sequence, counted from time 0
+  std::uint16_t laser = 0;     ///< index into LidarModel::lasers
+  bool second = false;         ///< the second return of a dual return
+  double range = 0.0;          ///< [m]
+  std::uint8_t intensity = 0;
+};
+
+struct SimulatedScan {
+  Scan scan;
+  std::int64_t end_ns = 0;                   ///< instant of the next scan's first firing
+  std::vector<RawReturn> raw;                ///< one a point, same order
+  std::vector<Eigen::Vector3d> true_points;  ///< one a point: where it was met, map frame, no noise
+  std::vector<std::uint8_t> labels;          ///< one a point: PointLabel
+  std::uint64_t first_sequence = 0;
+  std::uint64_t end_sequence = 0;
+};
+
+enum PointLabel : std::uint8_t { kLabelStatic, kLabelMoving, kLabelMixed, kLabelRobot };
+
+class Scanner {
+ public:
+  /// @param rays is used for every scan and must outlive the scanner.
+  Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
+          const ScannerOptions& options);
+  ~Scanner();
+
+  /// Scans that the motion lasts for.
+  [[nodiscard]] std::uint64_t scan_count() const;
+  /// Scan `index`, whichever was asked before. The first firing sequence that starts in a turn is
+  /// the scan's first. Points come in the order of their firing.
+  [[nodiscard]] SimulatedScan scan(std::uint64_t index);
+
+  /// First sequence of a scan.
+  [[nodiscard]] std::uint64_t first_sequence(std::uint64_t index) const;
+  /// Instant of a firing since time 0 [ns].
+  [[nodiscard]] double firing_ns(std::uint64_t sequence, std::size_t laser) const;
+  /// Azimuth that the sensor reports for a firing, clockwise [rad], in [0, 2 pi).
+  [[nodiscard]] double reported_azimuth(std::uint64_t sequence, std::size_t laser) const;
+  [[nodiscard]] const LidarModel& model() const { return model_; }
+  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] const ScannerOptions& options() const { return options_; }
+
+ private:
+  struct Beam;
+  void aim(std::uint64_t sequence, double begin_ns, double end_ns);
+  void collect(std::uint64_t sequence, SimulatedScan& result);
+
+  RayCaster* rays_;
+  LidarModel model_;
+  Motion motion_;
+  ScannerOptions options_;
+  CounterRandom random_;
+  std::unique_ptr<RayCaster> body_;
+  std::vector<Beam> beams_;  ///< of one firing sequence
+  std::vector<Ray> aimed_;
+  std::vector<Ray> aimed_body_;
+  std::vector<Hit> hits_;
+  std::vector<Hit> body_hits_;
+};
+
+/// Truth: the LiDAR's pose every 2.5 ms and at the start, the middle and the end of every scan.
+[[nodiscard]] Trajectory true_trajectory(const Scanner& scanner, std::uint64_t scans);
+
+}  // namespace surefoot::simulation
