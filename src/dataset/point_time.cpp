@@ -25,6 +25,8 @@ constexpr double kEpochGreatest = 4.2e9;
 // How far from a scan's stamp its points may be, where the points do not include the stamp: the
 // longest scan that is one without a warning [s].
 constexpr double kNear = 1.0;
+// Shorter scans are unusual [s].
+constexpr double kShortest = 0.01;
 // Stamps nearer to zero than this cannot tell absolute from relative [s].
 constexpr double kStampNearZero = 2.0 * kNear;
 
@@ -163,10 +165,13 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
 
 std::string describe_point_time(const std::string& field, ScalarType type,
                                 const PointTimeRule& rule, const TimeExtents& extents) {
+  const double duration = (extents.greatest - extents.least) / facts_of(rule.unit).per_second;
+  const bool usual = duration == 0.0 || (duration >= kShortest && duration <= kNear);
   return "time field '" + field + "': " + name_of(type) + ", " + facts_of(rule.unit).name +
          (rule.reference == TimeReference::kRelative ? " relative to the stamp, "
                                                      : " since the epoch (absolute), ") +
-         number(extents.least) + " .. " + number(extents.greatest);
+         number(extents.least) + " .. " + number(extents.greatest) +
+         (usual ? "" : "; a scan of " + number(duration) + " s is unusual, 0.01 to 1 s expected");
 }
 
 }  // namespace surefoot::dataset
