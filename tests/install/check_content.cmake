@@ -1,0 +1,16 @@
+# The installed tree holds the public headers and no others, and the package passes on no flags.
+file(GLOB_RECURSE public_headers RELATIVE ${sources}/include ${sources}/include/*.hpp)
+file(GLOB_RECURSE installed_headers RELATIVE ${prefix}/${includedir} ${prefix}/${includedir}/*)
+if(NOT "${public_headers}" STREQUAL "${installed_headers}")
+  message(FATAL_ERROR "installed headers:\n  ${installed_headers}\nexpected:\n  ${public_headers}")
+endif()
+
+set(targets_file ${prefix}/${libdir}/cmake/surefoot/surefootTargets.cmake)
+file(STRINGS ${targets_file} flags REGEX "-W|-m[a-z]+=|-O[0-9s]|INTERFACE_COMPILE_OPTIONS")
+if(flags)
+  message(FATAL_ERROR "${targets_file} passes flags on to users:\n  ${flags}")
+endif()
+file(STRINGS ${targets_file} paths REGEX "${sources}")
+if(paths)
+  message(FATAL_ERROR "${targets_file} names the source tree:\n  ${paths}")
+endif()
