@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "evaluation/alignment.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace surefoot::evaluation {
+
+namespace {
+
+/// First and second moments of the positions, estimate x and reference y (Umeyama, eqs. 34-38).
+struct Moments {
+  Eigen::Vector3d mean_x = Eigen::Vector3d::Zero(), mean_y = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance_yx = Eigen::Matrix3d::Zero();
+  double variance_x = 0.0;
+};
+
+Moments moments(const AssociatedTrajectories& pairs, std::size_t count) {
+  Moments result;
+  const auto n = static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    result.mean_x += pairs.estimate[i].pose.translation / n;
+    result.mean_y += pairs.reference[i].pose.translation / n;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d x = pairs.estimate[i].pose.translation - result.mean_x;
+    const Eigen::Vector3d y = pairs.reference[i].pose.translation - result.mean_y;
+    result.covariance_yx += y * x.transpose() / n;
+    result.variance_x += x.squaredNorm() / n;
+  }
+  return result;
+}
+
+constexpr double kRankTolerance = 1e-12;  // relative to the largest singular value
+
+/// Entries of the covariance that may come from rounding alone.
+double rounding_of(const Moments& m) {
+  constexpr double kRounding = 1e-14;  // of a position minus the mean, relative to the position
+  return kRounding * kRounding * m.mean_x.norm() * m.mean_y.norm();
+}
+
+Alignment umeyama(const Moments& m, bool with_scale) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.covariance_yx,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d d = svd.singularValues();
+  if (!(d[1] > std::max(kRankTolerance * d[0], rounding_of(m)))) {
+    throw std::runtime_error(
+        "the positions lie on one line or in one place, which leaves a rotation undetermined: "
+        "align by origin or by yaw and translation");
+  }
+  Eigen::Vector3d s = Eigen::Vector3d::Ones();  // keeps a reflection out (eq. 43)
+  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) s[2] = -1.0;
+  const Eigen::Matrix3d rotation =
+      svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose();   // eq. 40
+  const double scale = with_scale ? d.dot(s) / m.variance_x : 1.0;  // eq. 42
+  return {{Eigen::Quaterniond(rotation).normalized(),
+           m.mean_y - scale * (rotation * m.mean_x)},  // eq. 41
+          scale};
+}
+
+Alignment yaw_translation(const Moments& m) {
+  const Eigen::Matrix3d& c = m.covariance_yx;
+  const double sine = c(1, 0) - c(0, 1), cosine = c(0, 0) + c(1, 1);
+  if (!(std::hypot(sine, cosine) > rounding_of(m))) {
+    throw std::runtime_error(
+        "the positions lie above one place, which leaves the yaw undetermined: "
+        "align by origin");
+  }
+  const Eigen::Quaterniond rotation(
+      Eigen::AngleAxisd(std::atan2(sine, cosine), Eigen::Vector3d::UnitZ()));
+  return {{rotation, m.mean_y - rotation * m.mean_x}, 1.0};
+}
+
+}  // namespace
+
+Alignment find_alignment(const AssociatedTrajectories& pairs, AlignmentMethod method,
+                         std::size_t poses) {
+  const std::size_t all = pairs.estimate.size();
+  const std::size_t count = poses == 0 ? all : std::min(poses, all);
+  switch (method) {
+    case AlignmentMethod::kNone:
+      return {};
+    case AlignmentMethod::kOrigin:
+      return {pairs.reference.front().pose * pairs.estimate.front().pose.inverse(), 1.0};
+    case AlignmentMethod::kYawTranslation:
+      return yaw_translation(moments(pairs, count));
+    case AlignmentMethod::kRigid:
+      return umeyama(moments(pairs, count), false);
+    case AlignmentMethod::kSimilarity:
+      return umeyama(moments(pairs, count), true);
+    case AlignmentMethod::kScale:
+      return {{}, umeyama(moments(pairs, count), true).scale};
+  }
+  throw std::invalid_argument("unknown alignment method");
+}
+
+Trajectory aligned(const Trajectory& trajectory, const Alignment& alignment) {
+  Trajectory result = trajectory;
+  for (StampedPose& stamped : result) {
+    stamped.pose.translation *= alignment.scale;
+    stamped.pose = alignment.pose * stamped.pose;
+  }
+  return result;
+}
+
+}  // namespace surefoot::evaluation

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "evaluation/evaluate.hpp"
+
+#include <array>
+#include <utility>
+
+#include "evaluation/ape.hpp"
+
+namespace surefoot::evaluation {
+
+namespace {
+
+constexpr std::array<std::pair<Relation, const char*>, 4> kRelations = {{
+    {Relation::kTranslation, "translation"},
+    {Relation::kRotationAngle, "rotation_angle"},
+    {Relation::kRotationPart, "rotation_part"},
+    {Relation::kFull, "full"},
+}};
+
+std::vector<NamedStatistics> absolute_statistics(const AssociatedTrajectories& pairs) {
+  std::vector<NamedStatistics> result;
+  for (const auto& [relation, name] : kRelations) {
+    result.push_back({std::string("ape_") + name, std::string(unit_of(relation)),
+                      statistics_of(absolute_errors(pairs, relation))});
+  }
+  const std::vector<SplitError> split = absolute_split_errors(pairs);
+  const auto add = [&](const char* name, const char* unit, double SplitError::*part) {
+    std::vector<double> errors;
+    errors.reserve(split.size());
+    for (const SplitError& error : split) errors.push_back(error.*part);
+    result.push_back({name, unit, statistics_of(errors)});
+  };
+  add("ape_horizontal", "m", &SplitError::horizontal);
+  add("ape_vertical", "m", &SplitError::vertical);
+  add("ape_tilt", "deg", &SplitError::tilt);
+  add("ape_yaw", "deg", &SplitError::yaw);
+  return result;
+}
+
+std::vector<NamedStatistics> relative_statistics(const AssociatedTrajectories& pairs,
+                                                 const std::vector<IndexPair>& stretches) {
+  if (stretches.empty()) return {};
+  std::vector<NamedStatistics> result;
+  for (const auto& [relation, name] : kRelations) {
+    result.push_back({std::string("rpe_") + name, std::string(unit_of(relation)),
+                      statistics_of(relative_errors(pairs, stretches, relation))});
+  }
+  result.push_back(
+      {"rpe_distance", "m", statistics_of(relative_distance_errors(pairs, stretches))});
+  const std::vector<double> percents = relative_distance_error_percents(pairs, stretches);
+  if (!percents.empty()) result.push_back({"rpe_distance_percent", "%", statistics_of(percents)});
+  return result;
+}
+
+/// Without stamps there is one pose for each of the reference's, which associate() has checked.
+double share_covered(const Trajectory& reference, const Trajectory& estimate,
+                     const AssociationOptions& options) {
+  if (options.method == AssociationMethod::kIndex) return 1.0;
+  return coverage(reference, estimate, options.offset);
+}
+
+}  // namespace
+
+Evaluation evaluate(const std::string& name, const Trajectory& reference,
+                    const Trajectory& estimate, const EvaluationOptions& options) {
+  AssociatedTrajectories pairs = associate(reference, estimate, options.association);
+  Evaluation result;
+  result.name = name;
+  result.pairs = pairs.estimate.size();
+  result.poses = estimate.size();
+  result.coverage = share_covered(reference, estimate, options.association);
+  result.alignment = find_alignment(pairs, options.alignment, options.alignment_poses);
+  pairs.estimate = aligned(pairs.estimate, result.alignment);
+  result.absolute = absolute_statistics(pairs);
+  const Trajectory& measured = options.stretches_from_reference ? pairs.reference : pairs.estimate;
+  result.relative = relative_statistics(pairs, find_pairs(measured, options.stretches));
+  const double length = path_lengths(pairs.reference).back();
+  const bool lengths_given = !options.segment_lengths.empty();
+  result.segments =
+      segment_errors(pairs, lengths_given ? options.segment_lengths : segment_lengths_for(length));
+  result.drift = end_drift(pairs);
+  return result;
+}
+
+}  // namespace surefoot::evaluation

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "evaluation/alignment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "walks.hpp"
+
+namespace surefoot::evaluation {
+namespace {
+
+using test::moved;
+using test::stamped;
+using test::straight_walk;
+using test::winding_walk;
+
+constexpr double kScale = 1.7;
+const Pose kTilted{from_roll_pitch_yaw({0.3, -0.2, 2.5}), {10.0, -4.0, 2.0}};
+const Pose kTurned{from_roll_pitch_yaw({0.0, 0.0, 2.5}), {10.0, -4.0, 2.0}};
+
+double largest_distance(const Trajectory& a, const Trajectory& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, (a[i].pose.translation - b[i].pose.translation).norm());
+    largest = std::max(largest, a[i].pose.rotation.angularDistance(b[i].pose.rotation));
+  }
+  return largest;
+}
+
+TEST(Alignment, EachMethodUndoesTheMotionThatItKnows) {
+  const Trajectory estimate = winding_walk(60);
+  const auto left_over = [&](AlignmentMethod method, const Pose& motion, double scale) {
+    const Trajectory reference = moved(estimate, motion, scale);
+    const Alignment found = find_alignment({reference, estimate}, method);
+    return largest_distance(aligned(estimate, found), reference);
+  };
+  EXPECT_LT(left_over(AlignmentMethod::kNone, {}, 1.0), 1e-12);
+  EXPECT_LT(left_over(AlignmentMethod::kOrigin, kTilted, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::kYawTranslation, kTurned, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::kRigid, kTilted, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::kSimilarity, kTilted, kScale), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::kScale, {}, kScale), 1e-9);
+  EXPECT_GT(left_over(AlignmentMethod::kYawTranslation, kTilted, 1.0), 0.1)
+      << "roll and pitch are the estimate's own";
+}
+
+TEST(Alignment, LeastSquaresCannotBeImprovedByASmallMotion) {
+  const Trajectory estimate = winding_walk(60);
+  Trajectory reference = moved(estimate, kTurned);
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    const double s = static_cast<double>(i);
+    reference[i].pose.translation +=
+        0.2 * Eigen::Vector3d(std::sin(7.0 * s), std::cos(5.0 * s), std::sin(3.0 * s));
+  }
+  const auto cost = [&](const Trajectory& trajectory) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+      sum += (trajectory[i].pose.translation - reference[i].pose.translation).squaredNorm();
+    }
+    return sum;
+  };
+  for (const AlignmentMethod method :
+       {AlignmentMethod::kYawTranslation, AlignmentMethod::kRigid, AlignmentMethod::kSimilarity}) {
+    const Trajectory best = aligned(estimate, find_alignment({reference, estimate}, method));
+    for (int axis = 0; axis < 6; ++axis) {
+      const bool roll_or_pitch = axis == 3 || axis == 4;
+      if (method == AlignmentMethod::kYawTranslation && roll_or_pitch) continue;
+      for (const double step : {-1e-3, 1e-3}) {
+        Twist twist = Twist::Zero();
+        twist[axis] = step;
+        EXPECT_GT(cost(moved(best, se3_exp(twist))), cost(best)) << "axis " << axis;
+      }
+    }
+  }
+}
+
+TEST(Alignment, FirstPosesAloneDecideIfAskedTo) {
+  const Trajectory estimate = winding_walk(60);
+  Trajectory reference = moved(estimate, kTilted);
+  for (std::size_t i = 30; i < 60; ++i) reference[i].pose.translation.x() += 5.0;
+  const Alignment found = find_alignment({reference, estimate}, AlignmentMethod::kRigid, 30);
+  const Trajectory result = aligned(estimate, found);
+  EXPECT_LT((result[10].pose.translation - reference[10].pose.translation).norm(), 1e-9);
+  EXPECT_NEAR((result[40].pose.translation - reference[40].pose.translation).norm(), 5.0, 1e-9);
+  EXPECT_NO_THROW((void)find_alignment({reference, estimate}, AlignmentMethod::kRigid, 1'000'000));
+}
+
+TEST(Alignment, NeverMirrors) {
+  const Trajectory estimate = winding_walk(60);
+  Trajectory mirrored = estimate;
+  for (StampedPose& pose : mirrored) pose.pose.translation.x() *= -1.0;
+  const Alignment found = find_alignment({mirrored, estimate}, AlignmentMethod::kRigid);
+  EXPECT_NEAR(found.pose.rotation.toRotationMatrix().determinant(), 1.0, 1e-12);
+}
+
+TEST(Alignment, WhatThePositionsDoNotDetermineIsAnError) {
+  const Trajectory line = straight_walk(10, 0.5);
+  const Trajectory point(10, stamped(0.0, {1.0, 2.0, 3.0}));
+  EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::kRigid), std::runtime_error);
+  EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::kSimilarity),
+               std::runtime_error);
+  EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::kYawTranslation));
+  EXPECT_THROW((void)find_alignment({point, point}, AlignmentMethod::kYawTranslation),
+               std::runtime_error);
+  EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::kOrigin));
+}
+
+}  // namespace
+}  // namespace surefoot::evaluation
