@@ -12,9 +12,11 @@
 #include <string>
 
 #include "recording_writer.hpp"
+#include "report/canvas.hpp"
 #include "simulation/body_motion.hpp"
 #include "simulation/lidar_model.hpp"
 #include "simulation/scanner.hpp"
+#include "simulation/scene_picture.hpp"
 
 namespace surefoot::app {
 
@@ -25,6 +27,7 @@ struct SimulateArguments {
   std::string robot;
   std::string lidar = "vlp16";
   std::string output;
+  std::string picture;
   std::uint64_t seed = 1;
   std::uint64_t scans = 600;
   double gait_scale = 1.0;
@@ -39,6 +42,18 @@ void list_scenes() {
   for (const simulation::SceneEntry& entry : simulation::scene_catalogue()) {
     fmt::print("{:<12} {}\n", entry.name, entry.description);
   }
+}
+
+void draw_picture(const SimulateArguments& arguments) {
+  constexpr int kWidth = 720;
+  const simulation::Scene scene = simulation::build_scene(arguments.scene, arguments.seed);
+  const simulation::RayCaster rays(scene);
+  simulation::SceneImage image = simulation::render_scene(scene, rays, kWidth);
+  report::Canvas canvas(image.width, image.height, report::PageFormat::kPng);
+  const report::Rect page{0.0, 0.0, static_cast<double>(image.width),
+                          static_cast<double>(image.height)};
+  canvas.image({image.width, image.height, std::move(image.argb)}, page);
+  canvas.save(arguments.picture);
 }
 
 void run(const SimulateArguments& arguments) {
@@ -98,10 +113,12 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
                     "Write every point's exact position in the map, too");
   command->add_flag("--body", arguments->body, "The robot's own body is in view");
   command->add_flag("--dual", arguments->dual, "Strongest and last return");
+  command->add_option("--picture", arguments->picture, "Draw the scene to this PNG file and stop");
   command->add_option("-o,--output", arguments->output, "Folder to write to");
   command->callback([arguments] {
     if (arguments->list) return list_scenes();
     if (arguments->scene.empty()) throw CLI::RequiredError("SCENE (or --list)");
+    if (!arguments->picture.empty()) return draw_picture(*arguments);
     if (arguments->output.empty()) throw CLI::RequiredError("-o OUT");
     run(*arguments);
   });

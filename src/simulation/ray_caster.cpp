@@ -52,15 +52,6 @@ RTCScene make_scene(RTCDevice device, const TriangleMesh& mesh) {
   return scene;
 }
 
-std::vector<float> reflectivities(const TriangleMesh& mesh) {
-  std::vector<float> values;
-  values.reserve(mesh.materials.size());
-  for (const Material material : mesh.materials) {
-    values.push_back(static_cast<float>(reflectivity(material)));
-  }
-  return values;
-}
-
 std::array<float, 12> column_major_3x4(const Pose& pose) {
   const Eigen::Matrix<float, 3, 4> matrix = pose.matrix().topRows<3>().cast<float>();
   std::array<float, 12> values{};
@@ -75,11 +66,11 @@ struct RayCaster::Impl {
     RTCScene scene = nullptr;
     RTCGeometry geometry = nullptr;
     std::function<Pose(double)> T_map_object;
-    std::vector<float> reflectivity;
+    std::vector<Material> materials;
   };
 
   explicit Impl(const Scene& scene)
-      : device(rtcNewDevice("threads=1")), static_reflectivity(reflectivities(scene.mesh)) {
+      : device(rtcNewDevice("threads=1")), static_materials(scene.mesh.materials) {
     if (device == nullptr) throw std::runtime_error("Embree did not start");
     top = make_scene(device, scene.mesh);
     for (const MovingObject& object : scene.moving) add_instance(object);
@@ -101,7 +92,7 @@ struct RayCaster::Impl {
     instance.scene = make_scene(device, object.mesh);
     instance.geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     instance.T_map_object = object.T_map_object;
-    instance.reflectivity = reflectivities(object.mesh);
+    instance.materials = object.mesh.materials;
     rtcSetGeometryInstancedScene(instance.geometry, instance.scene);
     rtcSetGeometryTimeStepCount(instance.geometry, 2);
     rtcAttachGeometry(top, instance.geometry);
@@ -123,7 +114,7 @@ struct RayCaster::Impl {
 
   RTCDevice device;
   RTCScene top = nullptr;
-  std::vector<float> static_reflectivity;
+  std::vector<Material> static_materials;
   std::vector<Instance> instances;  ///< geometry id in `top` is the index plus one
 };
 
@@ -182,9 +173,9 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
     }
     hits[i].distance = packet.ray.tfar[i];
     hits[i].cos_incidence = std::min(1.0F, std::abs(normal.normalized().dot(direction)));
-    const std::vector<float>& table =
-        hits[i].moving ? instances[instance - 1].reflectivity : static_reflectivity;
-    hits[i].reflectivity = table[packet.hit.primID[i]];
+    const std::vector<Material>& materials =
+        hits[i].moving ? instances[instance - 1].materials : static_materials;
+    hits[i].material = materials[packet.hit.primID[i]];
   }
 }
 

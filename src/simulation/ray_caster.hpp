@@ -25,7 +25,7 @@ struct Ray {
 struct Hit {
   float distance = 0.0F;       ///< [m]; not positive: nothing was met
   float cos_incidence = 0.0F;  ///< |cos| of the angle between ray and normal
-  float reflectivity = 0.0F;
+  Material material = Material::kAsphalt;
   bool moving = false;
   [[nodiscard]] bool valid() const { return distance > 0.0F; }
 };

@@ -43,7 +43,7 @@ struct Echo {
 void add_hit(Echo& echo, const LidarModel& model, const Hit& hit, double share) {
   const double range = static_cast<double>(hit.distance);
   const double cosine = (static_cast<double>(hit.cos_incidence) + kRoughness) / (1.0 + kRoughness);
-  const double brightness = static_cast<double>(hit.reflectivity) * cosine;
+  const double brightness = reflectivity(hit.material) * cosine;
   const double spread = model.full_signal_range / range;
   const double power = share * brightness / kReferenceReflectivity * spread * spread;
   if (echo.power == 0.0) echo.nearest = range;
@@ -79,6 +79,8 @@ std::size_t group_hits(const LidarModel& model, std::span<const FootprintRay> fo
 }
 
 bool detected(const Echo& echo, double chance) {
+  constexpr double kCertain = 20.0;  // odds of 20^(1/0.15): 5e8 to 1
+  if (echo.power > kCertain) return chance < 1.0 - kRandomLoss;
   const double odds = std::pow(echo.power, 1.0 / kDetectionWidth);
   const double probability = std::isinf(odds) ? 1.0 : odds / (1.0 + odds);
   return chance < probability * (1.0 - kRandomLoss);

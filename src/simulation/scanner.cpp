@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/scanner.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace surefoot::simulation {
 
@@ -13,6 +16,8 @@ namespace {
 constexpr std::uint64_t kPurposeBeam = 121;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr std::int64_t kTruthStepNs = 2'500'000;  // 400 Hz
+constexpr std::size_t kBlockSequences = 16;
+constexpr std::size_t kMaxFootprint = 8;
 
 /// Trunk and head of a Go2-sized robot, in the LiDAR's frame: the sensor stands on its back.
 Scene robot_body() {
@@ -28,14 +33,22 @@ std::uint64_t first_at_or_after(double time_ns, double sequence_ns) {
   return static_cast<std::uint64_t>(std::ceil(time_ns / sequence_ns - 1e-9));
 }
 
-}  // namespace
+/// Unit vector of a clockwise azimuth and an elevation.
+Eigen::Vector3d direction_of(double azimuth, double elevation) {
+  const double horizontal = std::cos(elevation);
+  return {horizontal * std::cos(azimuth), -horizontal * std::sin(azimuth), std::sin(elevation)};
+}
 
-/// One firing: where it leaves from and where it goes, in the LiDAR's frame and in the map's.
-struct Scanner::Beam {
-  Pose T_map_lidar;
-  Eigen::Vector3d origin_lidar;
-  Eigen::Vector3d direction_lidar;  ///< as the rotor really stands
-};
+/// R_lidar_rotor: the rotor at a clockwise azimuth.
+Eigen::Matrix3d rotor_at(double azimuth) {
+  const double c = std::cos(azimuth);
+  const double s = std::sin(azimuth);
+  Eigen::Matrix3d rotation;
+  rotation << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
+  return rotation;
+}
+
+}  // namespace
 
 Scanner::Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
                  const ScannerOptions& options)
@@ -43,20 +56,29 @@ Scanner::Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
       model_(model),
       motion_(motion),
       options_(options),
-      random_(options.seed, kPurposeBeam) {
-  if (options_.robot_body) body_ = std::make_unique<RayCaster>(robot_body());
-  const std::size_t rays_per_sequence =
-      model_.lasers.size() * footprint_rays(options_.footprint).size();
-  beams_.resize(model_.lasers.size());
-  aimed_.resize(rays_per_sequence);
-  hits_.resize(rays_per_sequence);
-  if (body_) {
-    aimed_body_.resize(rays_per_sequence);
-    body_hits_.resize(rays_per_sequence);
+      random_(options.seed, kPurposeBeam),
+      footprint_(footprint_rays(options.footprint)) {
+  for (const Laser& laser : model_.lasers) {
+    RotorBeam beam;
+    beam.origin = {model_.radial_origin, 0.0, laser.vertical_origin};
+    beam.direction = direction_of(laser.azimuth_offset, laser.elevation);
+    const Eigen::Vector3d across(-std::sin(laser.azimuth_offset), -std::cos(laser.azimuth_offset),
+                                 0.0);
+    const Eigen::Vector3d upward = across.cross(beam.direction);
+    for (const FootprintRay& part : footprint_) {
+      beam.footprint.push_back((beam.direction +
+                                0.5 * model_.divergence_horizontal * part.horizontal * across +
+                                0.5 * model_.divergence_vertical * part.vertical * upward)
+                                   .normalized());
+    }
+    beams_.push_back(std::move(beam));
   }
+  if (options_.robot_body) body_ = std::make_unique<RayCaster>(robot_body());
+  firings_.resize(model_.lasers.size() * kBlockSequences);
+  aimed_.resize(firings_.size() * footprint_.size());
+  hits_.resize(aimed_.size());
+  if (body_) body_hits_.resize(aimed_.size());
 }
-
-Scanner::~Scanner() = default;
 
 std::uint64_t Scanner::first_sequence(std::uint64_t index) const {
   return first_at_or_after(static_cast<double>(index) * model_.turn_ns, model_.sequence_ns);
@@ -79,97 +101,93 @@ double Scanner::reported_azimuth(std::uint64_t sequence, std::size_t laser) cons
   if (model_.azimuth_unit > 0.0) {
     reading = std::round(reading / model_.azimuth_unit) * model_.azimuth_unit;
   }
-  const double azimuth =
-      reading + rate * (firing_ns(sequence, laser) - read_ns) + model_.lasers[laser].azimuth_offset;
+  const double azimuth = reading + rate * (firing_ns(sequence, laser) - read_ns);
   return azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
 }
 
-namespace {
-
-/// Unit vector of a clockwise azimuth and an elevation.
-Eigen::Vector3d direction_of(double azimuth, double elevation) {
-  const double horizontal = std::cos(elevation);
-  return {horizontal * std::cos(azimuth), -horizontal * std::sin(azimuth), std::sin(elevation)};
+std::size_t Scanner::slot(std::size_t laser, std::size_t sequence) const {
+  return laser * kBlockSequences + sequence;
 }
 
-Eigen::Vector3d origin_of(const LidarModel& model, const Laser& laser, double azimuth) {
-  const double rotor = azimuth - laser.azimuth_offset;
-  return {model.radial_origin * std::cos(rotor), -model.radial_origin * std::sin(rotor),
-          laser.vertical_origin};
-}
-
-}  // namespace
-
-void Scanner::aim(std::uint64_t sequence, double begin_ns, double end_ns) {
-  const auto footprint = footprint_rays(options_.footprint);
-  const std::size_t lasers = model_.lasers.size();
-  for (std::size_t laser = 0; laser < lasers; ++laser) {
-    const double time_ns = firing_ns(sequence, laser);
-    const double azimuth = kTwoPi / model_.turn_ns * std::fmod(time_ns, model_.turn_ns) +
-                           model_.lasers[laser].azimuth_offset;
-    Beam& beam = beams_[laser];
-    beam.T_map_lidar = motion_.T_map_lidar(1e-9 * time_ns);
-    beam.direction_lidar = direction_of(azimuth, model_.lasers[laser].elevation);
-    beam.origin_lidar = origin_of(model_, model_.lasers[laser], azimuth);
-    const Eigen::Vector3d across(-std::sin(azimuth), -std::cos(azimuth), 0.0);
-    const Eigen::Vector3d upward = across.cross(beam.direction_lidar);
-    const Eigen::Matrix3d R_map_lidar = beam.T_map_lidar.rotation.toRotationMatrix();
-    const Eigen::Vector3f origin =
-        (R_map_lidar * beam.origin_lidar + beam.T_map_lidar.translation).cast<float>();
-    const auto within = static_cast<float>((time_ns - begin_ns) / (end_ns - begin_ns));
-    for (std::size_t part = 0; part < footprint.size(); ++part) {
-      const Eigen::Vector3d direction =
-          (beam.direction_lidar +
-           0.5 * model_.divergence_horizontal * footprint[part].horizontal * across +
-           0.5 * model_.divergence_vertical * footprint[part].vertical * upward)
-              .normalized();
-      // Rays of one footprint position lie together: 16 lasers make one coherent packet.
-      const std::size_t slot = part * lasers + laser;
-      aimed_[slot] = {origin, (R_map_lidar * direction).cast<float>(),
-                      std::clamp(within, 0.0F, 1.0F)};
-      if (body_) {
-        aimed_body_[slot] = {beam.origin_lidar.cast<float>(), direction.cast<float>(), 0.0F};
+void Scanner::aim(const Block& block, double begin_ns, double end_ns) {
+  for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
+    const RotorBeam& beam = beams_[laser];
+    for (std::size_t i = 0; i < block.sequences; ++i) {
+      const double time_ns = firing_ns(block.first + i, laser);
+      const Pose T_map_lidar = motion_.T_map_lidar(1e-9 * time_ns);
+      Firing& firing = firings_[slot(laser, i)];
+      firing.R_map_rotor = T_map_lidar.rotation.toRotationMatrix() *
+                           rotor_at(kTwoPi / model_.turn_ns * std::fmod(time_ns, model_.turn_ns));
+      firing.position = T_map_lidar.translation;
+      const Eigen::Vector3f origin =
+          (firing.R_map_rotor * beam.origin + firing.position).cast<float>();
+      const double within = (time_ns - begin_ns) / (end_ns - begin_ns);
+      Ray* rays = &aimed_[slot(laser, i) * footprint_.size()];
+      for (std::size_t part = 0; part < footprint_.size(); ++part) {
+        rays[part] = {origin, (firing.R_map_rotor * beam.footprint[part]).cast<float>(),
+                      static_cast<float>(std::clamp(within, 0.0, 1.0))};
       }
     }
   }
 }
 
-void Scanner::collect(std::uint64_t sequence, SimulatedScan& result) {
-  const auto footprint = footprint_rays(options_.footprint);
-  const std::size_t lasers = model_.lasers.size();
-  std::array<Hit, 8> beam_hits;
-  for (std::size_t laser = 0; laser < lasers; ++laser) {
-    bool own_body = false;
-    for (std::size_t part = 0; part < footprint.size(); ++part) {
-      const std::size_t slot = part * lasers + laser;
-      beam_hits[part] = hits_[slot];
-      if (body_ && body_hits_[slot].valid()) {
-        beam_hits[part] = body_hits_[slot];
-        own_body = true;
+void Scanner::aim_at_body(const Block& block) {
+  for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
+    const RotorBeam& beam = beams_[laser];
+    for (std::size_t i = 0; i < block.sequences; ++i) {
+      const double time_ns = firing_ns(block.first + i, laser);
+      const Eigen::Matrix3d R_lidar_rotor =
+          rotor_at(kTwoPi / model_.turn_ns * std::fmod(time_ns, model_.turn_ns));
+      Ray* rays = &aimed_[slot(laser, i) * footprint_.size()];
+      for (std::size_t part = 0; part < footprint_.size(); ++part) {
+        rays[part] = {(R_lidar_rotor * beam.origin).cast<float>(),
+                      (R_lidar_rotor * beam.footprint[part]).cast<float>(), 0.0F};
       }
     }
-    const BeamReturns returns = detect(model_, footprint, {beam_hits.data(), footprint.size()},
-                                       random_, sequence * lasers + laser);
-    const Beam& beam = beams_[laser];
-    const double reported = reported_azimuth(sequence, laser);
-    const Eigen::Vector3d origin = origin_of(model_, model_.lasers[laser], reported);
-    const Eigen::Vector3d direction = direction_of(reported, model_.lasers[laser].elevation);
-    const int wanted = std::min(returns.count, options_.dual_return ? 2 : 1);
-    for (int i = 0; i < wanted; ++i) {
-      const BeamReturn& value = returns.values[static_cast<std::size_t>(i)];
-      const std::int64_t time_ns = std::llround(firing_ns(sequence, laser)) + options_.start_ns;
-      result.scan.points.push_back((origin + value.range * direction).cast<float>());
-      result.scan.intensities.push_back(static_cast<float>(value.intensity));
-      result.scan.times_ns.push_back(static_cast<std::int32_t>(time_ns - result.scan.stamp_ns));
-      result.scan.rings.push_back(model_.lasers[laser].ring);
-      result.raw.push_back(
-          {sequence, static_cast<std::uint16_t>(laser), i == 1, value.range, value.intensity});
-      result.true_points.push_back(beam.T_map_lidar *
-                                   (beam.origin_lidar + value.true_range * beam.direction_lidar));
-      result.labels.push_back(own_body       ? kLabelRobot
-                              : value.mixed  ? kLabelMixed
-                              : value.moving ? kLabelMoving
-                                             : kLabelStatic);
+  }
+}
+
+void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
+                     const BeamReturn& value, std::uint8_t label, bool second,
+                     SimulatedScan& result) const {
+  const RotorBeam& beam = beams_[laser];
+  const Eigen::Matrix3d reported = rotor_at(reported_azimuth(sequence, laser));
+  const std::int64_t time_ns = std::llround(firing_ns(sequence, laser)) + options_.start_ns;
+  result.scan.points.push_back(
+      (reported * (beam.origin + value.range * beam.direction)).cast<float>());
+  result.scan.intensities.push_back(static_cast<float>(value.intensity));
+  result.scan.times_ns.push_back(static_cast<std::int32_t>(time_ns - result.scan.stamp_ns));
+  result.scan.rings.push_back(model_.lasers[laser].ring);
+  result.raw.push_back(
+      {sequence, static_cast<std::uint16_t>(laser), second, value.range, value.intensity});
+  result.true_points.push_back(
+      firing.R_map_rotor * (beam.origin + value.true_range * beam.direction) + firing.position);
+  result.labels.push_back(label);
+}
+
+void Scanner::collect(const Block& block, SimulatedScan& result) const {
+  std::array<Hit, kMaxFootprint> met;
+  for (std::size_t i = 0; i < block.sequences; ++i) {
+    for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
+      const std::size_t first = slot(laser, i) * footprint_.size();
+      bool own_body = false;
+      for (std::size_t part = 0; part < footprint_.size(); ++part) {
+        const bool body_hit = body_ && body_hits_[first + part].valid();
+        met[part] = body_hit ? body_hits_[first + part] : hits_[first + part];
+        own_body = own_body || body_hit;
+      }
+      const std::uint64_t sequence = block.first + i;
+      const BeamReturns returns = detect(model_, footprint_, {met.data(), footprint_.size()},
+                                         random_, sequence * model_.lasers.size() + laser);
+      const int wanted = std::min(returns.count, options_.dual_return ? 2 : 1);
+      for (int k = 0; k < wanted; ++k) {
+        const BeamReturn& value = returns.values[static_cast<std::size_t>(k)];
+        const std::uint8_t label = own_body       ? kLabelRobot
+                                   : value.mixed  ? kLabelMixed
+                                   : value.moving ? kLabelMoving
+                                                  : kLabelStatic;
+        report(sequence, laser, firings_[slot(laser, i)], value, label, k == 1, result);
+      }
     }
   }
 }
@@ -184,11 +202,16 @@ SimulatedScan Scanner::scan(std::uint64_t index) {
   result.end_ns = options_.start_ns + std::llround(end_ns);
   rays_->set_interval(1e-9 * begin_ns, 1e-9 * end_ns);
   const auto max_distance = static_cast<float>(model_.max_range);
-  for (std::uint64_t sequence = result.first_sequence; sequence < result.end_sequence; ++sequence) {
-    aim(sequence, begin_ns, end_ns);
+  for (std::uint64_t first = result.first_sequence; first < result.end_sequence;
+       first += kBlockSequences) {
+    const Block block{first, std::min<std::size_t>(kBlockSequences, result.end_sequence - first)};
+    if (body_) {
+      aim_at_body(block);
+      body_->cast(aimed_, max_distance, body_hits_);
+    }
+    aim(block, begin_ns, end_ns);
     rays_->cast(aimed_, max_distance, hits_);
-    if (body_) body_->cast(aimed_body_, max_distance, body_hits_);
-    collect(sequence, result);
+    collect(block, result);
   }
   return result;
 }

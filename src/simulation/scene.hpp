@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ struct Scene {
   std::vector<Eigen::Vector3d> route;
   double corner_rounding = 0.5;  ///< how far the way is smoothed at its corners [m]
   std::string robot = "trot";    ///< the robot that suits the scene
+  // For pictures: roofs and near walls hide rooms.
+  double view_ceiling = 1e3;  ///< what is higher is left out [m]
+  double view_front = -1e3;   ///< what has a smaller y is left out [m]
+  double view_margin = 9.0;   ///< shown round the route [m]
 };
 
 /// A scene that the program brings along.

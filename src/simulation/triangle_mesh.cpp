@@ -8,33 +8,34 @@
 
 namespace surefoot::simulation {
 
-double reflectivity(Material material) {
-  switch (material) {
-    case Material::kAsphalt:
-      return 0.17;
-    case Material::kConcrete:
-      return 0.35;
-    case Material::kBrick:
-      return 0.40;
-    case Material::kGrass:
-      return 0.50;
-    case Material::kFoliage:
-      return 0.55;
-    case Material::kBark:
-      return 0.30;
-    case Material::kGlass:
-      return 0.06;
-    case Material::kPaintedMetal:
-      return 0.45;
-    case Material::kCloth:
-      return 0.40;
-    case Material::kRock:
-      return 0.30;
-    case Material::kRubber:
-      return 0.05;
-  }
-  return 0.3;
+namespace {
+
+struct Surface {
+  double reflectivity;
+  std::uint32_t color;
+};
+
+/// In the order of Material.
+constexpr std::array<Surface, 11> kSurfaces = {{{0.17, 0x5a5d63},
+                                                {0.35, 0xb4b2ac},
+                                                {0.40, 0xb5795a},
+                                                {0.50, 0x7d9a55},
+                                                {0.55, 0x4f7d3c},
+                                                {0.30, 0x6f5540},
+                                                {0.06, 0x7fa9c4},
+                                                {0.45, 0x8893a3},
+                                                {0.40, 0xc2554b},
+                                                {0.30, 0x8d8478},
+                                                {0.05, 0x2b2b2d}}};
+
+const Surface& surface(Material material) {
+  return kSurfaces.at(static_cast<std::size_t>(material));
 }
+
+}  // namespace
+
+double reflectivity(Material material) { return surface(material).reflectivity; }
+std::uint32_t color(Material material) { return surface(material).color; }
 
 std::uint32_t TriangleMesh::add_vertex(const Eigen::Vector3d& vertex) {
   vertices.push_back(vertex.cast<float>());

@@ -27,6 +27,8 @@ enum class Material : std::uint8_t {
   kRubber,
 };
 [[nodiscard]] double reflectivity(Material material);
+/// For pictures: 0xRRGGBB.
+[[nodiscard]] std::uint32_t color(Material material);
 
 /// Vertices [m] and triangles. Every triangle is seen from both sides.
 struct TriangleMesh {

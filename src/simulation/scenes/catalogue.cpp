@@ -9,6 +9,13 @@ namespace surefoot::simulation {
 const std::vector<SceneEntry>& scene_catalogue() {
   static const std::vector<SceneEntry> entries = {
       {"campus", "loop between buildings, up a ramp to a terrace and down again", &campus},
+      {"parking", "three storeys with straight ramps, columns and parked cars", &parking},
+      {"stairwell", "dog-leg stairs over four floors, a hall on each", &stairwell},
+      {"playground", "open flat ground, little to hold on to but a fence and goals", &playground},
+      {"forest", "wooded hill, uneven ground", &forest},
+      {"corridor", "60 m of bare corridor with shallow doors, there and back", &corridor},
+      {"rubble", "field of broken slabs underfoot", &rubble},
+      {"plaza", "town square with walking people and passing cars", &plaza},
   };
   return entries;
 }

@@ -12,5 +12,12 @@
 namespace surefoot::simulation {
 
 [[nodiscard]] Scene campus(std::uint64_t seed);
+[[nodiscard]] Scene parking(std::uint64_t seed);
+[[nodiscard]] Scene stairwell(std::uint64_t seed);
+[[nodiscard]] Scene playground(std::uint64_t seed);
+[[nodiscard]] Scene forest(std::uint64_t seed);
+[[nodiscard]] Scene corridor(std::uint64_t seed);
+[[nodiscard]] Scene rubble(std::uint64_t seed);
+[[nodiscard]] Scene plaza(std::uint64_t seed);
 
 }  // namespace surefoot::simulation
