@@ -3,16 +3,18 @@
 //
 // One function a sub-command, one file each. A function adds its sub-command to the program and
 // does the work in CLI11's callback; an exception becomes a message and exit code 2 in main(),
-// `exit_code` is for work that finished and has something to tell (1: some of it failed).
+// `exit_code` is for work that finished and has something to tell.
 #pragma once
 
 #include <CLI/App.hpp>
 
 namespace surefoot::app {
 
-inline void add_commands(CLI::App& app, int& exit_code) {
-  (void)app;
-  (void)exit_code;
-}
+void add_run_command(CLI::App& app, int& exit_code);
+void add_info_command(CLI::App& app, int& exit_code);
+void add_config_command(CLI::App& app, int& exit_code);
+void add_simulate_command(CLI::App& app, int& exit_code);  // with SUREFOOT_SIMULATION
+void add_suite_command(CLI::App& app, int& exit_code);     // with SUREFOOT_SIMULATION
+void add_eval_command(CLI::App& app, int& exit_code);
 
 }  // namespace surefoot::app

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "surefoot/pose.hpp"
+
 namespace surefoot {
 
 /// How points are brought to the mid-scan instant.
@@ -139,6 +141,9 @@ void set_parameter(Config& config, std::string_view name, std::string_view value
 [[nodiscard]] std::string get_parameter(const Config& config, std::string_view name);
 /// Throws ConfigError if a value is out of its range or two values contradict each other.
 void validate(const Config& config);
+
+/// T_base_lidar of the parameters level.mount_*.
+[[nodiscard]] Pose mount_pose(const Config::Level& level);
 
 /// Names of the methods: named sets of parameters.
 [[nodiscard]] const std::vector<std::string>& methods();

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 
 #include "odometry/config_fields.hpp"
@@ -168,6 +169,13 @@ void validate(const Config& config) {
                       " m) must not be less than registration.max_distance (" +
                       number_text(config.registration.max_distance) + " m)");
   }
+}
+
+Pose mount_pose(const Config::Level& level) {
+  const Eigen::Vector3d angles_deg(level.mount_roll_deg, level.mount_pitch_deg,
+                                   level.mount_yaw_deg);
+  return {from_roll_pitch_yaw(angles_deg * (std::numbers::pi / 180.0)),
+          {level.mount_x, level.mount_y, level.mount_z}};
 }
 
 const std::vector<std::string>& methods() {

@@ -129,11 +129,7 @@ Pose level_pose(const std::vector<Eigen::Vector3f>& points, const Config::Level&
     return {};
   }
   if (config.mode == LevelMode::mount) {
-    const Eigen::Vector3d angles =
-        kDegree *
-        Eigen::Vector3d(config.mount_roll_deg, config.mount_pitch_deg, config.mount_yaw_deg);
-    const Pose T_base_lidar{from_roll_pitch_yaw(angles),
-                            {config.mount_x, config.mount_y, config.mount_z}};
+    const Pose T_base_lidar = mount_pose(config);
     const double up = (T_base_lidar.rotation * Eigen::Vector3d::UnitZ()).z();
     report.tilt_deg = std::acos(std::clamp(up, -1.0, 1.0)) / kDegree;
     report.message = "level: the map is the base's frame at the first scan, from the mount given";

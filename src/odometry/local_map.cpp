@@ -15,6 +15,28 @@ constexpr std::size_t kLanes = 4;  // points compared at once: one SSE or NEON v
 constexpr float kFarAway = 1e15F;  // unused places: farther than anything, and its square finite
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
+/// Squared distance from a place to the voxels around its own.
+class AxisGaps {
+ public:
+  /// `local`: the place, from its voxel's corner [m].
+  AxisGaps(const Eigen::Vector3f& local, float size) : local_(local), size_(size) {}
+
+  [[nodiscard]] float squared(const VoxelIndex& offset) const {
+    return along(0, offset.x()) + along(1, offset.y()) + along(2, offset.z());
+  }
+
+ private:
+  [[nodiscard]] float along(int axis, int steps) const {
+    if (steps == 0) return 0.0F;
+    const float gap = steps > 0 ? static_cast<float>(steps) * size_ - local_[axis]
+                                : local_[axis] - static_cast<float>(steps + 1) * size_;
+    return gap * gap;
+  }
+
+  Eigen::Vector3f local_;
+  float size_;
+};
+
 // The map is cleaned when the sensor went this share of the radius, not at every scan.
 constexpr double kCleaningShare = 0.05;
 
@@ -35,20 +57,20 @@ void LocalMap::Moments::add(const Moments& other, const Eigen::Vector3d& offset)
   count += other.count;
 }
 
-LocalMap::LocalMap(const Config::Map& config, double max_distance)
+LocalMap::LocalMap(const Config::Map& config, double max_radius)
     : size_(config.voxel_size),
       inverse_size_(1.0 / config.voxel_size),
       min_spacing2_(static_cast<float>(config.min_spacing * config.min_spacing)),
       radius_(config.radius),
       capacity_(static_cast<std::uint32_t>(config.points_per_voxel)),
-      stride_((capacity_ + kLanes - 1) / kLanes * kLanes) {
-  const int reach = static_cast<int>(std::ceil(max_distance * inverse_size_));
-  for (int x = -reach; x <= reach; ++x) {
-    for (int y = -reach; y <= reach; ++y) {
-      for (int z = -reach; z <= reach; ++z) {
+      stride_((capacity_ + kLanes - 1) / kLanes * kLanes),
+      reach_(static_cast<int>(std::ceil(max_radius * inverse_size_))) {
+  for (int x = -reach_; x <= reach_; ++x) {
+    for (int y = -reach_; y <= reach_; ++y) {
+      for (int z = -reach_; z <= reach_; ++z) {
         const Eigen::Array3i between = Eigen::Array3i(x, y, z).abs() - 1;
         const double gap2 = (between.max(0).cast<double>() * size_).square().sum();
-        if (gap2 < max_distance * max_distance) {
+        if (gap2 < max_radius * max_radius) {
           neighbours_.push_back({{x, y, z}, static_cast<float>(gap2)});
         }
       }
@@ -125,48 +147,46 @@ void LocalMap::clear() {
 
 void LocalMap::search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, Best& best) const {
   const float* const x = block(voxel);
-  const std::size_t used = voxels_[voxel].count;
-  for (std::size_t i = 0; i < used; i += kLanes) {
-    const auto lanes = [&](std::size_t axis) {
-      return Eigen::Map<const Lanes>(x + axis * stride_ + i);
-    };
-    const Lanes squared = (lanes(0) - place.x()).square() + (lanes(1) - place.y()).square() +
-                          (lanes(2) - place.z()).square();
-    if (squared.minCoeff() >= best.squared_distance) continue;
-    Eigen::Index lane = 0;
-    best.squared_distance = squared.minCoeff(&lane);
-    best.voxel = voxel;
-    best.point = static_cast<int>(i) + static_cast<int>(lane);
+  const float* const y = x + stride_;
+  const float* const z = y + stride_;
+  const std::uint32_t used = voxels_[voxel].count;
+  for (std::uint32_t i = 0; i < used; i += kLanes) {
+    const Lanes squared = (Eigen::Map<const Lanes>(x + i) - place.x()).square() +
+                          (Eigen::Map<const Lanes>(y + i) - place.y()).square() +
+                          (Eigen::Map<const Lanes>(z + i) - place.z()).square();
+    if (squared.minCoeff() >= best.second) continue;
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      if (squared[lane] < best.first) {
+        best = {squared[lane], best.first, voxel, i + lane};
+      } else if (squared[lane] < best.second) {
+        best.second = squared[lane];
+      }
+    }
   }
 }
 
-std::optional<Eigen::Vector3d> LocalMap::nearest(const Eigen::Vector3d& place,
-                                                 double max_distance) const {
+Nearest LocalMap::nearest(const Eigen::Vector3d& place, double radius) const {
   const VoxelIndex middle = voxel_of(place);
   const Eigen::Vector3f local = (place - corner(middle)).cast<float>();
-  const auto size = static_cast<float>(size_);
-  // Along an axis, the squared distance from the place to a voxel `steps` voxels away.
-  const auto gap2 = [&](float from_corner, int steps) {
-    const float gap = steps == 0  ? 0.0F
-                      : steps > 0 ? static_cast<float>(steps) * size - from_corner
-                                  : from_corner - static_cast<float>(steps + 1) * size;
-    return gap * gap;
-  };
-  Best best{static_cast<float>(max_distance * max_distance)};
-  for (const auto& [offset, squared_gap] : neighbours_) {
-    if (squared_gap >= best.squared_distance) break;
-    if (gap2(local.x(), offset.x()) + gap2(local.y(), offset.y()) + gap2(local.z(), offset.z()) >=
-        best.squared_distance) {
-      continue;
-    }
+  const AxisGaps gaps(local, static_cast<float>(size_));
+  const auto limit = static_cast<float>(radius * radius);
+  Best best{limit, limit};
+  for (const auto& [offset, least_gap] : neighbours_) {
+    if (least_gap >= best.second) break;
+    if (gaps.squared(offset) >= best.second) continue;
     const std::uint32_t voxel = find(middle + offset);
     if (voxel == VoxelTable::kNone) continue;
-    search_voxel(voxel, local - offset.cast<float>() * size, best);
+    search_voxel(voxel, local - offset.cast<float>() * static_cast<float>(size_), best);
   }
-  if (best.voxel == VoxelTable::kNone) return std::nullopt;
+  Nearest nearest;
+  nearest.clearance = std::sqrt(static_cast<double>(best.second));
+  if (best.voxel == VoxelTable::kNone) return nearest;
   const float* const x = block(best.voxel) + best.point;
   const Eigen::Vector3d in_voxel(x[0], x[stride_], x[2 * stride_]);
-  return corner(voxels_[best.voxel].index) + in_voxel;
+  nearest.found = true;
+  nearest.point = corner(voxels_[best.voxel].index) + in_voxel;
+  nearest.distance = std::sqrt(static_cast<double>(best.first));
+  return nearest;
 }
 
 Surface LocalMap::surface(const VoxelIndex& voxel) const {

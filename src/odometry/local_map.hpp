@@ -20,6 +20,14 @@ struct Surface {
   double planarity = 0.0;                             ///< 1 for a plane, 0 for a ball or a line
 };
 
+/// Answer of a nearest-neighbour search.
+struct Nearest {
+  bool found = false;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< map frame [m]
+  double distance = 0.0;                            ///< to it [m]
+  double clearance = 0.0;  ///< every other point of the map is at least this far away [m]
+};
+
 /// The map around the sensor: points in cubic voxels, a bounded number in each, with their moments.
 ///
 /// Coordinates come in and go out in the map frame [m]. Inside, each voxel holds its points
@@ -27,8 +35,8 @@ struct Surface {
 /// wherever the map lies, and ready for vector instructions.
 class LocalMap {
  public:
-  /// `max_distance`: the largest that nearest() will be asked for [m].
-  LocalMap(const Config::Map& config, double max_distance);
+  /// `max_radius`: the largest that nearest() will be asked for [m].
+  LocalMap(const Config::Map& config, double max_radius);
 
   /// Adds a point, unless its voxel is full or holds a point nearer than min_spacing.
   void insert(const Eigen::Vector3d& point);
@@ -36,9 +44,8 @@ class LocalMap {
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
 
-  /// The map point nearest to a place, if there is one within `max_distance` [m]. Exact.
-  [[nodiscard]] std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& place,
-                                                       double max_distance) const;
+  /// The map point nearest to a place, if there is one nearer than `radius` [m]. Exact.
+  [[nodiscard]] Nearest nearest(const Eigen::Vector3d& place, double radius) const;
 
   /// Voxel that holds a place; surface() is the same for all places of one voxel.
   [[nodiscard]] VoxelIndex voxel_of(const Eigen::Vector3d& place) const {
@@ -67,10 +74,12 @@ class LocalMap {
     std::uint32_t count = 0;
     Moments moments;
   };
+  /// The two smallest squared distances so far [m^2], and whose the smallest is.
   struct Best {
-    float squared_distance;
+    float first;
+    float second;
     std::uint32_t voxel = VoxelTable::kNone;
-    int point = 0;
+    std::uint32_t point = 0;
   };
   /// A neighbouring voxel, in the order in which nearest() visits them.
   struct Neighbour {
@@ -99,6 +108,7 @@ class LocalMap {
   double radius_;
   std::uint32_t capacity_;
   std::size_t stride_;                 // capacity, rounded up to whole vectors
+  int reach_;                          // voxels to look at each way
   std::vector<Neighbour> neighbours_;  // by rising gap
 
   std::vector<Voxel> voxels_;

@@ -14,10 +14,15 @@
 
 namespace surefoot {
 
-/// A source point's partner in the map.
+/// A source point's partner in the map, and how long it is known to stay that.
 struct Match {
   bool found = false;
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< q_i, map frame [m]
+
+  Nearest last_search;  ///< answer at `searched_from`
+  Eigen::Vector3d searched_from = Eigen::Vector3d::Constant(kNowhere);
+
+  static constexpr double kNowhere = 1e300;
 };
 
 /// The map's surface around a source point, kept as long as the point stays in its voxel.

@@ -34,7 +34,7 @@ struct Odometry::State {
       : config(validated(configuration)),
         workers(threads),
         T_world_map(T_world_start),
-        map(config.map, config.registration.relaxed_distance) {}
+        map(config.map, max_search_radius(config.registration)) {}
 
   const Config config;
   Workers workers;

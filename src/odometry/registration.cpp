@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "odometry/registration.hpp"
 
+#include <algorithm>
+
 #include "odometry/coupled.hpp"
 #include "odometry/horizontal.hpp"
 #include "odometry/vertical.hpp"
@@ -15,6 +17,35 @@ double correspondence_distance(int t, const Config::Registration& config) {
   return t <= config.early_iterations ? config.relaxed_distance : config.max_distance;  // [Eq 20]
 }
 
+/// A search looks this much farther than it must, so that its answer stays known while the point
+/// moves a little [m].
+constexpr double kSearchMargin = 0.1;
+
+/// Whether the last search tells the nearest point within `max_distance` of `place`, too. The map
+/// does not change meanwhile: after a move of m the old nearest point is at most distance + m away
+/// and any other at least clearance - m.
+bool still_known(const Match& match, const Eigen::Vector3d& place, double max_distance) {
+  const double moved = (place - match.searched_from).norm();
+  const Nearest& last = match.last_search;
+  return last.found ? last.distance + moved < last.clearance - moved
+                    : max_distance <= last.clearance - moved;
+}
+
+/// Algorithm 1, line 16, for one point.
+void update_match(const LocalMap& map, const Eigen::Vector3d& place, double max_distance,
+                  Match& match) {
+  if (!still_known(match, place, max_distance)) {
+    // The last target bounds how far the nearest point can be now.
+    const double bound = match.last_search.found
+                             ? std::min(max_distance, (match.last_search.point - place).norm())
+                             : max_distance;
+    match.last_search = map.nearest(place, bound + kSearchMargin);
+    match.searched_from = place;
+  }
+  match.target = match.last_search.point;
+  match.found = match.last_search.found && (match.target - place).norm() <= max_distance;
+}
+
 /// Algorithm 1, line 16. Returns the number of matches.
 int find_correspondences(Source& source, const LocalMap& map, const Pose& T_map_lidar,
                          double max_distance, const Workers& workers) {
@@ -23,9 +54,8 @@ int find_correspondences(Source& source, const LocalMap& map, const Pose& T_map_
     int found = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d place = R * source.points[i].cast<double>() + T_map_lidar.translation;
-      const auto target = map.nearest(place, max_distance);
-      source.matches[i] = {target.has_value(), target.value_or(Eigen::Vector3d::Zero())};
-      found += target.has_value() ? 1 : 0;
+      update_match(map, place, max_distance, source.matches[i]);
+      found += source.matches[i].found ? 1 : 0;
     }
     return found;
   });
@@ -76,6 +106,10 @@ Twist update_coupled(Source& source, const LocalMap& map, const Config& config,
 }
 
 }  // namespace
+
+double max_search_radius(const Config::Registration& config) {
+  return std::max(config.max_distance, config.relaxed_distance) + kSearchMargin;
+}
 
 Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
                            const Config& config, const Workers& workers,

@@ -24,6 +24,9 @@ struct Registration {
   StageReport vertical;
 };
 
+/// The largest radius in which register_scan searches the map [m].
+[[nodiscard]] double max_search_radius(const Config::Registration& config);
+
 /// Registers a deskewed scan to the map: Algorithm 1, lines 8-30. `T_0` is the predicted mid-scan
 /// pose. Leaves the last matches and surfaces in `source`.
 [[nodiscard]] Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
