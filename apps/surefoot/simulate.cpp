@@ -3,50 +3,54 @@
 //
 // surefoot simulate: one recording of a robot walking through a scene, with exact truth.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "recording_writer.hpp"
-#include "report/canvas.hpp"
-#include "simulation/body_motion.hpp"
-#include "simulation/lidar_model.hpp"
-#include "simulation/scanner.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "recording_maker.hpp"
 #include "simulation/scene_picture.hpp"
+#ifdef SUREFOOT_HAS_PICTURES
+#include "report/canvas.hpp"
+#endif
 
 namespace surefoot::app {
 
 namespace {
 
+constexpr int kInterrupted = 1;
+
 struct SimulateArguments {
-  std::string scene;
-  std::string robot;
-  std::string lidar = "vlp16";
+  RecordingRequest request;
+  double duration = 0.0;
+  std::vector<std::string> formats = {"pcd"};
+  std::vector<double> mount;
+  std::vector<double> tilt_deg;
   std::string output;
   std::string picture;
-  std::uint64_t seed = 1;
-  std::uint64_t scans = 600;
-  double gait_scale = 1.0;
   bool list = false;
   bool no_footprint = false;
-  bool true_points = false;
-  bool body = false;
-  bool dual = false;
+  bool quiet = false;
 };
 
 void list_scenes() {
   for (const simulation::SceneEntry& entry : simulation::scene_catalogue()) {
     fmt::print("{:<12} {}\n", entry.name, entry.description);
   }
+  fmt::print("{:<12} {}\n", "FILE", "your own mesh or heightfield: .ply, .obj, .asc");
 }
 
-void draw_picture(const SimulateArguments& arguments) {
+void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
+#ifdef SUREFOOT_HAS_PICTURES
   constexpr int kWidth = 720;
-  const simulation::Scene scene = simulation::build_scene(arguments.scene, arguments.seed);
+  const simulation::Scene scene = scene_of(arguments.request);
   const simulation::RayCaster rays(scene);
   simulation::SceneImage image = simulation::render_scene(scene, rays, kWidth);
   report::Canvas canvas(image.width, image.height, report::PageFormat::kPng);
@@ -54,73 +58,116 @@ void draw_picture(const SimulateArguments& arguments) {
                           static_cast<double>(image.height)};
   canvas.image({image.width, image.height, std::move(image.argb)}, page);
   canvas.save(arguments.picture);
+#else
+  throw std::runtime_error("--picture: this program was built without pictures");
+#endif
 }
 
-void run(const SimulateArguments& arguments) {
-  using namespace simulation;
-  const Scene scene = build_scene(arguments.scene, arguments.seed);
-  RayCaster rays(scene);
-  const LidarModel lidar = lidar_model(arguments.lidar);
-  const GaitModel gait = scaled(gait_model(arguments.robot.empty() ? scene.robot : arguments.robot),
-                                arguments.gait_scale);
-  const Pose mount{Eigen::Quaterniond::Identity(), {0.1, 0.0, 0.16}};
-  const double duration = 1e-9 * lidar.turn_ns * static_cast<double>(arguments.scans + 1);
-  const Motion motion = make_motion(scene, rays, gait, duration, arguments.seed, mount);
-  ScannerOptions options;
-  options.seed = arguments.seed;
-  options.footprint = !arguments.no_footprint;
-  options.robot_body = arguments.body;
-  options.dual_return = arguments.dual;
-  Scanner scanner(rays, lidar, motion, options);
-
-  RecordingWriter writer(arguments.output);
-  const auto begin = std::chrono::steady_clock::now();
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  for (std::uint64_t index = 0; index < arguments.scans; ++index) {
-    const SimulatedScan scan = scanner.scan(index);
-    writer.write_scan(scan);
-    if (arguments.true_points) writer.write_true_points(scan);
-    if (terminal && index % 10 == 0) {
-      fmt::print(stderr, "\r{}: scan {} of {}", scene.name, index, arguments.scans);
-    }
+void complete_request(SimulateArguments& arguments) {
+  RecordingRequest& request = arguments.request;
+  if (arguments.duration > 0.0) {
+    const double turn = 1e-9 * simulation::lidar_model(request.lidar).turn_ns;
+    request.scans = static_cast<std::uint64_t>(std::ceil(arguments.duration / turn - 1e-9));
   }
-  writer.finish(true_trajectory(scanner, arguments.scans));
+  if (!arguments.mount.empty()) {
+    request.mount_offset = Eigen::Vector3d::Map(arguments.mount.data());
+  }
+  if (!arguments.tilt_deg.empty()) {
+    request.mount_tilt_deg = Eigen::Vector3d::Map(arguments.tilt_deg.data());
+  }
+  request.footprint = !arguments.no_footprint;
+  const auto wanted = [&](const char* format) {
+    return std::find(arguments.formats.begin(), arguments.formats.end(), format) !=
+           arguments.formats.end();
+  };
+  request.format.pcd = wanted("pcd");
+  request.format.pcap = wanted("pcap");
+}
+
+void simulate(SimulateArguments& arguments, int& exit_code) {
+  complete_request(arguments);
+  const RecordingRequest& request = arguments.request;
+  const auto begin = std::chrono::steady_clock::now();
+  const InterruptGuard guard;
+  Progress progress("scans", arguments.quiet);
+  const std::uint64_t done = make_recording(request, arguments.output, [&](std::uint64_t scans) {
+    progress.update(scans, static_cast<double>(scans) / static_cast<double>(request.scans));
+    return !guard.interrupted();
+  });
+  progress.finish();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  fmt::print(stderr, "{}{}: {} scans in {:.1f} s ({:.1f} scans/s) to {}\n", terminal ? "\r" : "",
-             scene.name, arguments.scans, seconds, static_cast<double>(arguments.scans) / seconds,
-             arguments.output);
+  if (!arguments.quiet) {
+    fmt::print(stderr, "{}: {} scans in {:.1f} s to {}\n", request.scene, done, seconds,
+               arguments.output);
+  }
+  if (done < request.scans) exit_code = kInterrupted;
+}
+
+void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
+  RecordingRequest& request = arguments.request;
+  command.add_option("--robot", request.robot, "How it moves; absent: what suits the scene")
+      ->check(CLI::IsMember(simulation::gait_names()));
+  command.add_option("--speed", request.speed, "Walking speed [m/s]; absent: the robot's own")
+      ->check(CLI::Range(0.3, 3.0));
+  command.add_option("--gait-scale", request.gait_scale, "All gait amplitudes times this")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command.add_option("--route", request.route_file,
+                     "For a mesh file: corners of a closed way, 'x y z' a line [m]");
+}
+
+void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
+  RecordingRequest& request = arguments.request;
+  command.add_option("--lidar", request.lidar, "Sensor")
+      ->check(CLI::IsMember(simulation::lidar_names()))
+      ->capture_default_str();
+  command.add_option("--mount", arguments.mount, "LiDAR in the body's frame: x y z [m]")
+      ->expected(3);
+  command.add_option("--tilt", arguments.tilt_deg, "LiDAR's roll pitch yaw on the body [deg]")
+      ->expected(3);
+  command.add_flag("--dual", request.dual_return, "Two returns: the strongest and the last");
+  command.add_flag("--body", request.robot_body, "The robot's own body is in view");
+  command.add_flag("--no-footprint", arguments.no_footprint,
+                   "One ray a beam: faster, no mixed pixels");
+}
+
+void add_output_options(CLI::App& command, SimulateArguments& arguments) {
+  RecordingRequest& request = arguments.request;
+  auto* scans = command.add_option("--scans", request.scans, "Number of scans")
+                    ->check(CLI::Range(1, 1'000'000))
+                    ->capture_default_str();
+  command.add_option("--duration", arguments.duration, "Length of the recording [s]")
+      ->check(CLI::PositiveNumber)
+      ->excludes(scans);
+  command.add_option("--seed", request.seed, "Same seed, same bytes")->capture_default_str();
+  command.add_option("--format", arguments.formats, "pcd, pcap (VLP-16 packets), or both")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"pcd", "pcap"}));
+  command.add_flag("--true-points", request.format.true_points,
+                   "Every point's exact position in the map, too");
+  command.add_flag("-q,--quiet", arguments.quiet, "Say nothing");
+  command.add_option("-o,--output", arguments.output, "Folder to write to");
 }
 
 }  // namespace
 
 void add_simulate_command(CLI::App& app, int& exit_code) {
-  (void)exit_code;
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* command = app.add_subcommand("simulate", "Make a recording with exact truth");
-  command->add_option("scene", arguments->scene, "Scene; --list shows them");
+  command->add_option("scene", arguments->request.scene,
+                      "Scene (--list shows them) or a file: .ply, .obj, .asc");
   command->add_flag("--list", arguments->list, "Show the scenes and stop");
-  command->add_option("--robot", arguments->robot, "How it moves; absent: what suits the scene")
-      ->check(CLI::IsMember(simulation::gait_names()));
-  command->add_option("--lidar", arguments->lidar, "Sensor")
-      ->check(CLI::IsMember(simulation::lidar_names()));
-  command->add_option("--scans", arguments->scans, "Number of scans")->check(CLI::Range(1, 100000));
-  command->add_option("--seed", arguments->seed, "Same seed, same bytes");
-  command->add_option("--gait-scale", arguments->gait_scale, "All gait amplitudes times this")
-      ->check(CLI::Range(0.0, 10.0));
-  command->add_flag("--no-footprint", arguments->no_footprint, "One ray a beam: faster");
-  command->add_flag("--true-points", arguments->true_points,
-                    "Write every point's exact position in the map, too");
-  command->add_flag("--body", arguments->body, "The robot's own body is in view");
-  command->add_flag("--dual", arguments->dual, "Strongest and last return");
   command->add_option("--picture", arguments->picture, "Draw the scene to this PNG file and stop");
-  command->add_option("-o,--output", arguments->output, "Folder to write to");
-  command->callback([arguments] {
+  add_motion_options(*command, *arguments);
+  add_sensor_options(*command, *arguments);
+  add_output_options(*command, *arguments);
+  command->callback([arguments, &exit_code] {
     if (arguments->list) return list_scenes();
-    if (arguments->scene.empty()) throw CLI::RequiredError("SCENE (or --list)");
+    if (arguments->request.scene.empty()) throw CLI::RequiredError("SCENE (or --list)");
     if (!arguments->picture.empty()) return draw_picture(*arguments);
     if (arguments->output.empty()) throw CLI::RequiredError("-o OUT");
-    run(*arguments);
+    simulate(*arguments, exit_code);
   });
 }
 

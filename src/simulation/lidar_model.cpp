@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/lidar_model.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 #include <stdexcept>
 
@@ -20,15 +22,14 @@ LidarModel vlp16_model() {
   for (std::size_t laser = 0; laser < vlp16::kLasers; ++laser) {
     model.lasers.push_back({.offset_ns = vlp16::kLaserNs * static_cast<double>(laser),
                             .elevation = vlp16::kElevationDeg[laser] * kDegree,
-                            .vertical_origin = 1e-3 * vlp16::kVerticalOffsetMm[laser],
-                            .ring = vlp16::kRing[laser]});
+                            .vertical_origin = 1e-3 * vlp16::kVerticalOffsetMm[laser]});
   }
   model.sequence_ns = vlp16::kSequenceNs;
   model.sequences_per_azimuth = 2;
   model.azimuth_unit = 2.0 * std::numbers::pi / vlp16::kAzimuthUnitsPerTurn;
   model.min_range = 0.4;
   model.max_range = 100.0;
-  model.full_signal_range = 45.0;
+  model.half_detection_range = 45.0;
   model.range_sigma = 0.01;
   model.range_unit = vlp16::kDistanceUnit;
   model.divergence_horizontal = 3.0e-3;
@@ -37,15 +38,113 @@ LidarModel vlp16_model() {
   return model;
 }
 
+/// Velodyne VLP-32C: manual 63-9325 rev. B, tables of firing order, elevation, azimuth offset. Two
+/// lasers fire at a time.
+LidarModel vlp32_model() {
+  struct Angles {
+    double elevation_deg;
+    double azimuth_deg;
+  };
+  constexpr std::array<Angles, 32> kAngles = {
+      {{-25.0, 1.4},  {-1.0, -4.2},   {-1.667, 1.4}, {-15.639, -1.4}, {-11.31, 1.4}, {0.0, -1.4},
+       {-0.667, 4.2}, {-8.843, -1.4}, {-7.254, 1.4}, {0.333, -4.2},   {-0.333, 1.4}, {-6.148, -1.4},
+       {-5.333, 4.2}, {1.333, -1.4},  {0.667, 4.2},  {-4.0, -1.4},    {-4.667, 1.4}, {1.667, -4.2},
+       {1.0, 1.4},    {-3.667, -4.2}, {-3.333, 4.2}, {3.333, -1.4},   {2.333, 1.4},  {-2.667, -1.4},
+       {-3.0, 1.4},   {7.0, -1.4},    {4.667, 1.4},  {-2.333, -4.2},  {-2.0, 4.2},   {15.0, -1.4},
+       {10.333, 1.4}, {-1.333, -1.4}}};
+  LidarModel model;
+  model.name = "vlp32";
+  for (std::size_t laser = 0; laser < kAngles.size(); ++laser) {
+    model.lasers.push_back({.offset_ns = vlp16::kLaserNs * static_cast<double>(laser / 2),
+                            .elevation = kAngles[laser].elevation_deg * kDegree,
+                            .azimuth_offset = kAngles[laser].azimuth_deg * kDegree});
+  }
+  model.sequence_ns = vlp16::kSequenceNs;
+  model.azimuth_unit = 0.01 * kDegree;
+  model.min_range = 0.5;
+  model.max_range = 200.0;
+  model.half_detection_range = 80.0;
+  model.range_sigma = 0.01;
+  model.range_unit = 0.004;
+  model.divergence_horizontal = 3.0e-3;
+  model.divergence_vertical = 1.5e-3;
+  model.pulse_length = 0.9;
+  return model;
+}
+
+/// Ouster OS1-64 (first generation) at 1024 columns and 10 Hz: nominal beam angles and optics of
+/// the maker's driver. All lasers of a column measure at once, at fixed angles of the encoder.
+LidarModel os1_64_model() {
+  constexpr int kBeams = 64;
+  constexpr double kTopDeg = 16.611;
+  constexpr std::array<double, 4> kAzimuthDeg = {3.164, 1.055, -1.055, -3.164};
+  constexpr int kColumns = 1024;
+  LidarModel model;
+  model.name = "os1-64";
+  for (int beam = 0; beam < kBeams; ++beam) {
+    const double part = static_cast<double>(beam) / (kBeams - 1);
+    model.lasers.push_back(
+        {.elevation = kTopDeg * (1.0 - 2.0 * part) * kDegree,
+         .azimuth_offset = kAzimuthDeg[static_cast<std::size_t>(beam % 4)] * kDegree});
+  }
+  model.sequence_ns = model.turn_ns / kColumns;
+  model.radial_origin = 0.012163;
+  model.min_range = 0.8;
+  model.max_range = 120.0;
+  model.half_detection_range = 45.0;
+  model.range_sigma = 0.012;
+  model.range_unit = 0.001;
+  model.divergence_horizontal = 2.3e-3;  // 0.13 deg full angle
+  model.divergence_vertical = 2.3e-3;
+  model.pulse_length = 0.6;
+  return model;
+}
+
+/// Hesai PandarXT-16 at 600 rpm: a column every 50 us (0.18 deg), channels 3.024 us apart after
+/// 3.56 us (3.28 us of the block and 0.28 us of the first channel), topmost first.
+LidarModel hesai_xt16_model() {
+  constexpr int kChannels = 16;
+  LidarModel model;
+  model.name = "hesai-xt16";
+  for (int channel = 0; channel < kChannels; ++channel) {
+    model.lasers.push_back(
+        {.offset_ns = 3560.0 + 3024.0 * channel, .elevation = (15.0 - 2.0 * channel) * kDegree});
+  }
+  model.sequence_ns = 50'000.0;
+  model.azimuth_unit = 0.01 * kDegree;
+  model.min_range = 0.05;
+  model.max_range = 120.0;
+  model.half_detection_range = 80.0;  // 10 % at 80 m
+  model.range_sigma = 0.005;
+  model.range_unit = 0.004;
+  model.divergence_horizontal = 1.5e-3;
+  model.divergence_vertical = 1.5e-3;
+  model.pulse_length = 0.6;
+  return model;
+}
+
+/// Rings by elevation, 0 the lowest.
+LidarModel with_rings(LidarModel model) {
+  for (Laser& laser : model.lasers) {
+    laser.ring = static_cast<std::uint16_t>(
+        std::count_if(model.lasers.begin(), model.lasers.end(),
+                      [&](const Laser& other) { return other.elevation < laser.elevation; }));
+  }
+  return model;
+}
+
 }  // namespace
 
 const std::vector<std::string>& lidar_names() {
-  static const std::vector<std::string> names = {"vlp16"};
+  static const std::vector<std::string> names = {"vlp16", "vlp32", "os1-64", "hesai-xt16"};
   return names;
 }
 
 LidarModel lidar_model(const std::string& name) {
-  if (name == "vlp16") return vlp16_model();
+  if (name == "vlp16") return with_rings(vlp16_model());
+  if (name == "vlp32") return with_rings(vlp32_model());
+  if (name == "os1-64") return with_rings(os1_64_model());
+  if (name == "hesai-xt16") return with_rings(hesai_xt16_model());
   std::string known;
   for (const std::string& other : lidar_names()) known += (known.empty() ? "" : ", ") + other;
   throw std::invalid_argument("no LiDAR is called '" + name + "'; there are: " + known);

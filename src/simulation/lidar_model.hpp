@@ -22,16 +22,16 @@ struct Laser {
 /// The rotor turns clockwise seen from above; azimuth 0 is the x axis, forward.
 struct LidarModel {
   std::string name;
-  std::vector<Laser> lasers;           ///< in firing order: offset_ns never falls
-  double sequence_ns = 0.0;            ///< from one firing sequence to the next
-  double turn_ns = 1e8;                ///< one revolution: 600 rpm
-  int sequences_per_azimuth = 1;       ///< firing sequences that share one azimuth reading
-  double azimuth_unit = 0.0;           ///< resolution of that reading [rad]; 0: exact
-  double radial_origin = 0.0;          ///< distance of the beams' origin from the axis [m]
-  double min_range = 0.0;              ///< nearer returns are not given [m]
-  double max_range = 0.0;              ///< [m]
-  double full_signal_range = 0.0;      ///< range at which a facing surface of reflectivity 0.1 is
-                                       ///< detected half of the time [m]
+  std::vector<Laser> lasers;      ///< in firing order: offset_ns never falls
+  double sequence_ns = 0.0;       ///< from one firing sequence to the next
+  double turn_ns = 1e8;           ///< one revolution: 600 rpm
+  int sequences_per_azimuth = 1;  ///< firing sequences that share one azimuth reading
+  double azimuth_unit = 0.0;      ///< resolution of that reading [rad]; 0: exact
+  double radial_origin = 0.0;     ///< distance of the beams' origin from the axis [m]
+  double min_range = 0.0;         ///< nearer returns are not given [m]
+  double max_range = 0.0;         ///< [m]
+  /// Range at which a facing surface of reflectivity 0.1 is detected half of the time [m].
+  double half_detection_range = 0.0;
   double range_sigma = 0.0;            ///< noise of a strong return, standard deviation [m]
   double range_unit = 0.0;             ///< quantisation [m]
   double divergence_horizontal = 0.0;  ///< full angle of the beam [rad]

@@ -148,7 +148,7 @@ void Scanner::aim_at_body(const Block& block) {
 }
 
 void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
-                     const BeamReturn& value, std::uint8_t label, bool second,
+                     const BeamReturn& value, std::uint8_t label, bool last,
                      SimulatedScan& result) const {
   const RotorBeam& beam = beams_[laser];
   const Eigen::Matrix3d reported = rotor_at(reported_azimuth(sequence, laser));
@@ -159,7 +159,7 @@ void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& fi
   result.scan.times_ns.push_back(static_cast<std::int32_t>(time_ns - result.scan.stamp_ns));
   result.scan.rings.push_back(model_.lasers[laser].ring);
   result.raw.push_back(
-      {sequence, static_cast<std::uint16_t>(laser), second, value.range, value.intensity});
+      {sequence, static_cast<std::uint16_t>(laser), last, value.range, value.intensity});
   result.true_points.push_back(
       firing.R_map_rotor * (beam.origin + value.true_range * beam.direction) + firing.position);
   result.labels.push_back(label);
@@ -186,7 +186,10 @@ void Scanner::collect(const Block& block, SimulatedScan& result) const {
                                    : value.mixed  ? kLabelMixed
                                    : value.moving ? kLabelMoving
                                                   : kLabelStatic;
-        report(sequence, laser, firings_[slot(laser, i)], value, label, k == 1, result);
+        const bool last =
+            wanted == 2 &&
+            value.true_range > returns.values[static_cast<std::size_t>(1 - k)].true_range;
+        report(sequence, laser, firings_[slot(laser, i)], value, label, last, result);
       }
     }
   }

@@ -32,7 +32,7 @@ struct ScannerOptions {
 struct RawReturn {
   std::uint64_t sequence = 0;  ///< firing sequence, counted from time 0
   std::uint16_t laser = 0;     ///< index into LidarModel::lasers
-  bool second = false;         ///< the second return of a dual return
+  bool last = false;           ///< of two returns, the farther one
   double range = 0.0;          ///< [m]
   std::uint8_t intensity = 0;
 };
@@ -93,8 +93,7 @@ class Scanner {
   void aim_at_body(const Block& block);
   void collect(const Block& block, SimulatedScan& result) const;
   void report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
-              const BeamReturn& value, std::uint8_t label, bool second,
-              SimulatedScan& result) const;
+              const BeamReturn& value, std::uint8_t label, bool last, SimulatedScan& result) const;
   [[nodiscard]] std::size_t slot(std::size_t laser, std::size_t sequence) const;
 
   RayCaster* rays_;

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "recording_maker.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include "dataset/file_writer.hpp"
+#include "simulation/body_motion.hpp"
+#include "simulation/mesh_scene.hpp"
+
+namespace surefoot::app {
+
+namespace {
+
+simulation::GaitModel gait_of(const RecordingRequest& request, const simulation::Scene& scene) {
+  simulation::GaitModel gait =
+      simulation::gait_model(request.robot.empty() ? scene.robot : request.robot);
+  if (request.speed > 0.0 && gait.speed > 0.0) gait.speed = request.speed;
+  return scaled(std::move(gait), request.gait_scale);
+}
+
+Pose mount_of(const RecordingRequest& request) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  return {from_roll_pitch_yaw(kDegree * request.mount_tilt_deg), request.mount_offset};
+}
+
+simulation::ScannerOptions options_of(const RecordingRequest& request) {
+  simulation::ScannerOptions options;
+  options.seed = request.seed;
+  options.footprint = request.footprint;
+  options.dual_return = request.dual_return;
+  options.robot_body = request.robot_body;
+  return options;
+}
+
+}  // namespace
+
+simulation::Scene scene_of(const RecordingRequest& request) {
+  if (!simulation::is_mesh_file(request.scene)) {
+    if (!request.route_file.empty()) {
+      throw std::invalid_argument("--route is for a mesh file; scene '" + request.scene +
+                                  "' has its own");
+    }
+    return simulation::build_scene(request.scene, request.seed);
+  }
+  return simulation::mesh_scene(request.scene, request.route_file);
+}
+
+std::uint64_t make_recording(const RecordingRequest& request, const std::filesystem::path& folder,
+                             const std::function<bool(std::uint64_t done)>& on_scan) {
+  const simulation::LidarModel lidar = simulation::lidar_model(request.lidar);
+  if (request.format.pcap && request.lidar != "vlp16") {
+    throw std::invalid_argument("pcap holds VLP-16 packets; for '" + request.lidar +
+                                "' use --format pcd");
+  }
+  const simulation::Scene scene = scene_of(request);
+  const simulation::GaitModel gait = gait_of(request, scene);
+  simulation::RayCaster rays(scene);
+  // One turn more than is scanned: the last scan's last firing lies beyond its nominal end.
+  const double duration = 1e-9 * lidar.turn_ns * static_cast<double>(request.scans + 1);
+  simulation::Scanner scanner(
+      rays, lidar,
+      simulation::make_motion(scene, rays, gait, duration, request.seed, mount_of(request)),
+      options_of(request));
+
+  RecordingWriter writer(folder, request.format, scanner.options());
+  std::uint64_t done = 0;
+  while (done < request.scans) {
+    writer.write(scanner.scan(done));
+    ++done;
+    if (!on_scan(done)) break;
+  }
+  writer.finish(true_trajectory(scanner, done));
+  dataset::write_whole_file(folder / "scene.json",
+                            scene_json(request, scene, gait, lidar, scanner.options(), done));
+  return done;
+}
+
+}  // namespace surefoot::app
