@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "dataset/recording.hpp"
+#include "support.hpp"
+
+namespace surefoot::dataset {
+namespace {
+
+constexpr std::int64_t kStart = 1'453'363'200'000'000'000;  // a whole hour
+constexpr std::int64_t kPeriod = 1'327'104;
+
+std::string payload(unsigned i, unsigned product = 0x22) {
+  return test::vlp16_payload(
+      i * 480 % 36000, 40, static_cast<std::uint32_t>(i * kPeriod / 1000), 0x37,
+      [](auto, auto) {
+        return test::Measured{500, 1};
+      },
+      product);
+}
+
+// Two turns of 75 packets.
+test::PcapFile two_turns(bool nanoseconds, bool big_endian) {
+  test::PcapFile file(1, nanoseconds, big_endian);
+  for (unsigned i = 0; i < 150; ++i) {
+    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+  }
+  return file;
+}
+
+TEST(Capture, EveryMagicGivesTheSame) {
+  const test::TemporaryFolder folder;
+  for (const bool nanoseconds : {false, true}) {
+    for (const bool big_endian : {false, true}) {
+      const auto recording =
+          open_recording(folder.write("a.pcap", two_turns(nanoseconds, big_endian).content()));
+      const auto first = recording->next();
+      const auto second = recording->next();
+      ASSERT_TRUE(first && second);
+      EXPECT_FALSE(recording->next());
+      EXPECT_EQ(first->scan->stamp_ns, kStart);
+      EXPECT_EQ(first->scan->points.size(), 75U * 384U);
+      EXPECT_EQ(first->remark, "");
+      EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
+      EXPECT_EQ(recording->capture_counts().lost, 0U);
+      EXPECT_EQ(recording->progress(), 1.0);
+    }
+  }
+}
+
+TEST(Capture, OtherTrafficIsCountedAndSkipped) {
+  const test::TemporaryFolder folder;
+  test::PcapFile file;
+  for (unsigned i = 0; i < 75; ++i) {
+    const std::string frame = test::ethernet_frame(test::ip_packet(payload(i), 2368));
+    if (i != 40) {
+      file.add(kStart + i * kPeriod, frame, i == 50 ? 100 : 0);  // one lost, one cut short
+    }
+  }
+  file.add(kStart, test::ethernet_frame(test::ip_packet(std::string(512, 'p'), 8308)));
+  file.add(kStart, test::ethernet_frame(test::ip_packet(payload(1), 9999)));
+  file.add(kStart, "arp");
+  const auto recording = open_recording(folder.write("a.pcap", file.content()));
+  const auto item = recording->next();
+  EXPECT_NE(item->remark.find("partial"), std::string::npos);
+  EXPECT_FALSE(recording->next());
+  const CaptureCounts counts = recording->capture_counts();
+  EXPECT_EQ(counts.data_packets, 73U);
+  EXPECT_EQ(counts.position_packets, 1U);
+  EXPECT_EQ(counts.truncated, 1U);
+  EXPECT_EQ(counts.other, 2U);
+  EXPECT_EQ(counts.lost, 2U);
+}
+
+TEST(Capture, ACaptureThatIsCutShortGivesWhatItHas) {
+  const test::TemporaryFolder folder;
+  const std::string content = two_turns(false, false).content();
+  const auto recording =
+      open_recording(folder.write("a.pcap", content.substr(0, content.size() - 5)));
+  std::size_t scans = 0;
+  while (recording->next()) {
+    ++scans;
+  }
+  EXPECT_EQ(scans, 2U);
+  EXPECT_NE(recording->notes().back().find("cut short"), std::string::npos);
+}
+
+TEST(Capture, ErrorsNameWhatWasSeen) {
+  const test::TemporaryFolder folder;
+  const auto error_of = [&](const std::string& content) {
+    const auto file = folder.write("a.pcap", content);
+    return test::message_of<ReadError>([&] { (void)open_recording(file); });
+  };
+  EXPECT_NE(error_of("").find("a.pcap: no pcap"), std::string::npos);
+  EXPECT_NE(error_of("not a capture at all").find("no pcap"), std::string::npos);
+  EXPECT_NE(error_of(test::PcapFile().content()).find("0 packets"), std::string::npos);
+  EXPECT_NE(error_of(test::PcapFile(105).content()).find("link layer 105"), std::string::npos);
+  test::PcapFile hdl32;
+  hdl32.add(kStart, test::ethernet_frame(test::ip_packet(payload(0, 0x21), 2368)));
+  const std::string product = error_of(hdl32.content());
+  EXPECT_NE(product.find("0x21 (HDL-32E)"), std::string::npos) << product;
+  EXPECT_NE(product.find("0x22"), std::string::npos) << product;
+  test::PcapFile elsewhere;
+  elsewhere.add(kStart, test::ethernet_frame(test::ip_packet(payload(0), 2369)));
+  EXPECT_NE(error_of(elsewhere.content()).find("1206 bytes to port 2369"), std::string::npos);
+}
+
+std::filesystem::path shared(const char* file) {
+  return std::filesystem::path(SUREFOOT_SHARED_DATA) / file;
+}
+
+TEST(Capture, ARealSensor) {
+  const auto file = shared("vlp16_pcap/sample_velodyne_vlp16_gps.pcap");
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << file << " is absent";
+  }
+  const auto recording = open_recording(file);
+  std::vector<ScanItem> items;
+  while (auto item = recording->next()) {
+    items.push_back(std::move(*item));
+  }
+  ASSERT_EQ(items.size(), 5U);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    EXPECT_EQ(items[i].remark.empty(), i >= 1 && i <= 3) << items[i].remark;
+  }
+  for (std::size_t i = 2; i <= 4; ++i) {  // 10 turns a second
+    EXPECT_NEAR(double(items[i].scan->stamp_ns - items[i - 1].scan->stamp_ns), 1e8, 1e6);
+  }
+  EXPECT_EQ(recording->capture_counts().data_packets, 293U);
+  EXPECT_EQ(recording->capture_counts().position_packets, 57U);
+  EXPECT_EQ(recording->capture_counts().lost, 0U);
+}
+
+TEST(Capture, AnotherProductIsRefusedByName) {
+  const auto file = shared("other_pcap/sample_velodyne_hdl32.pcap");
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << file << " is absent";
+  }
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(file); });
+  EXPECT_NE(message.find("0x21 (HDL-32E)"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace surefoot::dataset
