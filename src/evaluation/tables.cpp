@@ -119,6 +119,11 @@ void append_text(std::string& text, const Evaluation& evaluation) {
         fmt::format("  segments of {:g} m: {:.4f} %, {:.6f} deg/m ({} segments)\n", segment.length,
                     segment.translation_percent, segment.rotation_deg_per_m, segment.count);
   }
+  const SegmentError& segments = evaluation.segments.all;
+  if (segments.count > 0) {
+    text += fmt::format("  segments of all lengths: {:.4f} %, {:.6f} deg/m ({} segments)\n",
+                        segments.translation_percent, segments.rotation_deg_per_m, segments.count);
+  }
   const EndDrift& drift = evaluation.drift;
   text += fmt::format(
       "  end drift {:.4f} m ({:.4f} % of {:.2f} m), horizontal {:.4f} m, "

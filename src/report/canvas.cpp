@@ -88,10 +88,12 @@ struct Canvas::Page {
 };
 
 Canvas::Canvas(int width, int height, PageFormat format)
-    : page_(std::make_shared<Page>(width, height, format)) {
+    : page_(std::make_unique<Page>(width, height, format)) {
   cairo_set_line_join(page_->cairo, CAIRO_LINE_JOIN_ROUND);
   fill({0.0, 0.0, static_cast<double>(width), static_cast<double>(height)}, {1.0, 1.0, 1.0});
 }
+
+Canvas::~Canvas() = default;
 
 void Canvas::fill(const Rect& rect, const Color& color) {
   cairo_rectangle(page_->cairo, rect.x, rect.y, rect.width, rect.height);

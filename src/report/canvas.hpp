@@ -55,6 +55,7 @@ enum class PageFormat { kPng, kSvg };
 class Canvas {
  public:
   Canvas(int width, int height, PageFormat format);
+  ~Canvas();
 
   void fill(const Rect& rect, const Color& color);
   void outline(const Rect& rect, const Stroke& stroke);
@@ -77,7 +78,7 @@ class Canvas {
 
  private:
   struct Page;
-  std::shared_ptr<Page> page_;
+  std::unique_ptr<Page> page_;
 };
 
 }  // namespace surefoot::report

@@ -17,9 +17,6 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTurn = 0.35;  // [rad] from the map's long side, so that walls show two faces
 
-/// Up to this many points decide the view; a regular sample of a large map is as good as all.
-constexpr std::size_t kSampledPoints = 200'000;
-
 std::vector<Eigen::Vector3d> sample_in_view(const Run& run) {
   std::vector<Eigen::Vector3d> sample;
   const std::size_t stride = run.map_points.size() / kSampledPoints + 1;

@@ -23,6 +23,9 @@ inline constexpr double kBandWidth = 26.0;  // of untrusted stretches of a path 
 inline constexpr double kMarkerRadius = 12.0;
 }  // namespace style
 
+/// Up to this many points decide ranges and views; a regular sample of a large map does as well.
+inline constexpr std::size_t kSampledPoints = 200'000;
+
 /// The input without what cannot be drawn, and the ranges that several panels use.
 struct Run {
   Trajectory path;

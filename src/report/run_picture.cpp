@@ -37,7 +37,6 @@ PageFormat format_of(const std::filesystem::path& path) {
 /// Ranges of nearly all of the map: single far returns would shrink everything else.
 void find_map_ranges(Run& run) {
   constexpr double kTail = 0.005;
-  constexpr std::size_t kSampledPoints = 200'000;
   std::array<std::vector<double>, 3> values;
   const std::size_t stride = run.map_points.size() / kSampledPoints + 1;
   for (std::size_t i = 0; i < run.map_points.size(); i += stride) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "evo_data.hpp"
 #include "walks.hpp"
 
 namespace surefoot::evaluation {
@@ -55,6 +56,22 @@ TEST(Segments, OfARunTooShortForAnyAndOfImpossibleLengths) {
   for (const double length : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW((void)segment_errors({walk, walk}, {length}), std::invalid_argument);
   }
+}
+
+// The expected figures are from a program of its own that follows the benchmark's definition with
+// matrices (numpy), on evo's test data.
+TEST(Segments, OfOrbSlamOnKitti00) {
+  if (!std::filesystem::exists(test::evo_data("KITTI_00_gt.txt"))) {
+    GTEST_SKIP() << "evo's test data are not at hand";
+  }
+  const AssociatedTrajectories pairs{test::read_kitti(test::evo_data("KITTI_00_gt.txt")),
+                                     test::read_kitti(test::evo_data("KITTI_00_ORB.txt"))};
+  const SegmentErrors errors = segment_errors(pairs, segment_lengths_for(3724.0));
+  EXPECT_NEAR(errors.all.translation_percent, 0.69972866, 1e-6);
+  EXPECT_NEAR(errors.all.rotation_deg_per_m, 0.00253330, 1e-7);
+  EXPECT_EQ(errors.by_length.front().count, 445U);
+  EXPECT_NEAR(errors.by_length.front().translation_percent, 1.00903809, 1e-6);
+  EXPECT_NEAR(errors.by_length.back().rotation_deg_per_m, 0.00100035, 1e-7);
 }
 
 }  // namespace
