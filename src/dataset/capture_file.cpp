@@ -13,7 +13,8 @@
 namespace surefoot::dataset {
 namespace {
 
-pcap_t* pcap_of(const std::unique_ptr<void, auto>& handle) {
+template <typename Handle>
+pcap_t* pcap_of(const Handle& handle) {
   return static_cast<pcap_t*>(handle.get());
 }
 

@@ -107,10 +107,12 @@ TEST(Vlp16, DualReturnChoicesAndTimes) {
 TEST(Vlp16, AzimuthInterpolatesOverZero) {
   OpenOptions options;
   options.vlp16_vertical_correction = false;
+  options.cut_azimuth_deg = 180.0;  // away from here
   const Scan scan = decode(
       test::vlp16_payload(35990, 40, 0, 0x37,
                           [](auto block, auto channel) { return only(block, channel, 0, 17); }),
       options);
+  ASSERT_EQ(scan.points.size(), 1U);
   // Half the step of 0.4 deg, and a laser's share: from 359.9 to 0.1 deg.
   const double azimuth = (-0.1 + 0.2 + 0.2 * 2.304 / 55.296) * M_PI / 180.0;
   EXPECT_NEAR(std::atan2(-scan.points[0].y(), scan.points[0].x()), azimuth, 1e-7);
@@ -122,7 +124,7 @@ TEST(Vlp16, RevolutionsAreCutWhereTheAzimuthWraps) {
     options.cut_azimuth_deg = cut_deg;
     Vlp16Revolutions revolutions(options);
     std::vector<Revolution> ended;
-    // 20 deg a sequence of packets of 4.8 deg: 2.5 turns from 100 deg on.
+    // 188 packets of 4.8 deg: 2.5 turns from 100 deg on.
     for (unsigned i = 0; i * 480 < 90000; ++i) {
       const std::string payload = test::vlp16_payload(10000 + i * 480, 40, 0, 0x37, [](auto, auto) {
         return Measured{500, 1};
