@@ -76,6 +76,12 @@ Scene furnished_hall() {
   scene.add(turned_box(10.0, 3.0, 2.0, {0.4, 0.4, 2.0}, 30.0));
   scene.add(turned_box(-12.0, 6.0, 0.8, {1.0, 1.0, 0.8}, 15.0));
   scene.add(turned_box(0.0, 9.5, 2.5, {2.0, 0.5, 0.2}, 0.0));
+  // Shelves and pillars along both sides, as a store room has them.
+  for (int i = 0; i < 12; ++i) {
+    const double x = -13.0 + 2.3 * i;
+    scene.add(turned_box(x, 3.5 + 0.4 * (i % 3), 1.0, {0.25, 0.4, 1.0 + 0.2 * (i % 4)}, 17.0 * i));
+    scene.add(turned_box(x + 1.1, -3.0 - 0.5 * (i % 4), 0.9, {0.3, 0.3, 2.0}, 29.0 * i));
+  }
   return scene;
 }
 

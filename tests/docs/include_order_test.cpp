@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Who may include whom: the order that docs/architecture.md describes, read from the sources.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "docs/source_files.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::SourceFile;
+
+/// The first folder of an include; "" for a file beside the one that includes it.
+std::string folder_of(const std::string& include) {
+  const auto slash = include.find('/');
+  return slash == std::string::npos ? "" : include.substr(0, slash);
+}
+
+/// "odometry/deskew.hpp" and "src/odometry/deskew.cpp" are both of the step "deskew".
+std::string stem_of(const std::string& path) {
+  const auto slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return name.substr(0, name.find('.'));
+}
+
+void expect_only(const std::string& folder, const std::set<std::string>& allowed) {
+  const auto files = test::source_files(folder);
+  EXPECT_FALSE(files.empty()) << folder;
+  for (const auto& [path, text] : files) {
+    for (const std::string& include : test::quoted_includes(text)) {
+      EXPECT_TRUE(allowed.count(folder_of(include))) << path << " includes " << include;
+    }
+  }
+}
+
+TEST(IncludeOrder, PublicHeadersIncludeEachOtherOnly) {
+  expect_only("include/surefoot", {"surefoot"});
+}
+
+TEST(IncludeOrder, TheLibrarySeesNoneOfTheProgramsComponents) {
+  expect_only("src/geometry", {"surefoot", "geometry"});
+  expect_only("src/odometry", {"surefoot", "geometry", "odometry"});
+  expect_only("src/sensor", {"sensor"});
+}
+
+TEST(IncludeOrder, ComponentsSeeThePublicTypesButNeitherEachOtherNorTheOdometry) {
+  for (const std::string component : {"dataset", "evaluation", "simulation", "report"}) {
+    expect_only("src/" + component, {"surefoot", "geometry", "sensor", component});
+    for (const auto& [path, text] : test::source_files("src/" + component)) {
+      for (const std::string& include : test::quoted_includes(text)) {
+        EXPECT_NE(include, "surefoot/odometry.hpp") << path;
+      }
+    }
+  }
+}
+
+TEST(IncludeOrder, ProgramsSeeThePublicHeadersAndTheComponents) {
+  expect_only("apps", {"", "surefoot", "dataset", "evaluation", "simulation", "report", "sensor"});
+}
+
+/// The steps of a scan. What else lies in src/odometry are bricks that any step may use.
+const std::set<std::string> kSteps = {"coupled",    "deskew",       "downsample", "health",
+                                      "horizontal", "information",  "level",      "motion_prior",
+                                      "preprocess", "registration", "vertical"};
+/// These know several steps.
+const std::set<std::string> kConductors = {"odometry", "registration"};
+/// A step that takes what another one returns includes its type; levelling thins its cloud.
+const std::set<std::pair<std::string, std::string>> kHandovers = {{"deskew", "motion_prior"},
+                                                                  {"deskew", "preprocess"},
+                                                                  {"health", "registration"},
+                                                                  {"level", "downsample"}};
+
+TEST(IncludeOrder, StepsOfTheOdometryDoNotIncludeEachOther) {
+  std::set<std::string> seen;
+  std::set<std::pair<std::string, std::string>> handovers;
+  for (const auto& [path, text] : test::source_files("src/odometry")) {
+    const std::string from = stem_of(path);
+    seen.insert(from);
+    if (kConductors.count(from)) continue;
+    for (const std::string& include : test::quoted_includes(text)) {
+      const std::string to = stem_of(include);
+      if (folder_of(include) != "odometry" || from == to || !kSteps.count(to)) continue;
+      if (kHandovers.count({from, to})) {
+        handovers.insert({from, to});
+      } else {
+        ADD_FAILURE() << path << " includes the step " << include;
+      }
+    }
+  }
+  for (const std::string& step : kSteps) EXPECT_TRUE(seen.count(step)) << "no step " << step;
+  EXPECT_EQ(handovers, kHandovers) << "an exception that is no longer needed should go";
+}
+
+TEST(IncludeOrder, TheLibraryPrintsNothingAndReadsNoClock) {
+  static const std::regex forbidden(
+      "<iostream>|<chrono>|<ctime>|std::(cout|cerr|clog|abort|exit|terminate)\\b"
+      "|\\b(printf|fprintf|puts|getenv)\\(");
+  for (const char* folder : {"src/geometry", "src/odometry", "include"}) {
+    for (const auto& [path, text] : test::source_files(folder)) {
+      std::smatch found;
+      EXPECT_FALSE(std::regex_search(text, found, forbidden)) << path << ": " << found.str();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The local map: exact nearest neighbours, floor indices, capacity, spacing, bounded memory.
+#include "odometry/local_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+Config::Map map_config(double voxel_size) {
+  Config::Map config = Config().map;
+  config.voxel_size = voxel_size;
+  config.points_per_voxel = 20;
+  config.min_spacing = 0.0;
+  config.radius = 50.0;
+  return config;
+}
+
+/// Distance to the nearest of all points, or infinity.
+double brute_force(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& place) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& point : points) best = std::min(best, (point - place).norm());
+  return best;
+}
+
+/// Distance to the nearest but one.
+double second_distance(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& place) {
+  double best = std::numeric_limits<double>::infinity(), second = best;
+  for (const Eigen::Vector3d& point : points) {
+    const double distance = (point - place).norm();
+    second = std::min(second, std::max(best, distance));
+    best = std::min(best, distance);
+  }
+  return second;
+}
+
+void expect_nearest_is_exact(double voxel_size, double max_distance, const Eigen::Vector3d& centre,
+                             int points, std::uint64_t seed) {
+  Random random(seed);
+  LocalMap map(map_config(voxel_size), max_distance);
+  for (int i = 0; i < points; ++i) map.insert(centre + random.vector(6.0));
+  const auto stored = map.points();
+  int found = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Eigen::Vector3d place = centre + random.vector(8.0);
+    // Bounds up to the one that the map was made for.
+    const double bound = i % 3 == 0 ? random.uniform(0.0, max_distance) : max_distance;
+    const double expected = brute_force(stored, place);
+    const auto nearest = map.nearest(place, bound);
+    if (std::abs(expected - bound) < 1e-5) continue;  // either answer is right, within rounding
+    ASSERT_EQ(nearest.found, expected < bound) << expected << " against " << bound;
+    if (!nearest.found) continue;
+    ++found;
+    // Coordinates are floats about a voxel's corner: 1e-7 of a metre or two.
+    ASSERT_NEAR((nearest.point - place).norm(), expected, 1e-6);
+    ASSERT_NEAR(nearest.distance, expected, 1e-6);
+    ASSERT_LT(brute_force(stored, nearest.point), 1e-12);
+    ASSERT_LE(nearest.clearance, second_distance(stored, place) + 1e-6);
+  }
+  EXPECT_GT(found, 100);
+}
+
+TEST(LocalMap, NearestEqualsBruteForceWithinOneVoxel) {
+  expect_nearest_is_exact(1.0, 1.0, Eigen::Vector3d::Zero(), 2000, 1);
+  expect_nearest_is_exact(1.0, 0.45, Eigen::Vector3d::Zero(), 3000, 2);
+}
+
+TEST(LocalMap, NearestEqualsBruteForceBeyondOneVoxel) {
+  expect_nearest_is_exact(1.0, 2.0, Eigen::Vector3d::Zero(), 200, 3);
+  expect_nearest_is_exact(0.5, 2.3, Eigen::Vector3d::Zero(), 200, 4);
+  expect_nearest_is_exact(0.7, 3.0, Eigen::Vector3d::Zero(), 20, 5);
+}
+
+TEST(LocalMap, NearestEqualsBruteForceFarFromTheOrigin) {
+  expect_nearest_is_exact(1.0, 2.0, {-40.0, -30.0, -20.0}, 500, 6);
+  expect_nearest_is_exact(1.0, 2.0, {10'000.3, -10'000.7, 500.1}, 500, 7);
+}
+
+TEST(LocalMap, AnEmptyMapHasNoNearest) {
+  LocalMap map(map_config(1.0), 2.0);
+  EXPECT_TRUE(map.empty());
+  EXPECT_FALSE(map.nearest({0.0, 0.0, 0.0}, 2.0).found);
+  map.insert({0.5, 0.5, 0.5});
+  EXPECT_FALSE(map.empty());
+  map.clear();
+  EXPECT_TRUE(map.empty());
+  EXPECT_FALSE(map.nearest({0.5, 0.5, 0.5}, 2.0).found);
+}
+
+TEST(LocalMap, VoxelsAreEquallyLargeOnBothSidesOfZero) {
+  const LocalMap map(map_config(0.5), 1.0);
+  EXPECT_EQ(map.voxel_of({-0.01, 0.0, 0.01}), VoxelIndex(-1, 0, 0));
+  EXPECT_EQ(map.voxel_of({-0.5, -0.51, -1.0}), VoxelIndex(-1, -2, -2));
+  EXPECT_EQ(map.voxel_of({0.49, 0.5, 0.99}), VoxelIndex(0, 1, 1));
+}
+
+TEST(LocalMap, AFullVoxelTakesNoMore) {
+  Config::Map config = map_config(1.0);
+  for (const int capacity : {1, 3, 4, 5, 17}) {  // around the width of the vector search
+    config.points_per_voxel = capacity;
+    LocalMap map(config, 1.0);
+    for (int i = 0; i < 40; ++i) map.insert({0.01 + 0.02 * i, 0.5, -0.5});
+    EXPECT_EQ(map.points().size(), static_cast<std::size_t>(capacity));
+    EXPECT_EQ(map.voxels(), 1U);
+    EXPECT_EQ(map.surface({0, 0, -1}).neighbours, capacity);
+  }
+}
+
+TEST(LocalMap, PointsOfAVoxelKeepTheirDistance) {
+  Random random(8);
+  Config::Map config = map_config(1.0);
+  config.min_spacing = 0.2;
+  config.points_per_voxel = 60;
+  LocalMap map(config, 1.0);
+  for (int i = 0; i < 3000; ++i) map.insert(random.vector(2.0));
+  const auto points = map.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (map.voxel_of(points[i]) != map.voxel_of(points[j])) continue;
+      EXPECT_GE((points[i] - points[j]).norm(), 0.2 - 1e-6);
+    }
+  }
+  EXPECT_GT(points.size(), 64U * 10);
+}
+
+TEST(LocalMap, ForgetsWhatIsFarAndKeepsWhatIsNear) {
+  Random random(9);
+  Config::Map config = map_config(1.0);
+  config.radius = 20.0;
+  LocalMap map(config, 2.0);
+  map.remove_far(Eigen::Vector3d::Zero());
+  for (int i = 0; i < 5000; ++i) map.insert(random.vector(30.0));
+  const Eigen::Vector3d sensor(10.0, 0.0, 0.0);
+  const auto before = map.points();
+  map.remove_far(sensor);
+  const auto after = map.points();
+  const auto centre = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return map.voxel_of(p).cast<double>().array() + 0.5;
+  };
+  std::size_t expected = 0;
+  for (const auto& p : before) expected += (centre(p) - sensor).norm() <= 20.0 ? 1 : 0;
+  EXPECT_EQ(after.size(), expected);
+  EXPECT_LT(after.size(), before.size());
+  for (const auto& p : after) {
+    ASSERT_LE((centre(p) - sensor).norm(), 20.0);
+    const auto nearest = map.nearest(p, 0.01);
+    ASSERT_TRUE(nearest.found);
+    EXPECT_EQ(nearest.point, p);
+  }
+}
+
+TEST(LocalMap, MemoryStaysBoundedOnALongWay) {
+  Random random(10);
+  Config::Map config = map_config(1.0);
+  config.radius = 10.0;
+  LocalMap map(config, 1.0);
+  std::size_t most = 0;
+  for (int step = 0; step < 500; ++step) {
+    const Eigen::Vector3d sensor(2.0 * step, -1.0 * step, 0.1 * step);
+    map.remove_far(sensor);
+    for (int i = 0; i < 200; ++i) map.insert(sensor + random.vector(5.0));
+    most = std::max(most, map.voxels());
+  }
+  // Voxels with their centre in a ball of 10 m: 4,189; and one scan's cube of 11^3 beyond.
+  EXPECT_LE(most, 4189U + 1331U);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What must not change the result: where the world lies, the order of the points, the number of
+// threads, the epoch of the stamps, running again.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "support/random.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scenes and motions of the test support
+
+const Pose kStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
+
+const std::vector<Scan>& walk() {
+  static const std::vector<Scan> scans =
+      take_scans(furnished_hall(), trotting(kStart, 0.8, 2.5), 15);
+  return scans;
+}
+
+std::vector<Estimate> run(const std::vector<Scan>& scans, int threads = 1,
+                          const Pose& T_world_start = {}) {
+  Odometry odometry(Config(), threads, T_world_start);
+  return add_scans(odometry, scans);
+}
+
+const std::vector<Estimate>& walked() {
+  static const std::vector<Estimate> estimates = run(walk());
+  return estimates;
+}
+
+TEST(OdometryInvariance, TheWorldMayLieAnywhereAndBeTurned) {
+  for (const double yaw : {0.0, 0.7, -3.0}) {
+    const Pose T_world_start{so3_exp({0.0, 0.0, yaw}), {10'000.0, -10'000.0, 500.0}};
+    const auto there = run(walk(), 1, T_world_start);
+    ASSERT_EQ(there.size(), walked().size());
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const Pose back = T_world_start.inverse() * there[i].T_map_lidar;
+      const Pose& here = walked()[i].T_map_lidar;
+      EXPECT_LT((back.translation - here.translation).norm(), 1e-6);
+      EXPECT_LT(so3_log(back.rotation * here.rotation.conjugate()).norm(), 1e-6);
+      EXPECT_EQ(there[i].status, walked()[i].status);
+      // The covariance is about the sensor, in the world's axes.
+      EXPECT_NEAR(there[i].covariance.trace(), walked()[i].covariance.trace(),
+                  1e-9 * walked()[i].covariance.trace());
+    }
+  }
+}
+
+TEST(OdometryInvariance, RunsRepeatBitForBit) { EXPECT_TRUE(same_bits(run(walk()), walked())); }
+
+TEST(OdometryInvariance, ThreadsDoNotChangeABit) {
+  for (const int threads : {2, 3, 8}) {
+    EXPECT_TRUE(same_bits(run(walk(), threads), walked())) << threads << " threads";
+  }
+}
+
+TEST(OdometryInvariance, OrderOfThePointsDoesNotChangeABit) {
+  Random random(1);
+  std::vector<Scan> shuffled = walk();
+  for (Scan& scan : shuffled) {
+    for (std::size_t i = scan.points.size(); i > 1; --i) {
+      const std::size_t j = random.below(i);
+      std::swap(scan.points[i - 1], scan.points[j]);
+      std::swap(scan.times_ns[i - 1], scan.times_ns[j]);
+      std::swap(scan.intensities[i - 1], scan.intensities[j]);
+    }
+  }
+  EXPECT_TRUE(same_bits(run(shuffled), walked()));
+}
+
+TEST(OdometryInvariance, IntensitiesAndRingsAreOnlyCarried) {
+  std::vector<Scan> bare = walk();
+  for (Scan& scan : bare) {
+    scan.intensities.clear();
+    scan.rings.clear();
+  }
+  EXPECT_TRUE(same_bits(run(bare), walked()));
+}
+
+TEST(OdometryInvariance, TheEpochOfTheStampsOnlyMovesTheStamps) {
+  constexpr std::int64_t kHuge = 8'000'000'000'000'000'000;
+  for (const std::int64_t epoch : {kHuge, -kHuge}) {
+    std::vector<Scan> later = walk();
+    for (Scan& scan : later) scan.stamp_ns += epoch;
+    const auto estimates = run(later);
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+      EXPECT_EQ(estimates[i].stamp_ns, walked()[i].stamp_ns + epoch);
+      EXPECT_EQ(estimates[i].T_map_lidar.translation, walked()[i].T_map_lidar.translation);
+    }
+  }
+}
+
+TEST(OdometryInvariance, PointTimesMayCountFromTheEndOfTheScan) {
+  // Velodyne's driver stamps a scan with its last packet: offsets are negative.
+  std::vector<Scan> from_end = walk();
+  for (Scan& scan : from_end) {
+    scan.stamp_ns += 100'000'000;
+    for (std::int32_t& time : scan.times_ns) time -= 100'000'000;
+  }
+  EXPECT_TRUE(same_bits(run(from_end), walked()));
+}
+
+TEST(OdometryInvariance, AMovedObjectGoesOn) {
+  Odometry first;
+  std::vector<Estimate> estimates;
+  for (std::size_t i = 0; i < 7; ++i) estimates.push_back(first.add_scan(walk()[i]));
+  Odometry second = std::move(first);
+  for (std::size_t i = 7; i < walk().size(); ++i) estimates.push_back(second.add_scan(walk()[i]));
+  EXPECT_TRUE(same_bits(estimates, walked()));
+}
+
+TEST(OdometryInvariance, ObserversSeeTheStepsInOrderAndChangeNothing) {
+  Odometry odometry;
+  std::vector<Step> steps;
+  odometry.set_step_observer([&](Step step) { steps.push_back(step); });
+  const auto estimates = add_scans(odometry, walk());
+  EXPECT_TRUE(same_bits(estimates, walked()));
+  const std::vector<Step> first = {Step::preprocess, Step::deskew, Step::downsample, Step::map,
+                                   Step::idle};
+  ASSERT_GT(steps.size(), first.size());
+  EXPECT_EQ(std::vector<Step>(steps.begin(), steps.begin() + 5), first);
+  EXPECT_EQ(steps.back(), Step::idle);
+}
+
+}  // namespace
+}  // namespace surefoot
