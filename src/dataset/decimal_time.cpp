@@ -134,9 +134,12 @@ std::string format_seconds(std::int64_t nanoseconds) {
   const std::uint64_t size = negative ? 0 - static_cast<std::uint64_t>(nanoseconds)
                                       : static_cast<std::uint64_t>(nanoseconds);
   const std::uint64_t fraction = size % kSecond;
-  std::string decimals = std::to_string(fraction);
-  decimals.insert(0, 9 - decimals.size(), '0');
-  return (negative ? "-" : "") + std::to_string(size / kSecond) + "." + decimals;
+  const std::string decimals = std::to_string(fraction);
+  std::string text = negative ? "-" : "";
+  text += std::to_string(size / kSecond);
+  text += '.';
+  text.append(9 - decimals.size(), '0');
+  return text += decimals;
 }
 
 }  // namespace surefoot::dataset

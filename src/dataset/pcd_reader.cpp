@@ -35,8 +35,8 @@ void read_binary(const PcdHeader& header, Bytes data, PointTable& table) {
   check_room(header, data.size(), "data");
   for (const PcdField& field : header.fields) {
     if (!is_padding(field)) {
-      table.columns.push_back(
-          {field.name, field.type, data.data() + field.offset, header.point_step, false});
+      const std::byte* first = header.points > 0 ? data.data() + field.offset : nullptr;
+      table.columns.push_back({field.name, field.type, first, header.point_step, false});
     }
   }
 }
@@ -74,7 +74,7 @@ void read_compressed(const PcdHeader& header, Bytes data, PointTable& table) {
     if (!is_padding(field)) {
       table.columns.push_back({field.name, field.type, at, stride, false});
     }
-    at += stride * header.points;
+    at += stride * header.points;  // of no points: nullptr stays nullptr
   }
 }
 

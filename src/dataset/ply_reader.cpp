@@ -27,7 +27,7 @@ void add_columns(const PlyElement& element, const std::byte* first, bool swapped
   for (const PlyProperty& property : element.properties) {
     if (!property.list_count_type) {
       table.columns.push_back({property.name, property.type, first, step, swapped});
-      first += size_of(property.type);
+      first += element.count > 0 ? size_of(property.type) : 0;  // no points may have no memory
     }
   }
 }
