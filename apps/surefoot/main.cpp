@@ -15,6 +15,8 @@ void add_commands(CLI::App& app, int& exit_code) {
   using namespace surefoot::app;
   add_run_command(app, exit_code);
   add_info_command(app, exit_code);
+  add_eval_command(app, exit_code);
+  add_sweep_command(app, exit_code);
   add_config_command(app, exit_code);
 #ifdef SUREFOOT_HAS_SIMULATION
   add_simulate_command(app, exit_code);
