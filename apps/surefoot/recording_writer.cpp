@@ -45,7 +45,11 @@ void RecordingWriter::write(const simulation::SimulatedScan& scan) {
     dataset::write_pcd(folder_ / fmt::format("{:06}.pcd", stamps_ns_.size()), scan.scan);
   }
   if (format_.true_points) write_true_points(scan);
-  if (capture_) write_packets(encoder_.add(scan));
+  if (capture_) {
+    for (const simulation::Vlp16DataPacket& packet : encoder_.add(scan)) {
+      capture_->write(packet.sent_ns, packet.payload);
+    }
+  }
   stamps_ns_.push_back(scan.scan.stamp_ns);
 }
 
@@ -58,12 +62,6 @@ void RecordingWriter::write_true_points(const simulation::SimulatedScan& scan) {
   dataset::write_pcd(folder_ / "true" / fmt::format("{:06}.pcd", stamps_ns_.size()), exact);
 }
 
-void RecordingWriter::write_packets(const std::vector<simulation::Vlp16DataPacket>& packets) {
-  for (const simulation::Vlp16DataPacket& packet : packets) {
-    capture_->write(packet.sent_ns, packet.payload);
-  }
-}
-
 void RecordingWriter::finish(const Trajectory& truth) {
   if (format_.pcd) {
     std::string times;
@@ -72,10 +70,7 @@ void RecordingWriter::finish(const Trajectory& truth) {
     }
     dataset::write_whole_file(folder_ / "times.txt", times);
   }
-  if (capture_) {
-    write_packets(encoder_.finish());
-    capture_->finish();
-  }
+  if (capture_) capture_->finish();
   dataset::write_tum(folder_ / "gt.tum", truth);
 }
 

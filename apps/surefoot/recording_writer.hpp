@@ -39,7 +39,6 @@ class RecordingWriter {
 
  private:
   void write_true_points(const simulation::SimulatedScan& scan);
-  void write_packets(const std::vector<simulation::Vlp16DataPacket>& packets);
 
   std::filesystem::path folder_;
   RecordingFormat format_;

@@ -72,16 +72,20 @@ struct RayCaster::Impl {
   explicit Impl(const Scene& scene)
       : device(rtcNewDevice("threads=1")), static_materials(scene.mesh.materials) {
     if (device == nullptr) throw std::runtime_error("Embree did not start");
-    top = make_scene(device, scene.mesh);
+    fixed = make_scene(device, scene.mesh);
+    if (scene.moving.empty()) return;
+    movers = rtcNewScene(device);
+    rtcSetSceneFlags(movers, RTC_SCENE_FLAG_ROBUST);
     for (const MovingObject& object : scene.moving) add_instance(object);
-    if (!instances.empty()) rtcCommitScene(top);
+    rtcCommitScene(movers);
   }
   ~Impl() {
     for (Instance& instance : instances) {
       rtcReleaseGeometry(instance.geometry);
       rtcReleaseScene(instance.scene);
     }
-    if (top != nullptr) rtcReleaseScene(top);
+    if (movers != nullptr) rtcReleaseScene(movers);
+    if (fixed != nullptr) rtcReleaseScene(fixed);
     rtcReleaseDevice(device);
   }
   Impl(const Impl&) = delete;
@@ -95,7 +99,7 @@ struct RayCaster::Impl {
     instance.materials = object.mesh.materials;
     rtcSetGeometryInstancedScene(instance.geometry, instance.scene);
     rtcSetGeometryTimeStepCount(instance.geometry, 2);
-    rtcAttachGeometry(top, instance.geometry);
+    rtcAttachGeometry(movers, instance.geometry);
     instances.push_back(std::move(instance));
     place(instances.back(), 0.0, 0.0);
   }
@@ -113,9 +117,11 @@ struct RayCaster::Impl {
   void cast_packet(std::span<const Ray> rays, float max_distance, std::span<Hit> hits) const;
 
   RTCDevice device;
-  RTCScene top = nullptr;
+  // What moves has a scene of its own: it is built anew for every scan, the fixed one never.
+  RTCScene fixed = nullptr;
+  RTCScene movers = nullptr;  ///< null: nothing moves
   std::vector<Material> static_materials;
-  std::vector<Instance> instances;  ///< geometry id in `top` is the index plus one
+  std::vector<Instance> instances;  ///< the index is the geometry's id in `movers`
 };
 
 RayCaster::RayCaster(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
@@ -126,7 +132,7 @@ RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 void RayCaster::set_interval(double begin, double end) {
   if (impl_->instances.empty()) return;
   for (const Impl::Instance& instance : impl_->instances) Impl::place(instance, begin, end);
-  rtcCommitScene(impl_->top);
+  rtcCommitScene(impl_->movers);
 }
 
 void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
@@ -153,20 +159,23 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid.data(), top, &context, &packet);
+  rtcIntersect16(valid.data(), fixed, &context, &packet);
+  // Rays now end where they met something fixed; only what is nearer takes its place.
+  if (movers != nullptr) rtcIntersect16(valid.data(), movers, &context, &packet);
 
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = Hit{};
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     const Eigen::Vector3f normal(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]);
     const unsigned instance = packet.hit.instID[0][i];
-    hits[i].moving = instance != RTC_INVALID_GEOMETRY_ID;
+    const bool moving = instance != RTC_INVALID_GEOMETRY_ID;
+    hits[i].met = moving ? Met::kMoving : Met::kStatic;
     // A normal met inside an instance is in the object's frame, so the ray must be too; objects
     // only turn about the vertical or not at all, and the ratio below needs the rotation alone.
     Eigen::Vector3f direction = rays[i].direction;
-    if (hits[i].moving) {
+    if (moving) {
       std::array<float, 12> matrix{};
-      rtcGetGeometryTransform(instances[instance - 1].geometry, rays[i].time,
+      rtcGetGeometryTransform(instances[instance].geometry, rays[i].time,
                               RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, matrix.data());
       const Eigen::Map<const Eigen::Matrix<float, 3, 4>> T_map_object(matrix.data());
       direction = T_map_object.leftCols<3>().transpose() * direction;
@@ -174,7 +183,7 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
     hits[i].distance = packet.ray.tfar[i];
     hits[i].cos_incidence = std::min(1.0F, std::abs(normal.normalized().dot(direction)));
     const std::vector<Material>& materials =
-        hits[i].moving ? instances[instance - 1].materials : static_materials;
+        moving ? instances[instance].materials : static_materials;
     hits[i].material = materials[packet.hit.primID[i]];
   }
 }

@@ -22,11 +22,14 @@ struct Ray {
   float time = 0.0F;          ///< of the instant within the span given to set_interval, in [0, 1]
 };
 
+/// What a ray can meet; of several, the greatest names a return.
+enum class Met : std::uint8_t { kStatic, kMoving, kRobot };
+
 struct Hit {
   float distance = 0.0F;       ///< [m]; not positive: nothing was met
   float cos_incidence = 0.0F;  ///< |cos| of the angle between ray and normal
   Material material = Material::kAsphalt;
-  bool moving = false;
+  Met met = Met::kStatic;
   [[nodiscard]] bool valid() const { return distance > 0.0F; }
 };
 

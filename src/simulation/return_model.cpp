@@ -35,7 +35,7 @@ struct Echo {
   double weighted_reflectivity = 0.0;
   double nearest = 0.0;
   double farthest = 0.0;
-  bool moving = false;
+  Met met = Met::kStatic;
 
   [[nodiscard]] double range() const { return weighted_range / power; }
 };
@@ -51,7 +51,7 @@ void add_hit(Echo& echo, const LidarModel& model, const Hit& hit, double share) 
   echo.power += power;
   echo.weighted_range += power * range;
   echo.weighted_reflectivity += power * brightness;
-  echo.moving = echo.moving || hit.moving;
+  echo.met = std::max(echo.met, hit.met);
 }
 
 /// Groups hits by distance; at most one echo a hit, nearest first.
@@ -97,7 +97,7 @@ BeamReturn measure(const LidarModel& model, const Echo& echo, double standard_no
   result.intensity = static_cast<std::uint8_t>(
       std::clamp(std::lround(100.0 * echo.weighted_reflectivity / echo.power), 1L, 255L));
   result.mixed = echo.farthest - echo.nearest > kEdge;
-  result.moving = echo.moving;
+  result.met = echo.met;
   return result;
 }
 

@@ -23,9 +23,15 @@ constexpr std::size_t kMaxFootprint = 8;
 Scene robot_body() {
   Scene scene;
   scene.name = "robot body";
-  scene.mesh.add_box({-0.35, -0.09, -0.25}, {0.25, 0.09, -0.085}, Material::kPaintedMetal);
+  scene.mesh.add_box({-0.45, -0.09, -0.25}, {0.25, 0.09, -0.085}, Material::kPaintedMetal);
   scene.mesh.add_box({0.25, -0.05, -0.20}, {0.42, 0.05, -0.075}, Material::kPaintedMetal);
   return scene;
+}
+
+PointLabel label_of(const BeamReturn& value) {
+  if (value.met == Met::kRobot) return kLabelRobot;
+  if (value.mixed) return kLabelMixed;
+  return value.met == Met::kMoving ? kLabelMoving : kLabelStatic;
 }
 
 std::uint64_t first_at_or_after(double time_ns, double sequence_ns) {
@@ -148,8 +154,7 @@ void Scanner::aim_at_body(const Block& block) {
 }
 
 void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
-                     const BeamReturn& value, std::uint8_t label, bool last,
-                     SimulatedScan& result) const {
+                     const BeamReturn& value, bool last, SimulatedScan& result) const {
   const RotorBeam& beam = beams_[laser];
   const Eigen::Matrix3d reported = rotor_at(reported_azimuth(sequence, laser));
   const std::int64_t time_ns = std::llround(firing_ns(sequence, laser)) + options_.start_ns;
@@ -162,34 +167,30 @@ void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& fi
       {sequence, static_cast<std::uint16_t>(laser), last, value.range, value.intensity});
   result.true_points.push_back(
       firing.R_map_rotor * (beam.origin + value.true_range * beam.direction) + firing.position);
-  result.labels.push_back(label);
+  result.labels.push_back(label_of(value));
 }
 
 void Scanner::collect(const Block& block, SimulatedScan& result) const {
-  std::array<Hit, kMaxFootprint> met;
+  std::array<Hit, kMaxFootprint> met{};
+  const std::size_t parts = std::min(footprint_.size(), met.size());
   for (std::size_t i = 0; i < block.sequences; ++i) {
     for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
       const std::size_t first = slot(laser, i) * footprint_.size();
-      bool own_body = false;
-      for (std::size_t part = 0; part < footprint_.size(); ++part) {
+      for (std::size_t part = 0; part < parts; ++part) {
         const bool body_hit = body_ && body_hits_[first + part].valid();
         met[part] = body_hit ? body_hits_[first + part] : hits_[first + part];
-        own_body = own_body || body_hit;
+        if (body_hit) met[part].met = Met::kRobot;
       }
       const std::uint64_t sequence = block.first + i;
-      const BeamReturns returns = detect(model_, footprint_, {met.data(), footprint_.size()},
-                                         random_, sequence * model_.lasers.size() + laser);
+      const BeamReturns returns = detect(model_, footprint_, {met.data(), parts}, random_,
+                                         sequence * model_.lasers.size() + laser);
       const int wanted = std::min(returns.count, options_.dual_return ? 2 : 1);
       for (int k = 0; k < wanted; ++k) {
         const BeamReturn& value = returns.values[static_cast<std::size_t>(k)];
-        const std::uint8_t label = own_body       ? kLabelRobot
-                                   : value.mixed  ? kLabelMixed
-                                   : value.moving ? kLabelMoving
-                                                  : kLabelStatic;
         const bool last =
             wanted == 2 &&
             value.true_range > returns.values[static_cast<std::size_t>(1 - k)].true_range;
-        report(sequence, laser, firings_[slot(laser, i)], value, label, last, result);
+        report(sequence, laser, firings_[slot(laser, i)], value, last, result);
       }
     }
   }

@@ -93,7 +93,7 @@ class Scanner {
   void aim_at_body(const Block& block);
   void collect(const Block& block, SimulatedScan& result) const;
   void report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
-              const BeamReturn& value, std::uint8_t label, bool last, SimulatedScan& result) const;
+              const BeamReturn& value, bool last, SimulatedScan& result) const;
   [[nodiscard]] std::size_t slot(std::size_t laser, std::size_t sequence) const;
 
   RayCaster* rays_;

@@ -90,10 +90,4 @@ std::vector<Vlp16DataPacket> Vlp16Encoder::add(const SimulatedScan& scan) {
   return full;
 }
 
-std::vector<Vlp16DataPacket> Vlp16Encoder::finish() {
-  if (!open_) return {};
-  open_ = false;
-  return {packet_};
-}
-
 }  // namespace surefoot::simulation

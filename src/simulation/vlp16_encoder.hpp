@@ -26,10 +26,9 @@ class Vlp16Encoder {
   /// @param start_ns stamp of firing sequence 0. @param dual last and strongest return.
   Vlp16Encoder(std::int64_t start_ns, bool dual);
 
-  /// Packets that became full. Scans must come in order and without gaps.
+  /// Packets that became full. Scans must come in order and without gaps. A packet that is not full
+  /// when the recording ends is never sent, as the sensor sends whole ones only.
   [[nodiscard]] std::vector<Vlp16DataPacket> add(const SimulatedScan& scan);
-  /// The packet begun last, its missing sequences without returns; none if there is nothing in it.
-  [[nodiscard]] std::vector<Vlp16DataPacket> finish();
 
  private:
   void begin_packet(std::uint64_t sequence);

@@ -118,7 +118,8 @@ Scene stairwell(std::uint64_t seed) {
       {-3.0, 1.8, 0.0}, {-7.6, 1.8, 0.0}, {-7.6, -1.8, 0.0}, {-3.0, -1.8, 0.0}, {-2.2, -0.75, 0.0}};
   for (int floor = 0; floor + 1 < kFloors; ++floor) flight_way(kFloor * floor, true);
   const double roof_floor = kFloor * (kFloors - 1);
-  for (const auto& [x, y] : {std::pair{-3.0, 1.8}, {-7.6, 1.8}, {-7.6, -1.8}, {-3.0, -1.8}}) {
+  for (const auto& [x, y] :
+       {std::pair{-2.2, 0.6}, {-3.0, 1.8}, {-7.6, 1.8}, {-7.6, -1.8}, {-3.0, -1.8}}) {
     scene.route.emplace_back(x, y, roof_floor);
   }
   scene.route.emplace_back(-1.6, 0.0, roof_floor);
