@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Command lines and configuration files that are wrong: exit code 2, a message that says what is
+// wrong, and no results.
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+#include "recordings.hpp"
+
+namespace surefoot::test {
+namespace {
+
+struct BadUsage {
+  const char* name;
+  std::vector<std::string> arguments;
+  std::vector<std::string> named;  ///< what the message must hold
+};
+
+void PrintTo(const BadUsage& usage, std::ostream* out) { *out << usage.name; }
+
+const BadUsage kBadCommands[] = {
+    {"nothing", {}, {"subcommand"}},
+    {"unknown_command", {"walk"}, {"subcommand"}},
+    {"unknown_flag", {"run", "in", "--fly"}, {"--fly"}},
+    {"no_input", {"run"}, {"input"}},
+    {"two_inputs", {"run", "in", "in"}, {"in"}},
+    {"unknown_method", {"run", "in", "--method", "magic"}, {"magic", "paper"}},
+    {"no_threads", {"run", "in", "--threads", "0"}, {"--threads", "0"}},
+    {"threads_not_a_number", {"run", "in", "--threads", "many"}, {"--threads", "many"}},
+    {"no_scans_wanted", {"run", "in", "--count", "0"}, {"--count"}},
+    {"no_stride", {"run", "in", "--stride", "0"}, {"--stride"}},
+    {"negative_start", {"run", "in", "--start", "-1"}, {}},
+    {"unknown_level", {"run", "in", "--level", "sky"}, {"--level", "sky"}},
+    {"short_extrinsic", {"run", "in", "--extrinsic", "0", "0", "1"}, {"--extrinsic"}},
+    {"base_without_extrinsic", {"run", "in", "--pose-of", "base"}, {"--extrinsic"}},
+    {"level_and_extrinsic",
+     {"run", "in", "--level", "none", "--extrinsic", "0", "0", "0", "0", "0", "0"},
+     {"--level", "--extrinsic"}},
+    {"map_voxel_zero", {"run", "in", "--map-voxel", "0"}, {"--map-voxel"}},
+    {"rate_zero", {"run", "in", "--rate", "0"}, {"--rate"}},
+    {"unknown_unit", {"run", "in", "--time-unit", "fortnights"}, {"--time-unit", "fortnights"}},
+    {"unknown_format", {"run", "in", "--format", "e57"}, {"--format", "e57"}},
+    {"port_too_large", {"run", "in", "--udp-port", "70000"}, {"--udp-port"}},
+    {"set_unknown_key", {"run", "in", "--set", "deskew.speed=1"}, {"deskew.speed"}},
+    {"set_without_value", {"run", "in", "--set", "deskew.segments"}, {"key=value"}},
+    {"set_not_a_number",
+     {"run", "in", "--set", "deskew.segments=four"},
+     {"deskew.segments", "four"}},
+    {"set_fraction", {"run", "in", "--set", "deskew.segments=1.5"}, {"deskew.segments", "1.5"}},
+    {"set_out_of_range",
+     {"run", "in", "--set", "deskew.segments=0"},
+     {"deskew.segments", "0", "1"}},
+    {"set_nan", {"run", "in", "--set", "map.voxel_size=nan"}, {"map.voxel_size", "nan"}},
+    {"set_inf", {"run", "in", "--set", "map.voxel_size=inf"}, {"map.voxel_size", "inf"}},
+    {"set_empty", {"run", "in", "--set", "map.voxel_size="}, {"map.voxel_size"}},
+    {"set_trailing", {"run", "in", "--set", "map.voxel_size=1m"}, {"map.voxel_size", "1m"}},
+    {"set_unknown_word", {"run", "in", "--set", "deskew.mode=magic"}, {"deskew.mode", "magic"}},
+    {"config_missing", {"run", "in", "--config", "none.yaml"}, {"none.yaml"}},
+    {"config_is_a_folder", {"run", "in", "--config", "in"}, {"in"}},
+    {"output_is_a_file", {"run", "in", "-o", "a_file"}, {"a_file"}},
+    {"output_under_a_file", {"run", "in", "-o", "a_file/out"}, {"a_file/out"}},
+};
+
+const BadUsage kBadConfigs[] = {
+    {"not_yaml", {"deskew: [1, 2"}, {"not YAML"}},
+    {"binary", {std::string("\x01\x02\xff\xfe\0", 5)}, {}},
+    {"unknown_key", {"deskew: {segmnts: 4}"}, {"deskew.segmnts"}},
+    {"unknown_group", {"deskewing: {segments: 4}"}, {"deskewing.segments"}},
+    {"out_of_range", {"deskew: {segments: 1000000}"}, {"deskew.segments", "1000000"}},
+    {"not_a_number", {"map: {voxel_size: big}"}, {"map.voxel_size", "big"}},
+    {"no_value", {"map: {voxel_size: }"}, {"map.voxel_size"}},
+    {"a_list", {"- 1\n- 2\n"}, {"map"}},
+    {"list_as_value", {"map: {voxel_size: [1, 2]}"}, {"map.voxel_size"}},
+    {"only_a_word", {"hello"}, {"map"}},
+    {"list_as_key", {"? [1, 2]\n: 3\n"}, {}},
+    {"deep", {std::string(100'000, '[')}, {}},
+};
+
+void expect_refused(const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& named, const ScratchFolder& scratch) {
+  const ProcessResult result = run_surefoot(arguments, scratch.path());
+  EXPECT_EQ(result.exit_code, 2) << result;
+  EXPECT_FALSE(result.errors.empty()) << result;
+  for (const std::string& word : named) {
+    EXPECT_NE(result.errors.find(word), std::string::npos) << "not named: " << word << "\n"
+                                                           << result;
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "out")) << result;
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "results")) << result;
+}
+
+class BadCommand : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(BadCommand, IsRefused) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(1));
+  write_content(scratch.path() / "a_file", "");
+  expect_refused(GetParam().arguments, GetParam().named, scratch);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadCommand, testing::ValuesIn(kBadCommands),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+class BadConfig : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(BadConfig, IsRefused) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(1));
+  write_content(scratch.path() / "bad.yaml", GetParam().arguments.front());
+  std::vector<std::string> named = GetParam().named;
+  named.push_back("bad.yaml");
+  expect_refused({"run", "in", "-o", "out", "--config", "bad.yaml"}, named, scratch);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadConfig, testing::ValuesIn(kBadConfigs),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "dataset/file_writer.hpp"
+#include "process.hpp"
+#include "recordings.hpp"
+
+namespace surefoot::test {
+namespace {
+
+TEST(Commands, HelpNamesEverySubcommand) {
+  const ScratchFolder scratch;
+  const ProcessResult result = run_surefoot({"--help"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+  for (const char* command : {"run", "info", "config"}) {
+    EXPECT_NE(result.output.find(std::string("\n  ") + command + " "), std::string::npos)
+        << command << "\n"
+        << result;
+  }
+}
+
+TEST(Commands, EverySubcommandHasHelp) {
+  const ScratchFolder scratch;
+  for (const char* command : {"run", "info", "config"}) {
+    const ProcessResult result = run_surefoot({command, "--help"}, scratch.path());
+    EXPECT_EQ(result.exit_code, 0) << result;
+    EXPECT_NE(result.output.find("Options:"), std::string::npos) << result;
+    EXPECT_TRUE(result.errors.empty()) << result;
+  }
+}
+
+TEST(Commands, VersionIsTheFileVersion) {
+  const ScratchFolder scratch;
+  const ProcessResult result = run_surefoot({"--version"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(result.output, file_content(std::string(SUREFOOT_SOURCE_DIR) + "/VERSION"));
+}
+
+TEST(Commands, PrintedConfigIsTakenBack) {
+  const ScratchFolder scratch;
+  const ProcessResult printed = run_surefoot({"config", "--yaml"}, scratch.path());
+  ASSERT_EQ(printed.exit_code, 0) << printed;
+  write_content(scratch.path() / "config.yaml", printed.output);
+  write_pcd_recording(scratch.path() / "in", hall_scans(2));
+  const ProcessResult result =
+      run_surefoot({"run", "in", "-o", "out", "--config", "config.yaml"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+}
+
+TEST(Commands, InfoCountsScans) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(3));
+  const ProcessResult result = run_surefoot({"info", "in"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.output.find("folder of 3 PCD files"), std::string::npos) << result;
+}
+
+// The scans that are there are told of, the one that is not is named, and the code says so.
+TEST(Commands, InfoNamesAnUnreadableScan) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(3));
+  write_content(scratch.path() / "in" / scan_name(1), "");
+  const ProcessResult result = run_surefoot({"info", "in"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 1) << result;
+  EXPECT_NE((result.output + result.errors).find(scan_name(1)), std::string::npos) << result;
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot run on every format that is read: the same points give the same trajectory, to the byte.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "capture.hpp"
+#include "dataset/pcd_writer.hpp"
+#include "dataset/ply_writer.hpp"
+#include "dataset/trajectory_files.hpp"
+#include "process.hpp"
+#include "recordings.hpp"
+
+namespace surefoot::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kScans = 5;
+
+struct ScanFormat {
+  const char* name;
+  const char* extension;
+  bool point_times;  ///< whether the format holds the points' times
+  std::string (*bytes)(const Scan& scan);
+};
+
+void PrintTo(const ScanFormat& format, std::ostream* out) { *out << format.name; }
+
+std::string ply(const Scan& scan, dataset::PlyFlavour flavour) {
+  return dataset::format_ply(scan.points, scan.intensities, flavour);
+}
+
+const ScanFormat kFormats[] = {
+    {"pcd_ascii", ".pcd", true,
+     [](const Scan& scan) { return dataset::format_pcd(scan, dataset::PcdData::kAscii); }},
+    {"pcd_binary", ".pcd", true,
+     [](const Scan& scan) { return dataset::format_pcd(scan, dataset::PcdData::kBinary); }},
+    {"pcd_compressed", ".pcd", true,
+     [](const Scan& scan) {
+       return dataset::format_pcd(scan, dataset::PcdData::kBinaryCompressed);
+     }},
+    {"ply_ascii", ".ply", false,
+     [](const Scan& scan) { return ply(scan, dataset::PlyFlavour::kAscii); }},
+    {"ply_little", ".ply", false,
+     [](const Scan& scan) { return ply(scan, dataset::PlyFlavour::kBinary); }},
+    {"ply_big", ".ply", false, big_endian_ply},
+    {"kitti", ".bin", false, kitti_bin},
+};
+
+class Format : public testing::TestWithParam<ScanFormat> {};
+
+TEST_P(Format, SameTrajectoryAsBinaryPcd) {
+  const ScratchFolder scratch;
+  const fs::path input = scratch.path() / "in";
+  fs::create_directory(input);
+  std::vector<Scan> scans = hall_scans(kScans);
+  std::string times;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    if (!GetParam().point_times) scans[i].times_ns.clear();
+    write_content((input / scan_name(i)).replace_extension(GetParam().extension),
+                  GetParam().bytes(scans[i]));
+    times += stamp_line(scans[i]);
+  }
+  write_content(input / "times.txt", times);
+  write_pcd_recording(scratch.path() / "pcd", scans);
+
+  const ProcessResult expected = run_surefoot({"run", "pcd", "-o", "expected"}, scratch.path());
+  ASSERT_EQ(expected.exit_code, 0) << expected;
+  const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(file_content(scratch.path() / "out" / "trajectory.tum"),
+            file_content(scratch.path() / "expected" / "trajectory.tum"))
+      << result;
+  EXPECT_EQ(dataset::read_tum(scratch.path() / "out" / "trajectory.tum").size(), scans.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Format, testing::ValuesIn(kFormats),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+class Capture : public testing::TestWithParam<const char*> {};
+
+TEST_P(Capture, StandingSensorStays) {
+  const ScratchFolder scratch;
+  const std::string name = std::string("walk.") + GetParam();
+  const std::vector<std::string> packets = vlp16_packets(4);
+  write_content(scratch.path() / name,
+                name == "walk.pcap" ? pcap_file(packets) : pcapng_file(packets));
+  const ProcessResult result = run_surefoot({"run", name, "-o", "out"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const Trajectory found = dataset::read_tum(scratch.path() / "out" / "trajectory.tum");
+  ASSERT_GE(found.size(), 4U) << result;
+  for (const StampedPose& stamped : found) {
+    EXPECT_LT(stamped.pose.translation.norm(), 0.02) << result;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Capture, testing::Values("pcap", "pcapng"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+TEST(Output, StampsAreMidScanExactly) {
+  const ScratchFolder scratch;
+  std::vector<Scan> scans = hall_scans(3);
+  for (Scan& scan : scans) scan.stamp_ns += 1'700'000'000'123'456'789;
+  write_pcd_recording(scratch.path() / "in", scans);
+  const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const Trajectory found = dataset::read_tum(scratch.path() / "out" / "trajectory.tum");
+  ASSERT_EQ(found.size(), scans.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const auto [first, last] =
+        std::minmax_element(scans[i].times_ns.begin(), scans[i].times_ns.end());
+    EXPECT_EQ(found[i].stamp_ns, scans[i].stamp_ns + *first + (*last - *first) / 2);
+  }
+}
+
+TEST(Output, EveryFileIsThere) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(3));
+  const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  for (const char* name : {"trajectory.tum", "trajectory_kitti.txt", "map.ply", "scans.csv",
+                           "run.yaml", "picture.png"}) {
+    EXPECT_FALSE(file_content(scratch.path() / "out" / name).empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "process.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <system_error>
+
+namespace surefoot::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr unsigned kSeconds = 60;
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr rlim_t kMemory = 2'147'483'648;
+#else
+constexpr rlim_t kMemory = RLIM_INFINITY;  // sanitizers reserve terabytes of addresses
+#endif
+
+constexpr const char* kOutput = "stdout.txt";
+constexpr const char* kErrors = "stderr.txt";
+
+void redirect(int stream, const fs::path& file, int flags) {
+  const int opened = open(file.c_str(), flags | O_CLOEXEC, 0644);
+  if (opened < 0 || dup2(opened, stream) < 0) _exit(127);
+}
+
+[[noreturn]] void become_surefoot(std::vector<char*> arguments, const fs::path& folder) {
+  if (chdir(folder.c_str()) != 0) _exit(127);
+  redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+  redirect(STDOUT_FILENO, kOutput, O_WRONLY | O_CREAT | O_TRUNC);
+  redirect(STDERR_FILENO, kErrors, O_WRONLY | O_CREAT | O_TRUNC);
+  const rlimit memory{kMemory, kMemory};
+  setrlimit(RLIMIT_AS, &memory);
+  alarm(kSeconds);
+  execv(arguments[0], arguments.data());
+  _exit(127);
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const ProcessResult& result) {
+  return out << "exit code " << result.exit_code << ", signal " << result.signal << "\nstdout:\n"
+             << result.output << "stderr:\n"
+             << result.errors;
+}
+
+Process::Process(const std::vector<std::string>& arguments, const fs::path& folder)
+    : folder_(folder) {
+  std::vector<std::string> words{SUREFOOT_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  id_ = fork();
+  if (id_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (id_ == 0) become_surefoot(pointers, folder);
+}
+
+void Process::send(int signal) const { kill(id_, signal); }
+
+ProcessResult Process::wait() const {
+  int status = 0;
+  while (waitpid(id_, &status, 0) < 0) {
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+  }
+  ProcessResult result;
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  result.output = file_content(folder_ / kOutput);
+  result.errors = file_content(folder_ / kErrors);
+  return result;
+}
+
+ProcessResult run_surefoot(const std::vector<std::string>& arguments, const fs::path& folder) {
+  return Process(arguments, folder).wait();
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "surefoot_cli_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) {
+    throw std::system_error(errno, std::generic_category(), name);
+  }
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string file_content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void write_content(const fs::path& file, const std::string& content) {
+  std::ofstream out(file, std::ios::binary);
+  out << content;
+  out.close();
+  if (!out) throw std::system_error(errno, std::generic_category(), file.string());
+}
+
+}  // namespace surefoot::test

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Runs the built program as a user does, and sees how it ends.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace surefoot::test {
+
+/// How the program ended and what it said.
+struct ProcessResult {
+  int exit_code = -1;  ///< -1: ended by a signal
+  int signal = 0;      ///< SIGALRM: longer than a minute
+  std::string output;
+  std::string errors;
+};
+std::ostream& operator<<(std::ostream& out, const ProcessResult& result);
+
+/// A started program. Its memory is limited to 2 GiB, so that an allocation by a number found in a
+/// file shows, and its time to a minute.
+class Process {
+ public:
+  /// Starts `surefoot ARGUMENTS` in `folder`, where its two output streams are kept, too. Throws
+  /// std::system_error.
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+  void send(int signal) const;
+  /// Waits for the end; to be called once.
+  [[nodiscard]] ProcessResult wait() const;
+
+ private:
+  std::filesystem::path folder_;
+  pid_t id_;
+};
+
+[[nodiscard]] ProcessResult run_surefoot(const std::vector<std::string>& arguments,
+                                         const std::filesystem::path& folder);
+
+/// A folder of its own for every test, removed with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A whole file's bytes; empty where there is none.
+[[nodiscard]] std::string file_content(const std::filesystem::path& file);
+void write_content(const std::filesystem::path& file, const std::string& content);
+
+}  // namespace surefoot::test

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "recordings.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "dataset/file_writer.hpp"
+#include "dataset/pcd_writer.hpp"
+#include "process.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot::test {
+
+namespace fs = std::filesystem;
+
+std::vector<Scan> hall_scans(int count) {
+  Twist velocity = Twist::Zero();
+  velocity[0] = kGlideSpeed;
+  const Pose start{Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}};
+  return take_scans(furnished_hall(), constant_velocity(start, velocity), count);
+}
+
+std::string big_endian_ply(const Scan& scan) {
+  std::string bytes = "ply\nformat binary_big_endian 1.0\nelement vertex " +
+                      std::to_string(scan.points.size()) +
+                      "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  for (const Eigen::Vector3f& point : scan.points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::string value;
+      dataset::append_bytes(value, point[axis]);
+      bytes.append(value.rbegin(), value.rend());
+    }
+  }
+  return bytes;
+}
+
+std::string kitti_bin(const Scan& scan) {
+  std::string bytes;
+  for (const Eigen::Vector3f& point : scan.points) {
+    for (int axis = 0; axis < 3; ++axis) dataset::append_bytes(bytes, point[axis]);
+    dataset::append_bytes(bytes, 0.5F);
+  }
+  return bytes;
+}
+
+std::string stamp_line(const Scan& scan) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%lld.%09lld\n",
+                static_cast<long long>(scan.stamp_ns / 1'000'000'000),
+                static_cast<long long>(scan.stamp_ns % 1'000'000'000));
+  return text;
+}
+
+void write_pcd_recording(const fs::path& folder, const std::vector<Scan>& scans) {
+  fs::create_directories(folder);
+  std::string times;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    dataset::write_pcd(folder / scan_name(i), scans[i]);
+    times += stamp_line(scans[i]);
+  }
+  write_content(folder / "times.txt", times);
+}
+
+std::string scan_name(std::size_t index) {
+  char name[32];
+  std::snprintf(name, sizeof(name), "%06zu.pcd", index);
+  return name;
+}
+
+}  // namespace surefoot::test
