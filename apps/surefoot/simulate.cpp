@@ -49,7 +49,7 @@ void list_scenes() {
 
 void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
 #ifdef SUREFOOT_HAS_PICTURES
-  constexpr int kWidth = 720;
+  constexpr int kWidth = 480;
   const simulation::Scene scene = scene_of(arguments.request);
   const simulation::RayCaster rays(scene);
   simulation::SceneImage image = simulation::render_scene(scene, rays, kWidth);

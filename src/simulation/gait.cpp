@@ -42,6 +42,19 @@ std::vector<Harmonic> flight_bounce(double stride_frequency, double flight_fract
   return harmonics;
 }
 
+/// A trotter of the Unitree Go2's size. What the figures stand on:
+/// - stride 2.5 Hz: small quadrupeds are driven at 1.5 to 4 Hz (Margolis and Agrawal, "Walk These
+///   Ways", CoRL 2022, arXiv:2212.03238); a trot's two touchdowns a stride
+///   make bounce and pitch beat at twice it, roll, sway and yaw at once it;
+/// - body height 0.31 m: the base of a Go2 stands at 0.28 to 0.34 m in its maker's and in published
+///   controllers;
+/// - bounce 7 mm: as feet cannot pull, its acceleration (2 pi 5 Hz)^2 * 7 mm = 6.9 m/s^2 must stay
+///   below gravity in a trot without flight;
+/// - tilts of 1 to 1.5 deg: half a scan's change stays well inside the 0.2 rad and 0.5 m that Han
+/// et
+///   al., "Deskewed LiDAR Odometry for Quadruped Robots" (2026), section 3.2, chose as limits for a
+///   Go2's motion within one scan. They are the model's choice, not a measurement: --gait-scale
+///   spans the doubt.
 GaitModel trot() {
   GaitModel gait;
   gait.name = "trot";

@@ -62,7 +62,10 @@ View make_view(const Scene& scene, int width) {
 }
 
 std::uint32_t shade(const Hit& hit) {
-  const double light = 0.55 + 0.6 * static_cast<double>(hit.cos_incidence);
+  // Few steps of light keep the files small.
+  constexpr double kSteps = 10.0;
+  const double facing = std::round(kSteps * static_cast<double>(hit.cos_incidence)) / kSteps;
+  const double light = 0.55 + 0.6 * facing;
   const std::uint32_t base = color(hit.material);
   std::uint32_t result = 0xff;
   for (const int shift : {16, 8, 0}) {
