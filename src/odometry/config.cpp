@@ -14,6 +14,9 @@ namespace surefoot {
 
 namespace {
 
+// A search looks at the cube of voxels within its radius; this bounds their number.
+constexpr double kMaxSearchVoxels = 8.0;
+
 template <typename Enum>
 using EnumNames = std::span<const std::pair<Enum, const char*>>;
 
@@ -168,6 +171,12 @@ void validate(const Config& config) {
                       number_text(config.registration.relaxed_distance) +
                       " m) must not be less than registration.max_distance (" +
                       number_text(config.registration.max_distance) + " m)");
+  }
+  if (config.registration.relaxed_distance > kMaxSearchVoxels * config.map.voxel_size) {
+    throw ConfigError("registration.relaxed_distance (" +
+                      number_text(config.registration.relaxed_distance) +
+                      " m) must not be more than " + number_text(kMaxSearchVoxels) +
+                      " times map.voxel_size (" + number_text(config.map.voxel_size) + " m)");
   }
 }
 

@@ -15,30 +15,35 @@ constexpr std::size_t kLanes = 4;  // points compared at once: one SSE or NEON v
 constexpr float kFarAway = 1e15F;  // unused places: farther than anything, and its square finite
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
-/// Squared distance from a place to the voxels around its own.
+// The map is cleaned when the sensor went this share of the radius, not at every scan.
+constexpr double kCleaningShare = 0.05;
+
+/// Squared distances from a place to the voxels around its own, axis by axis.
 class AxisGaps {
  public:
-  /// `local`: the place, from its voxel's corner [m].
-  AxisGaps(const Eigen::Vector3f& local, float size) : local_(local), size_(size) {}
+  /// `local`: the place, from its voxel's corner [m]; `reach`: voxels each way.
+  AxisGaps(const Eigen::Vector3f& local, float size, int reach) : reach_(reach) {
+    for (int axis = 0; axis < 3; ++axis) {
+      float* const gaps = &gaps_[axis][reach];
+      gaps[0] = 0.0F;
+      for (int steps = 1; steps <= reach; ++steps) {
+        const float ahead = static_cast<float>(steps) * size - local[axis];
+        const float behind = static_cast<float>(steps - 1) * size + local[axis];
+        gaps[steps] = ahead * ahead;
+        gaps[-steps] = behind * behind;
+      }
+    }
+  }
 
   [[nodiscard]] float squared(const VoxelIndex& offset) const {
-    return along(0, offset.x()) + along(1, offset.y()) + along(2, offset.z());
+    return gaps_[0][reach_ + offset.x()] + gaps_[1][reach_ + offset.y()] +
+           gaps_[2][reach_ + offset.z()];
   }
 
  private:
-  [[nodiscard]] float along(int axis, int steps) const {
-    if (steps == 0) return 0.0F;
-    const float gap = steps > 0 ? static_cast<float>(steps) * size_ - local_[axis]
-                                : local_[axis] - static_cast<float>(steps + 1) * size_;
-    return gap * gap;
-  }
-
-  Eigen::Vector3f local_;
-  float size_;
+  int reach_;
+  float gaps_[3][2 * LocalMap::kMaxReach + 1];
 };
-
-// The map is cleaned when the sensor went this share of the radius, not at every scan.
-constexpr double kCleaningShare = 0.05;
 
 }  // namespace
 
@@ -64,7 +69,7 @@ LocalMap::LocalMap(const Config::Map& config, double max_radius)
       radius_(config.radius),
       capacity_(static_cast<std::uint32_t>(config.points_per_voxel)),
       stride_((capacity_ + kLanes - 1) / kLanes * kLanes),
-      reach_(static_cast<int>(std::ceil(max_radius * inverse_size_))) {
+      reach_(std::min(static_cast<int>(std::ceil(max_radius * inverse_size_)), kMaxReach)) {
   for (int x = -reach_; x <= reach_; ++x) {
     for (int y = -reach_; y <= reach_; ++y) {
       for (int z = -reach_; z <= reach_; ++z) {
@@ -89,15 +94,17 @@ std::uint32_t LocalMap::voxel_at(const VoxelIndex& index) {
   const auto next = static_cast<std::uint32_t>(voxels_.size());
   const auto [voxel, inserted] = table_.find_or_insert(voxel_key(index), next);
   if (inserted) {
-    voxels_.push_back({index, 0, {}});
+    voxels_.push_back({index, {}});
+    counts_.push_back(0);
     coordinates_.resize(coordinates_.size() + 3 * stride_, kFarAway);
   }
   return voxel;
 }
 
-bool LocalMap::crowded(const Voxel& voxel, const float* block, const Eigen::Vector3f& local) const {
-  for (std::size_t i = 0; i < voxel.count; ++i) {
-    const Eigen::Vector3f other(block[i], block[stride_ + i], block[2 * stride_ + i]);
+bool LocalMap::crowded(std::uint32_t voxel, const Eigen::Vector3f& local) const {
+  const float* const x = block(voxel);
+  for (std::size_t i = 0; i < counts_[voxel]; ++i) {
+    const Eigen::Vector3f other(x[i], x[stride_ + i], x[2 * stride_ + i]);
     if ((other - local).squaredNorm() < min_spacing2_) return true;
   }
   return false;
@@ -105,17 +112,17 @@ bool LocalMap::crowded(const Voxel& voxel, const float* block, const Eigen::Vect
 
 void LocalMap::insert(const Eigen::Vector3d& point) {
   const VoxelIndex index = voxel_of(point);
-  const std::uint32_t at = voxel_at(index);
-  Voxel& voxel = voxels_[at];
-  if (voxel.count == capacity_) return;
+  const std::uint32_t voxel = voxel_at(index);
+  std::uint8_t& count = counts_[voxel];
+  if (count == capacity_) return;
   const Eigen::Vector3f local = (point - corner(index)).cast<float>();
-  float* const coordinates = block(at);
-  if (crowded(voxel, coordinates, local)) return;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    coordinates[axis * stride_ + voxel.count] = local[static_cast<Eigen::Index>(axis)];
-  }
-  ++voxel.count;
-  voxel.moments.add(local.cast<double>());
+  if (crowded(voxel, local)) return;
+  float* const place = block(voxel) + count;
+  place[0] = local.x();
+  place[stride_] = local.y();
+  place[2 * stride_] = local.z();
+  ++count;
+  voxels_[voxel].moments.add(local.cast<double>());
 }
 
 void LocalMap::remove_far(const Eigen::Vector3d& sensor) {
@@ -129,17 +136,20 @@ void LocalMap::remove_far(const Eigen::Vector3d& sensor) {
     if ((corner(voxels_[voxel].index) + half - sensor).norm() > radius_) continue;
     if (kept != voxel) {
       voxels_[kept] = voxels_[voxel];
+      counts_[kept] = counts_[voxel];
       std::copy_n(block(voxel), 3 * stride_, block(kept));
     }
     table_.find_or_insert(voxel_key(voxels_[kept].index), kept);
     ++kept;
   }
   voxels_.resize(kept);
+  counts_.resize(kept);
   coordinates_.resize(3 * stride_ * kept);
 }
 
 void LocalMap::clear() {
   voxels_.clear();
+  counts_.clear();
   coordinates_.clear();
   table_.clear();
   cleaned_at_.reset();
@@ -149,7 +159,7 @@ void LocalMap::search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, B
   const float* const x = block(voxel);
   const float* const y = x + stride_;
   const float* const z = y + stride_;
-  const std::uint32_t used = voxels_[voxel].count;
+  const std::uint32_t used = counts_[voxel];
   for (std::uint32_t i = 0; i < used; i += kLanes) {
     const Lanes squared = (Eigen::Map<const Lanes>(x + i) - place.x()).square() +
                           (Eigen::Map<const Lanes>(y + i) - place.y()).square() +
@@ -168,7 +178,7 @@ void LocalMap::search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, B
 Nearest LocalMap::nearest(const Eigen::Vector3d& place, double radius) const {
   const VoxelIndex middle = voxel_of(place);
   const Eigen::Vector3f local = (place - corner(middle)).cast<float>();
-  const AxisGaps gaps(local, static_cast<float>(size_));
+  const AxisGaps gaps(local, static_cast<float>(size_), reach_);
   const auto limit = static_cast<float>(radius * radius);
   Best best{limit, limit};
   for (const auto& [offset, least_gap] : neighbours_) {
@@ -218,10 +228,10 @@ Surface LocalMap::surface(const VoxelIndex& voxel) const {
 std::vector<Eigen::Vector3d> LocalMap::points() const {
   std::vector<Eigen::Vector3d> result;
   for (std::uint32_t at = 0; at < voxels_.size(); ++at) {
-    const Voxel& voxel = voxels_[at];
-    for (std::uint32_t i = 0; i < voxel.count; ++i) {
+    for (std::uint32_t i = 0; i < counts_[at]; ++i) {
       const float* const x = block(at) + i;
-      result.push_back(corner(voxel.index) + Eigen::Vector3d(x[0], x[stride_], x[2 * stride_]));
+      result.push_back(corner(voxels_[at].index) +
+                       Eigen::Vector3d(x[0], x[stride_], x[2 * stride_]));
     }
   }
   return result;

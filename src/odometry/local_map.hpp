@@ -35,7 +35,10 @@ struct Nearest {
 /// wherever the map lies, and ready for vector instructions.
 class LocalMap {
  public:
-  /// `max_radius`: the largest that nearest() will be asked for [m].
+  /// Voxels each way that a search may have to look at.
+  static constexpr int kMaxReach = 10;
+
+  /// `max_radius`: the largest that nearest() will be asked for [m], at most kMaxReach voxels.
   LocalMap(const Config::Map& config, double max_radius);
 
   /// Adds a point, unless its voxel is full or holds a point nearer than min_spacing.
@@ -65,13 +68,12 @@ class LocalMap {
   struct Moments {
     double count = 0.0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();       // sum of p
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  // sum of p p^T
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  // sum of p p^T, lower triangle
     void add(const Eigen::Vector3d& p);
     void add(const Moments& other, const Eigen::Vector3d& offset);  // other's corner - ours
   };
   struct Voxel {
     VoxelIndex index;
-    std::uint32_t count = 0;
     Moments moments;
   };
   /// The two smallest squared distances so far [m^2], and whose the smallest is.
@@ -99,8 +101,7 @@ class LocalMap {
   [[nodiscard]] float* block(std::uint32_t voxel) { return &coordinates_[3 * stride_ * voxel]; }
   std::uint32_t voxel_at(const VoxelIndex& index);
   void search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, Best& best) const;
-  [[nodiscard]] bool crowded(const Voxel& voxel, const float* block,
-                             const Eigen::Vector3f& local) const;
+  [[nodiscard]] bool crowded(std::uint32_t voxel, const Eigen::Vector3f& local) const;
 
   double size_;
   double inverse_size_;
@@ -112,7 +113,8 @@ class LocalMap {
   std::vector<Neighbour> neighbours_;  // by rising gap
 
   std::vector<Voxel> voxels_;
-  std::vector<float> coordinates_;  // per voxel: x[stride], y[stride], z[stride]
+  std::vector<std::uint8_t> counts_;  // points per voxel; apart, since every search reads them
+  std::vector<float> coordinates_;    // per voxel: x[stride], y[stride], z[stride]
   VoxelTable table_;
   std::optional<Eigen::Vector3d> cleaned_at_;
 };

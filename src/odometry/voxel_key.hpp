@@ -5,14 +5,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstdint>
 
 namespace surefoot {
 
 /// Voxel that holds a coordinate; floor, so that cells left and right of zero are equally large.
+/// By truncation and a correction, since std::floor is a call where SSE4.1 may not be assumed.
+/// The quotient must fit 32 bits.
 [[nodiscard]] inline std::int32_t voxel_index(double coordinate, double inverse_size) {
-  return static_cast<std::int32_t>(std::floor(coordinate * inverse_size));
+  const double scaled = coordinate * inverse_size;
+  const auto truncated = static_cast<std::int32_t>(scaled);
+  return truncated - (static_cast<double>(truncated) > scaled ? 1 : 0);
 }
 
 using VoxelIndex = Eigen::Vector3i;
