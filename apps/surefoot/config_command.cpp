@@ -34,7 +34,7 @@ void print_text(const Config& config) {
 
 std::string escape_bars(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
-    text.insert(at, "\\");
+    text.insert(at, 1, '\\');
   }
   return text;
 }

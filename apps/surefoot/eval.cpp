@@ -18,6 +18,7 @@
 #include "dataset/trajectory_files.hpp"
 #include "evaluation/evaluate.hpp"
 #include "evaluation/tables.hpp"
+#include "option_checks.hpp"
 
 namespace surefoot::app {
 namespace {
@@ -43,6 +44,8 @@ struct EvalOptions {
 
 /// By the number of values in the first row: TUM has 8, KITTI 12.
 FileFormat format_of(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return FileFormat::kTum;  // its reader says what it is
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
     std::istringstream words(line);
@@ -153,8 +156,9 @@ void add_error_options(CLI::App& command, evaluation::EvaluationOptions& options
       .add_option("--align", options.alignment,
                   "none, origin, yaw (and translation), se3 (the default), sim3 or scale")
       ->transform(CLI::CheckedTransformer(alignments));
-  command.add_option("--align-poses", options.alignment_poses,
-                     "Align the first poses only; 0: all");
+  command
+      .add_option("--align-poses", options.alignment_poses, "Align the first poses only; 0: all")
+      ->check(whole_number(0));
   auto& stretches = options.stretches;
   command.add_option("--delta", stretches.delta, "Length of a stretch of the relative error")
       ->capture_default_str();

@@ -72,6 +72,7 @@ void add_format_options(CLI::App& command, OpenOptions& options) {
                 "Turn HDL-64E points up by 0.205 deg (KITTI's calibration error)")
       ->group(kGroup);
   command.add_option("--udp-port", options.udp_port, "Port of the sensor's packets in a capture")
+      ->check(CLI::Range(1, 65535))
       ->group(kGroup);
   add_choice<ReturnChoice>(command, "--return", options.dual_return,
                            "Return to keep of two (VLP-16 in dual mode)",

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -26,6 +27,7 @@ struct Tally {
   std::vector<double> milliseconds;
   double length = 0.0;  // [m]
   std::size_t unreadable = 0;
+  std::size_t partial = 0;
 
   [[nodiscard]] std::size_t count(Status status) const {
     const auto found = statuses.find(status);
@@ -59,6 +61,7 @@ class Run {
     if (!options_.quiet) fmt::print(stderr, "{}\n", text);
   }
   void say_new_notes();
+  [[nodiscard]] std::optional<dataset::ScanItem> first_scan();
   void process(const dataset::ScanItem& item, RunOutput& output);
   [[nodiscard]] double progress(std::size_t done) const;
   void report(const RunOutput& output, bool interrupted);
@@ -72,7 +75,8 @@ class Run {
   Progress progress_;
   StepTimes times_;
   Tally tally_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_;      ///< the recording's that were said
+  std::vector<std::string> own_notes_;  ///< the run's
   Status last_status_ = Status::ok;
 };
 
@@ -81,6 +85,21 @@ void Run::say_new_notes() {
   for (; notes_.size() < all.size(); notes_.push_back(all[notes_.size()])) {
     say("note: " + all[notes_.size()]);
   }
+}
+
+/// The scan that the map begins with. A capture hardly ever begins where a revolution does; the
+/// part of one that it begins with shows the next scan too little, and is left out unless it is all
+/// there is.
+std::optional<dataset::ScanItem> Run::first_scan() {
+  recording_->skip(options_.start);
+  auto first = recording_->next();
+  if (!first || first->remark.empty()) return first;
+  auto second = recording_->next();
+  if (!second) return first;
+  ++tally_.partial;
+  own_notes_.push_back(fmt::format("left out: {}: {}", first->name, first->remark));
+  say(own_notes_.back());
+  return second;
 }
 
 double Run::progress(std::size_t done) const {
@@ -120,8 +139,7 @@ void Run::process(const dataset::ScanItem& item, RunOutput& output) {
 
 int Run::execute() {
   InterruptGuard interrupt;
-  recording_->skip(options_.start);
-  auto item = recording_->next();  // before the folder is made: bad input leaves nothing behind
+  auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
   if (!item) {
     throw dataset::ReadError(
         fmt::format("{}: no scans after the first {}", options_.input.string(), options_.start));
@@ -140,8 +158,10 @@ int Run::execute() {
   progress_.finish();
   say_new_notes();
   const bool interrupted = interrupt.interrupted();
+  std::vector<std::string> notes = notes_;
+  notes.insert(notes.end(), own_notes_.begin(), own_notes_.end());
   output.finish(options_, config_,
-                {recording_->description(), notes_, odometry_.level().message, tally_.scans(),
+                {recording_->description(), notes, odometry_.level().message, tally_.scans(),
                  tally_.untrusted(), interrupted},
                 map_);
   report(output, interrupted);
@@ -167,6 +187,7 @@ void Run::report(const RunOutput& output, bool interrupted) {
   for (const auto& [status, count] : tally_.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
   }
+  if (tally_.partial > 0) fmt::print("  {:5} partial, left out\n", tally_.partial);
   if (tally_.unreadable > 0) fmt::print("  {:5} unreadable\n", tally_.unreadable);
   fmt::print("results: {}\n", output.folder().string());
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "config_file.hpp"
+#include "option_checks.hpp"
 #include "reader_options.hpp"
 
 namespace surefoot::app {
@@ -52,9 +53,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--threads", options.threads, "threads at most; the result is the same")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command.add_option("--start", options.start, "scans to pass over at first");
-  command.add_option("--count", options.count, "scans to use at most")->check(CLI::PositiveNumber);
-  command.add_option("--stride", options.stride, "use every n-th scan")->check(CLI::PositiveNumber);
+  command.add_option("--start", options.start, "scans to pass over at first")
+      ->check(whole_number(0));
+  command.add_option("--count", options.count, "scans to use at most")->check(whole_number(1));
+  command.add_option("--stride", options.stride, "use every n-th scan")->check(whole_number(1));
   command
       .add_option("--pose-of", options.pose_of,
                   "frame whose poses are written (base needs --extrinsic)")

@@ -56,8 +56,8 @@ std::string csv_line(std::size_t scan, const std::string& name, const Estimate& 
   const Eigen::Vector3d& t = e.T_map_lidar.translation;
   std::string line = fmt::format(
       "{},{},{},{},{},{:.6f},{:.6f},{:.6f},{},{},{},{},{},{:.6f},{},{},{:.6f},{:.6f},{},{:.6f}",
-      scan, quoted(name), dataset::format_seconds(e.stamp_ns), to_string(e.status), quoted(e.message),
-      t.x(), t.y(), t.z(), e.points, e.registered_points, e.converged ? 1 : 0,
+      scan, quoted(name), dataset::format_seconds(e.stamp_ns), to_string(e.status),
+      quoted(e.message), t.x(), t.y(), t.z(), e.points, e.registered_points, e.converged ? 1 : 0,
       e.horizontal.iterations, e.horizontal.matches, e.horizontal.residual, e.vertical.iterations,
       e.vertical.matches, e.vertical.residual, e.vertical.observability, degenerate_names(e),
       e.degenerate.empty() ? 1.0 : e.degenerate.front().information);

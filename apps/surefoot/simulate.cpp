@@ -14,6 +14,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "option_checks.hpp"
 #include "progress.hpp"
 #include "recording_maker.hpp"
 #include "simulation/scene_picture.hpp"
@@ -140,7 +141,9 @@ void add_output_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--duration", arguments.duration, "Length of the recording [s]")
       ->check(CLI::PositiveNumber)
       ->excludes(scans);
-  command.add_option("--seed", request.seed, "Same seed, same bytes")->capture_default_str();
+  command.add_option("--seed", request.seed, "Same seed, same bytes")
+      ->check(whole_number(0))
+      ->capture_default_str();
   command.add_option("--format", arguments.formats, "pcd, pcap (VLP-16 packets), or both")
       ->delimiter(',')
       ->check(CLI::IsMember({"pcd", "pcap"}));

@@ -22,6 +22,7 @@
 #include "evaluation/ape.hpp"
 #include "evaluation/statistics.hpp"
 #include "interrupt.hpp"
+#include "option_checks.hpp"
 #include "progress.hpp"
 #include "surefoot/odometry.hpp"
 
@@ -193,7 +194,8 @@ void add_sweep_command(CLI::App& app, int&) {
   command->add_option("--method", options->method)->capture_default_str();
   command->add_option("--set", options->settings, "key=value for every run; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--count", options->count, "scans of each recording to use; 0: all");
+  command->add_option("--count", options->count, "scans of each recording to use; 0: all")
+      ->check(whole_number(0));
   command->add_option("-j,--jobs", options->jobs, "runs at the same time")
       ->check(CLI::Range(1, 64));
   command->callback([options] {

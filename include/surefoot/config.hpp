@@ -68,6 +68,7 @@ struct Config {
   struct Downsample {
     double map_voxel;     // [m] thinning of what enters the map
     double source_voxel;  // [m] thinning of what is registered
+    int min_points;       // to be registered; else both voxels are halved
   } downsample;
 
   struct Map {

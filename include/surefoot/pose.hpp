@@ -43,7 +43,8 @@ struct Pose {
 /// Twist of a rigid motion; se3_exp(se3_log(T)) == T.
 [[nodiscard]] Twist se3_log(const Pose& pose);
 
-/// Roll, pitch, yaw [rad] with R = Rz(yaw) Ry(pitch) Rx(roll); pitch in [-pi/2, pi/2].
+/// Roll, pitch, yaw [rad] with R = Rz(yaw) Ry(pitch) Rx(roll); pitch in [-pi/2, pi/2]. Straight up
+/// or down, where roll and yaw turn about one axis, roll is zero.
 [[nodiscard]] Eigen::Vector3d roll_pitch_yaw(const Eigen::Quaterniond& rotation);
 [[nodiscard]] Eigen::Quaterniond from_roll_pitch_yaw(const Eigen::Vector3d& roll_pitch_yaw);
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "surefoot/pose.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/so3.hpp"
@@ -53,8 +52,10 @@ Twist se3_log(const Pose& pose) {
 
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Quaterniond& rotation) {
   const Eigen::Matrix3d r = rotation.toRotationMatrix();
-  return {std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
-          std::atan2(r(1, 0), r(0, 0))};
+  const double cosine = std::hypot(r(0, 0), r(1, 0));
+  const double pitch = std::atan2(-r(2, 0), cosine);
+  if (cosine < 1e-7) return {0.0, pitch, std::atan2(-r(0, 1), r(1, 1))};  // roll and yaw are one
+  return {std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0))};
 }
 
 Eigen::Quaterniond from_roll_pitch_yaw(const Eigen::Vector3d& angles) {

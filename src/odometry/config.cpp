@@ -45,7 +45,8 @@ EnumNames<LevelMode> enum_names(LevelMode) {
 }
 
 /// The shortest text that reads back to the same number.
-std::string number_text(double value) {
+template <typename Number>
+std::string number_text(Number value) {
   std::array<char, 32> buffer;
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("?");

@@ -55,4 +55,16 @@ std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& poin
   return thinned;
 }
 
+ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points,
+                      const Config::Downsample& config) {
+  constexpr double kFinest = 1.0 / 16.0;
+  const auto enough = static_cast<std::size_t>(config.min_points);
+  for (double scale = 1.0;; scale *= 0.5) {
+    ThinnedScan thinned;
+    thinned.map_points = downsample(points, scale * config.map_voxel);
+    thinned.source_points = downsample(thinned.map_points, scale * config.source_voxel);
+    if (thinned.source_points.size() >= enough || scale <= kFinest) return thinned;
+  }
+}
+
 }  // namespace surefoot

@@ -155,48 +155,66 @@ void LocalMap::clear() {
   cleaned_at_.reset();
 }
 
-void LocalMap::search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, Best& best) const {
+/// The nearest points seen so far, sorted by distance.
+class LocalMap::NearestList {
+ public:
+  explicit NearestList(float radius) : limit_(radius * radius) {}
+
+  /// Points at least this far away need not be offered [m^2].
+  [[nodiscard]] float limit() const { return limit_; }
+
+  /// A point nearer than the limit.
+  void offer(float squared_distance, const Eigen::Vector3f& offset) {
+    int place = count_ < Nearby::kMost ? count_++ : Nearby::kMost - 1;
+    for (; place > 0 && squared_[place - 1] > squared_distance; --place) {
+      squared_[place] = squared_[place - 1];
+      offsets_[place] = offsets_[place - 1];
+    }
+    squared_[place] = squared_distance;
+    offsets_[place] = offset;
+    if (count_ == Nearby::kMost) limit_ = squared_[Nearby::kMost - 1];
+  }
+
+  [[nodiscard]] Nearby result() const { return {count_, offsets_, std::sqrt(limit_)}; }
+
+ private:
+  float limit_;
+  int count_ = 0;
+  std::array<float, Nearby::kMost> squared_;
+  std::array<Eigen::Vector3f, Nearby::kMost> offsets_;
+};
+
+void LocalMap::search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place,
+                            NearestList& list) const {
   const float* const x = block(voxel);
   const float* const y = x + stride_;
   const float* const z = y + stride_;
   const std::uint32_t used = counts_[voxel];
   for (std::uint32_t i = 0; i < used; i += kLanes) {
-    const Lanes squared = (Eigen::Map<const Lanes>(x + i) - place.x()).square() +
-                          (Eigen::Map<const Lanes>(y + i) - place.y()).square() +
-                          (Eigen::Map<const Lanes>(z + i) - place.z()).square();
-    if (squared.minCoeff() >= best.second) continue;
+    const Lanes dx = Eigen::Map<const Lanes>(x + i) - place.x();
+    const Lanes dy = Eigen::Map<const Lanes>(y + i) - place.y();
+    const Lanes dz = Eigen::Map<const Lanes>(z + i) - place.z();
+    const Lanes squared = dx.square() + dy.square() + dz.square();
+    if (squared.minCoeff() >= list.limit()) continue;
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      if (squared[lane] < best.first) {
-        best = {squared[lane], best.first, voxel, i + lane};
-      } else if (squared[lane] < best.second) {
-        best.second = squared[lane];
-      }
+      if (squared[lane] < list.limit()) list.offer(squared[lane], {dx[lane], dy[lane], dz[lane]});
     }
   }
 }
 
-Nearest LocalMap::nearest(const Eigen::Vector3d& place, double radius) const {
+Nearby LocalMap::nearby(const Eigen::Vector3d& place, double radius) const {
   const VoxelIndex middle = voxel_of(place);
   const Eigen::Vector3f local = (place - corner(middle)).cast<float>();
   const AxisGaps gaps(local, static_cast<float>(size_), reach_);
-  const auto limit = static_cast<float>(radius * radius);
-  Best best{limit, limit};
+  NearestList list(static_cast<float>(radius));
   for (const auto& [offset, least_gap] : neighbours_) {
-    if (least_gap >= best.second) break;
-    if (gaps.squared(offset) >= best.second) continue;
+    if (least_gap >= list.limit()) break;
+    if (gaps.squared(offset) >= list.limit()) continue;
     const std::uint32_t voxel = find(middle + offset);
     if (voxel == VoxelTable::kNone) continue;
-    search_voxel(voxel, local - offset.cast<float>() * static_cast<float>(size_), best);
+    search_voxel(voxel, local - offset.cast<float>() * static_cast<float>(size_), list);
   }
-  Nearest nearest;
-  nearest.clearance = std::sqrt(static_cast<double>(best.second));
-  if (best.voxel == VoxelTable::kNone) return nearest;
-  const float* const x = block(best.voxel) + best.point;
-  const Eigen::Vector3d in_voxel(x[0], x[stride_], x[2 * stride_]);
-  nearest.found = true;
-  nearest.point = corner(voxels_[best.voxel].index) + in_voxel;
-  nearest.distance = std::sqrt(static_cast<double>(best.first));
-  return nearest;
+  return list.result();
 }
 
 Surface LocalMap::surface(const VoxelIndex& voxel) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -20,12 +21,13 @@ struct Surface {
   double planarity = 0.0;                             ///< 1 for a plane, 0 for a ball or a line
 };
 
-/// Answer of a nearest-neighbour search.
-struct Nearest {
-  bool found = false;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< map frame [m]
-  double distance = 0.0;                            ///< to it [m]
-  double clearance = 0.0;  ///< every other point of the map is at least this far away [m]
+/// The map points nearest to a place, nearest first.
+struct Nearby {
+  static constexpr int kMost = 6;
+
+  int count = 0;
+  std::array<Eigen::Vector3f, kMost> offsets;  ///< from the place to each point [m]
+  float clearance = 0.0F;                      ///< all other points are at least this far away [m]
 };
 
 /// The map around the sensor: points in cubic voxels, a bounded number in each, with their moments.
@@ -38,7 +40,7 @@ class LocalMap {
   /// Voxels each way that a search may have to look at.
   static constexpr int kMaxReach = 10;
 
-  /// `max_radius`: the largest that nearest() will be asked for [m], at most kMaxReach voxels.
+  /// `max_radius`: the largest that nearby() will be asked for [m], at most kMaxReach voxels.
   LocalMap(const Config::Map& config, double max_radius);
 
   /// Adds a point, unless its voxel is full or holds a point nearer than min_spacing.
@@ -47,8 +49,8 @@ class LocalMap {
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
 
-  /// The map point nearest to a place, if there is one nearer than `radius` [m]. Exact.
-  [[nodiscard]] Nearest nearest(const Eigen::Vector3d& place, double radius) const;
+  /// The points nearer to a place than `radius` [m], or the nearest of them. Exact.
+  [[nodiscard]] Nearby nearby(const Eigen::Vector3d& place, double radius) const;
 
   /// Voxel that holds a place; surface() is the same for all places of one voxel.
   [[nodiscard]] VoxelIndex voxel_of(const Eigen::Vector3d& place) const {
@@ -64,6 +66,7 @@ class LocalMap {
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 
  private:
+  class NearestList;
   /// Sums over a voxel's points p, relative to the voxel's corner.
   struct Moments {
     double count = 0.0;
@@ -76,14 +79,7 @@ class LocalMap {
     VoxelIndex index;
     Moments moments;
   };
-  /// The two smallest squared distances so far [m^2], and whose the smallest is.
-  struct Best {
-    float first;
-    float second;
-    std::uint32_t voxel = VoxelTable::kNone;
-    std::uint32_t point = 0;
-  };
-  /// A neighbouring voxel, in the order in which nearest() visits them.
+  /// A neighbouring voxel, in the order in which nearby() visits them.
   struct Neighbour {
     VoxelIndex offset;
     float squared_gap;  // least squared distance [m^2] to it from anywhere in the middle voxel
@@ -100,7 +96,7 @@ class LocalMap {
   }
   [[nodiscard]] float* block(std::uint32_t voxel) { return &coordinates_[3 * stride_ * voxel]; }
   std::uint32_t voxel_at(const VoxelIndex& index);
-  void search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, Best& best) const;
+  void search_voxel(std::uint32_t voxel, const Eigen::Vector3f& place, NearestList& list) const;
   [[nodiscard]] bool crowded(std::uint32_t voxel, const Eigen::Vector3f& local) const;
 
   double size_;

@@ -14,15 +14,16 @@
 
 namespace surefoot {
 
-/// A source point's partner in the map, and how long it is known to stay that.
+/// A source point's partner in the map.
 struct Match {
   bool found = false;
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< q_i, map frame [m]
+};
 
-  Nearest last_search;  ///< answer at `searched_from`
-  Eigen::Vector3d searched_from = Eigen::Vector3d::Constant(kNowhere);
-
-  static constexpr double kNowhere = 1e300;
+/// The last search around a source point. Its answer stays known while the point hardly moves.
+struct CachedSearch {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< where the point was, map frame [m]
+  Nearby nearby;                                    ///< clearance 0: nothing is known yet
 };
 
 /// The map's surface around a source point, kept as long as the point stays in its voxel.
@@ -32,11 +33,12 @@ struct CachedSurface {
   Surface surface;
 };
 
-/// The scan being registered: points at mid-scan, LiDAR frame [m], and per point its match and
-/// surface.
+/// The scan being registered: points at mid-scan, LiDAR frame [m], and per point its match and what
+/// is known around it.
 struct Source {
   std::vector<Eigen::Vector3f> points;
   std::vector<Match> matches;
+  std::vector<CachedSearch> searches;
   std::vector<CachedSurface> surfaces;
 };
 

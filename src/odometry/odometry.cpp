@@ -50,7 +50,11 @@ struct Odometry::State {
 
   [[nodiscard]] std::string objection(const PreparedScan& scan) const;
   [[nodiscard]] Estimate reject(const PreparedScan& scan, std::string reason) const;
-  Estimate process(PreparedScan scan);
+  Estimate process(const PreparedScan& scan);
+  [[nodiscard]] ScanTrajectory predict(const Motion& last_motion, const PreparedScan& scan) const;
+  [[nodiscard]] Motion first_motion(const PreparedScan& scan) const;
+  [[nodiscard]] Estimate conclude(const Registration& registration, const Pose& T_0,
+                                  Source& source) const;
   Estimate begin_map(const std::vector<Eigen::Vector3f>& points, const ScanTrajectory& predicted);
   Estimate lose(const std::vector<Eigen::Vector3f>& points, const ScanTrajectory& predicted,
                 Estimate estimate);
@@ -65,18 +69,6 @@ ScanTrajectory through_pose(const ScanTrajectory& predicted, const Pose& T_map_l
   return predicted.moved(T_map_lidar * predicted.at(0.5).inverse());
 }
 
-Estimate report_registration(const Registration& registration, const Verdict& verdict,
-                             const Source& source) {
-  Estimate estimate;
-  estimate.status = verdict.status;
-  estimate.message = verdict.message;
-  estimate.converged = registration.converged;
-  estimate.horizontal = registration.horizontal;
-  estimate.vertical = registration.vertical;
-  estimate.registered_points = static_cast<int>(source.points.size());
-  return estimate;
-}
-
 }  // namespace
 
 Odometry::Odometry(const Config& config, int threads, const Pose& T_world_start)
@@ -87,10 +79,10 @@ Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
 Estimate Odometry::add_scan(const Scan& scan) {
   state_->begin_step(Step::preprocess);
-  PreparedScan prepared = preprocess(scan, state_->config.preprocess);
+  const PreparedScan prepared = preprocess(scan, state_->config.preprocess);
   const int points = static_cast<int>(prepared.points.size());
   std::string objection = state_->objection(prepared);
-  Estimate estimate = objection.empty() ? state_->process(std::move(prepared))
+  Estimate estimate = objection.empty() ? state_->process(prepared)
                                         : state_->reject(prepared, std::move(objection));
   estimate.points = points;
   state_->begin_step(Step::idle);
@@ -98,37 +90,77 @@ Estimate Odometry::add_scan(const Scan& scan) {
 }
 
 /// Algorithm 1. Computes first; what outlives the scan changes in the last lines.
-Estimate Odometry::State::process(PreparedScan scan) {
+Estimate Odometry::State::process(const PreparedScan& scan) {
+  const Motion last_motion = motion.known || map.empty() ? motion : first_motion(scan);
   begin_step(Step::deskew);
-  const MotionPrior prior =
-      predict_motion(motion, scan.start_ns, scan.end_ns, config.motion_prior.max_extrapolation);
-  const ScanTrajectory predicted =
-      predict_trajectory(prior, scan.start_ns, scan.end_ns, config.deskew);  // lines 1-6
-  last_scan = {deskew(scan, predicted, config.deskew, workers),              // line 7
-               std::move(scan.intensities)};
-
+  const ScanTrajectory predicted = predict(last_motion, scan);                      // lines 1-6
+  last_scan = {deskew(scan, predicted, config.deskew, workers), scan.intensities};  // line 7
   begin_step(Step::downsample);
-  const auto points = downsample(last_scan.points, config.downsample.map_voxel);
-  if (map.empty()) return begin_map(points, predicted);
-  Source source{downsample(points, config.downsample.source_voxel), {}, {}};
+  ThinnedScan thinned = thin_scan(last_scan.points, config.downsample);
+  if (map.empty()) return begin_map(thinned.map_points, predicted);
 
+  Source source{std::move(thinned.source_points), {}, {}, {}};
   const Pose T_0 = predicted.at(0.5);  // line 8
   const Registration registration =
       register_scan(source, map, T_0, config, workers, begin_step);  // lines 9-30
-
   begin_step(Step::assess);
-  const Verdict verdict =
-      judge_registration(registration, T_0, source.points.size(), config.health);
-  Estimate estimate = report_registration(registration, verdict, source);
-  if (verdict.status != Status::ok) return lose(points, predicted, std::move(estimate));
-  assess(source, map, registration.T_map_lidar, config, workers, estimate);
-
+  Estimate estimate = conclude(registration, T_0, source);
   begin_step(Step::map);
+  if (!estimate.trusted()) return lose(thinned.map_points, predicted, std::move(estimate));
   lost_in_a_row = 0;
   const ScanTrajectory trajectory = through_pose(predicted, registration.T_map_lidar);
-  motion = next_motion(motion, {trajectory.mid_ns(), registration.T_map_lidar});
-  integrate(points, registration.T_map_lidar);      // line 31
-  return publish(trajectory, std::move(estimate));  // line 32
+  motion = next_motion(last_motion, {trajectory.mid_ns(), registration.T_map_lidar});
+  integrate(thinned.map_points, registration.T_map_lidar);  // line 31
+  return publish(trajectory, std::move(estimate));          // line 32
+}
+
+/// Lines 1-6.
+ScanTrajectory Odometry::State::predict(const Motion& last_motion, const PreparedScan& scan) const {
+  const MotionPrior prior = predict_motion(last_motion, scan.start_ns, scan.end_ns,
+                                           config.motion_prior.max_extrapolation);
+  return predict_trajectory(prior, scan.start_ns, scan.end_ns, config.deskew);
+}
+
+/// The motion that the second scan of a map shows, where there is no last motion to predict from.
+///
+/// Started from rest, point-to-point residuals would hold a walking sensor where it was: rings on
+/// the floor and walls along the way look the same from everywhere, and most points vote for
+/// standing still. Point-to-plane residuals do not mind. They are asked twice, the second time with
+/// the scan deskewed by the first answer; where they are degenerate, the sensor is taken to stand.
+Motion Odometry::State::first_motion(const PreparedScan& scan) const {
+  Config coupled = config;
+  coupled.registration.mode = RegistrationMode::coupled;
+  coupled.registration.coupled_residual = CoupledResidual::point_to_plane;
+  Motion guess = motion;
+  for (int round = 0; round < 2; ++round) {
+    const ScanTrajectory predicted = predict(guess, scan);
+    ThinnedScan thinned =
+        thin_scan(deskew(scan, predicted, config.deskew, workers), config.downsample);
+    Source source{std::move(thinned.source_points), {}, {}, {}};
+    const Registration found =
+        register_scan(source, map, predicted.at(0.5), coupled, workers, [](Step) {});
+    const Estimate estimate = conclude(found, predicted.at(0.5), source);
+    if (estimate.status != Status::ok) return motion;
+    guess.velocity = next_motion(motion, {predicted.mid_ns(), found.T_map_lidar}).velocity;
+  }
+  return guess;
+}
+
+/// What a registration that started at T_0 is worth.
+Estimate Odometry::State::conclude(const Registration& registration, const Pose& T_0,
+                                   Source& source) const {
+  Estimate estimate;
+  estimate.converged = registration.converged;
+  estimate.horizontal = registration.horizontal;
+  estimate.vertical = registration.vertical;
+  estimate.registered_points = static_cast<int>(source.points.size());
+  Verdict verdict = judge_registration(registration, T_0, source.points.size(), config.health);
+  estimate.status = verdict.status;
+  estimate.message = std::move(verdict.message);
+  if (verdict.status == Status::ok) {
+    assess(source, map, registration.T_map_lidar, config, workers, estimate);
+  }
+  return estimate;
 }
 
 std::string Odometry::State::objection(const PreparedScan& scan) const {
@@ -160,7 +192,7 @@ Estimate Odometry::State::begin_map(const std::vector<Eigen::Vector3f>& points,
   estimate.message = started ? "the map begins anew at the predicted pose" : level.message;
   started = true;
   lost_in_a_row = 0;
-  motion = {{trajectory.mid_ns(), T_map_lidar}, Twist::Zero()};
+  motion = {{trajectory.mid_ns(), T_map_lidar}, Twist::Zero(), false};
   integrate(points, T_map_lidar);
   return publish(trajectory, std::move(estimate));
 }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "odometry/parallel.hpp"
 
+#include <algorithm>
+
 #ifdef SUREFOOT_WITH_TBB
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -17,6 +20,8 @@ struct Workers::Pool {
 };
 
 Workers::Workers(int threads) {
+  // More than the machine has would make oneTBB print a warning, and gain nothing.
+  threads = std::min(threads, tbb::info::default_concurrency());
   if (threads > 1) pool_ = std::make_unique<Pool>(threads);
 }
 

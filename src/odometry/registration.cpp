@@ -3,6 +3,8 @@
 #include "odometry/registration.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "odometry/coupled.hpp"
 #include "odometry/horizontal.hpp"
@@ -17,33 +19,41 @@ double correspondence_distance(int t, const Config::Registration& config) {
   return t <= config.early_iterations ? config.relaxed_distance : config.max_distance;  // [Eq 20]
 }
 
-/// A search looks this much farther than it must, so that its answer stays known while the point
-/// moves a little [m].
-constexpr double kSearchMargin = 0.1;
+/// A search looks this much farther than it must, so that its answer stays known for longer [m].
+constexpr double kSearchMargin = 0.3;
 
-/// Whether the last search tells the nearest point within `max_distance` of `place`, too. The map
-/// does not change meanwhile: after a move of m the old nearest point is at most distance + m away
-/// and any other at least clearance - m.
-bool still_known(const Match& match, const Eigen::Vector3d& place, double max_distance) {
-  const double moved = (place - match.searched_from).norm();
-  const Nearest& last = match.last_search;
-  return last.found ? last.distance + moved < last.clearance - moved
-                    : max_distance <= last.clearance - moved;
+/// The nearest point that the last search knows for a point that meanwhile `moved` [m].
+struct KnownNearest {
+  const Eigen::Vector3f* offset = nullptr;  ///< from where that search was made; null: none
+  float distance = std::numeric_limits<float>::infinity();  ///< from the point now [m]
+};
+
+KnownNearest nearest_known(const Nearby& nearby, const Eigen::Vector3f& moved) {
+  KnownNearest best;
+  for (int i = 0; i < nearby.count; ++i) {
+    const float squared = (nearby.offsets[i] - moved).squaredNorm();
+    if (squared < best.distance) best = {&nearby.offsets[i], squared};
+  }
+  best.distance = std::sqrt(best.distance);
+  return best;
 }
 
-/// Algorithm 1, line 16, for one point.
-void update_match(const LocalMap& map, const Eigen::Vector3d& place, double max_distance,
-                  Match& match) {
-  if (!still_known(match, place, max_distance)) {
-    // The last target bounds how far the nearest point can be now.
-    const double bound = match.last_search.found
-                             ? std::min(max_distance, (match.last_search.point - place).norm())
-                             : max_distance;
-    match.last_search = map.nearest(place, bound + kSearchMargin);
-    match.searched_from = place;
+/// Algorithm 1, line 16, for one point. The map does not change meanwhile: after a move of m, what
+/// the last search did not name is at least clearance - m away. Whatever is nearer than that, or
+/// nothing within max_distance if that is, is the exact answer without a new search.
+Match find_match(const LocalMap& map, const Eigen::Vector3d& place, double max_distance,
+                 CachedSearch& search) {
+  const auto limit = static_cast<float>(max_distance);
+  Eigen::Vector3f moved = (place - search.place).cast<float>();
+  KnownNearest nearest = nearest_known(search.nearby, moved);
+  const float wanted = std::min(nearest.distance, limit);
+  if (!(wanted <= search.nearby.clearance - moved.norm())) {
+    search = {place, map.nearby(place, static_cast<double>(wanted) + kSearchMargin)};
+    moved.setZero();
+    nearest = nearest_known(search.nearby, moved);
   }
-  match.target = match.last_search.point;
-  match.found = match.last_search.found && (match.target - place).norm() <= max_distance;
+  if (!(nearest.distance <= limit)) return {};
+  return {true, search.place + nearest.offset->cast<double>()};
 }
 
 /// Algorithm 1, line 16. Returns the number of matches.
@@ -54,7 +64,7 @@ int find_correspondences(Source& source, const LocalMap& map, const Pose& T_map_
     int found = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d place = R * source.points[i].cast<double>() + T_map_lidar.translation;
-      update_match(map, place, max_distance, source.matches[i]);
+      source.matches[i] = find_match(map, place, max_distance, source.searches[i]);
       found += source.matches[i].found ? 1 : 0;
     }
     return found;
@@ -118,6 +128,7 @@ Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
   // Lines 8-9. T_map_lidar is T_icp * T_0 throughout: updates are applied to it from the left.
   result.T_map_lidar = T_0;
   source.matches.assign(source.points.size(), Match{});
+  source.searches.assign(source.points.size(), CachedSearch{});
   source.surfaces.assign(source.points.size(), CachedSurface{});
   const bool coupled = config.registration.mode == RegistrationMode::coupled;
 

@@ -30,8 +30,8 @@ inline constexpr double kSequenceNs = 55'296.0;  // one firing sequence: 16 lase
 inline constexpr double kLaserNs = 2'304.0;
 
 /// Elevation by laser id, in firing order [deg].
-inline constexpr std::array<double, kLasers> kElevationDeg = {-15, 1, -13, 3, -11, 5, -9, 7,
-                                                              -7,  9, -5,  11, -3, 13, -1, 15};
+inline constexpr std::array<double, kLasers> kElevationDeg = {-15, 1, -13, 3,  -11, 5,  -9, 7,
+                                                              -7,  9, -5,  11, -3,  13, -1, 15};
 /// Ring (0 = lowest) by laser id.
 inline constexpr std::array<std::uint16_t, kLasers> kRing = {0, 8,  1, 9,  2, 10, 3, 11,
                                                              4, 12, 5, 13, 6, 14, 7, 15};

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "option_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <string>
+
+namespace surefoot::app {
+
+CLI::Validator whole_number(std::uint64_t least) {
+  const auto check = [least](std::string& text) {
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool good = error == std::errc{} && stop == end && value >= least;
+    return good ? std::string()
+                : fmt::format("'{}'; expected a whole number of at least {}", text, least);
+  };
+  return {check, fmt::format(">={}", least)};
+}
+
+}  // namespace surefoot::app
