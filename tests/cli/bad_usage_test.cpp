@@ -30,7 +30,12 @@ const BadUsage kBadCommands[] = {
     {"threads_not_a_number", {"run", "in", "--threads", "many"}, {"--threads", "many"}},
     {"no_scans_wanted", {"run", "in", "--count", "0"}, {"--count"}},
     {"no_stride", {"run", "in", "--stride", "0"}, {"--stride"}},
-    {"negative_start", {"run", "in", "--start", "-1"}, {}},
+    {"negative_start", {"run", "in", "--start", "-1"}, {"--start", "'-1'", "at least 0"}},
+    {"start_wraps_to_zero", {"run", "in", "--start=-18446744073709551616"}, {"--start"}},
+    {"start_a_fraction", {"run", "in", "--start", "1.5"}, {"--start", "'1.5'"}},
+    {"start_too_large", {"run", "in", "--start", "18446744073709551616"}, {"--start"}},
+    {"negative_count", {"run", "in", "--count", "-1"}, {"--count", "'-1'", "at least 1"}},
+    {"negative_stride", {"run", "in", "--stride", "-1"}, {"--stride", "'-1'", "at least 1"}},
     {"unknown_level", {"run", "in", "--level", "sky"}, {"--level", "sky"}},
     {"short_extrinsic", {"run", "in", "--extrinsic", "0", "0", "1"}, {"--extrinsic"}},
     {"base_without_extrinsic", {"run", "in", "--pose-of", "base"}, {"--extrinsic"}},
@@ -41,7 +46,15 @@ const BadUsage kBadCommands[] = {
     {"rate_zero", {"run", "in", "--rate", "0"}, {"--rate"}},
     {"unknown_unit", {"run", "in", "--time-unit", "fortnights"}, {"--time-unit", "fortnights"}},
     {"unknown_format", {"run", "in", "--format", "e57"}, {"--format", "e57"}},
-    {"port_too_large", {"run", "in", "--udp-port", "70000"}, {"--udp-port"}},
+    {"port_too_large", {"run", "in", "--udp-port", "70000"}, {"--udp-port", "70000"}},
+    {"negative_port", {"info", "in", "--udp-port", "-1"}, {"--udp-port", "-1"}},
+    {"negative_poses", {"eval", "a", "b", "--align-poses", "-1"}, {"--align-poses", "'-1'"}},
+    {"negative_sweep_count",
+     {"sweep", "in", "--vary", "map.voxel_size=1", "--count", "-1"},
+     {"--count", "'-1'"}},
+    {"negative_sweep_jobs",
+     {"sweep", "in", "--vary", "map.voxel_size=1", "--jobs", "-1"},
+     {"--jobs", "-1"}},
     {"set_unknown_key", {"run", "in", "--set", "deskew.speed=1"}, {"deskew.speed"}},
     {"set_without_value", {"run", "in", "--set", "deskew.segments"}, {"key=value"}},
     {"set_not_a_number",
@@ -61,6 +74,17 @@ const BadUsage kBadCommands[] = {
     {"output_is_a_file", {"run", "in", "-o", "a_file"}, {"a_file"}},
     {"output_under_a_file", {"run", "in", "-o", "a_file/out"}, {"a_file/out"}},
 };
+
+#ifdef SUREFOOT_HAS_SIMULATION
+const BadUsage kBadSimulations[] = {
+    {"negative_seed", {"simulate", "campus", "-o", "out", "--seed", "-1"}, {"--seed", "'-1'"}},
+    {"negative_scans", {"simulate", "campus", "-o", "out", "--scans", "-1"}, {"--scans", "-1"}},
+    {"unknown_scene", {"simulate", "moon", "-o", "out"}, {"moon"}},
+    {"no_output", {"simulate", "campus"}, {"-o"}},
+    {"negative_jobs", {"suite", "-o", "out", "--jobs", "-1"}, {"--jobs", "-1"}},
+    {"no_suite_output", {"suite"}, {"--output"}},
+};
+#endif
 
 const BadUsage kBadConfigs[] = {
     {"not_yaml", {"deskew: [1, 2"}, {"not YAML"}},
@@ -101,6 +125,11 @@ TEST_P(BadCommand, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(All, BadCommand, testing::ValuesIn(kBadCommands),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+#ifdef SUREFOOT_HAS_SIMULATION
+INSTANTIATE_TEST_SUITE_P(Simulation, BadCommand, testing::ValuesIn(kBadSimulations),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+#endif
 
 class BadConfig : public testing::TestWithParam<BadUsage> {};
 
