@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "dataset/file_reader.hpp"
 #include "dataset/recording.hpp"
 
 namespace surefoot::dataset {
@@ -48,6 +49,7 @@ void CaptureFile::Close::operator()(void* handle) const {
 }
 
 CaptureFile::CaptureFile(const std::filesystem::path& file) {
+  require_regular_file(file);
   std::FILE* opened = std::fopen(file.c_str(), "rb");
   if (opened == nullptr) {
     throw ReadError(std::string("cannot read it: ") + std::strerror(errno));

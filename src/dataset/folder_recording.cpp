@@ -7,6 +7,7 @@
 
 #include "dataset/ascii_values.hpp"
 #include "dataset/decimal_time.hpp"
+#include "dataset/file_reader.hpp"
 #include "dataset/folder_listing.hpp"
 #include "dataset/kitti_bin.hpp"
 #include "dataset/scan_builder.hpp"

@@ -3,9 +3,6 @@
 #include "dataset/scan_files.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
 #include "dataset/kitti_bin.hpp"
 #include "dataset/pcd_reader.hpp"
@@ -69,22 +66,6 @@ PointTable parse_scan_file(ScanFileKind kind, std::span<const std::byte> bytes) 
       return parse_kitti_bin(bytes);
   }
   return {};
-}
-
-void read_whole_file(const std::filesystem::path& file, std::vector<std::byte>& bytes) {
-  const auto close = [](std::FILE* handle) { std::fclose(handle); };
-  errno = 0;
-  const std::unique_ptr<std::FILE, decltype(close)> handle(std::fopen(file.c_str(), "rb"), close);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!handle || error) {
-    throw ReadError("cannot read it: " + (error ? error.message() : std::strerror(errno)));
-  }
-  bytes.resize(size);
-  std::setvbuf(handle.get(), nullptr, _IONBF, 0);
-  if (std::fread(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) {
-    throw ReadError("could not read all of its " + std::to_string(size) + " bytes");
-  }
 }
 
 bool natural_less(const std::string& a, const std::string& b) {

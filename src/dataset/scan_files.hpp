@@ -25,9 +25,6 @@ enum class ScanFileKind { kPcd, kPly, kKittiBin };
 /// The points in the bytes of a file. The table looks into `bytes`. Throws ReadError.
 [[nodiscard]] PointTable parse_scan_file(ScanFileKind kind, std::span<const std::byte> bytes);
 
-/// A whole file into `bytes`, whose memory is used again. Throws ReadError.
-void read_whole_file(const std::filesystem::path& file, std::vector<std::byte>& bytes);
-
 /// Numbers inside names count as numbers: "scan9" before "scan10".
 [[nodiscard]] bool natural_less(const std::string& a, const std::string& b);
 

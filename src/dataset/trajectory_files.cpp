@@ -10,9 +10,9 @@
 
 #include "dataset/ascii_values.hpp"
 #include "dataset/decimal_time.hpp"
+#include "dataset/file_reader.hpp"
 #include "dataset/file_writer.hpp"
 #include "dataset/recording.hpp"
-#include "dataset/scan_files.hpp"
 
 namespace surefoot::dataset {
 namespace {

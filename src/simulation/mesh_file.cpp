@@ -20,6 +20,14 @@ void fail(const std::filesystem::path& file, const std::string& what) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (error) fail(file, error.message());
+  if (!std::filesystem::is_regular_file(status)) {  // opening a pipe may wait for ever
+    fail(file, std::filesystem::is_directory(status) ? "it is a folder; expected a regular file"
+                                                     : "it is a pipe, a socket or a device; "
+                                                       "expected a regular file");
+  }
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream content;
   content << stream.rdbuf();

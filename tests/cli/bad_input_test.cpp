@@ -4,6 +4,7 @@
 // Inputs that hold nothing of use end with exit code 2 and a message; a bad scan among good ones is
 // left out or rejected, and the rest goes on.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <limits>
 
@@ -201,6 +202,19 @@ TEST(BadInput, LinkToItself) {
   const ScratchFolder scratch;
   fs::create_symlink("loop.pcd", scratch.path() / "loop.pcd");
   expect_refused({"run", "loop.pcd"}, "loop.pcd", scratch);
+}
+
+// Opening a pipe would wait for a writer; a device may have no end.
+TEST(BadInput, NoRegularFile) {
+  const ScratchFolder scratch;
+  for (const char* name : {"scan.pcd", "walk.pcap", "path.tum"}) {
+    ASSERT_EQ(mkfifo((scratch.path() / name).c_str(), 0600), 0);
+  }
+  fs::create_symlink("/dev/zero", scratch.path() / "endless.ply");
+  expect_refused({"run", "scan.pcd", "-o", "out"}, "scan.pcd: it is a named pipe", scratch);
+  expect_refused({"run", "walk.pcap"}, "walk.pcap: it is a named pipe", scratch);
+  expect_refused({"run", "endless.ply", "-o", "out"}, "endless.ply: it is a device", scratch);
+  expect_refused({"eval", "path.tum", "path.tum"}, "path.tum: it is a named pipe", scratch);
 }
 
 TEST(BadInput, StartBeyondTheEnd) {

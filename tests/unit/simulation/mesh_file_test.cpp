@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstring>
 #include <filesystem>
@@ -118,6 +119,22 @@ TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndSaysWhy) {
   expect_refused("d.asc", "ncols 2\nnrows 2\ncellsize 1\n1 2 3\n", "a height");
   expect_refused("e.asc", "ncols 2.5\nnrows 2\ncellsize 1\n1 2 3\n", "ncols");
   EXPECT_THROW((void)read_mesh(folder_ / "none.ply"), std::runtime_error);
+}
+
+TEST_F(MeshFileTest, SaysWhatIsNoRegularFile) {
+  const auto message_of = [&](const std::string& name) {
+    try {
+      (void)read_mesh(folder_ / name);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  ASSERT_EQ(mkfifo((folder_ / "pipe.ply").c_str(), 0600), 0);  // reading it would wait for ever
+  EXPECT_NE(message_of("pipe.ply").find("pipe.ply: it is a pipe"), std::string::npos);
+  std::filesystem::create_directory(folder_ / "folder.obj");
+  EXPECT_NE(message_of("folder.obj").find("folder.obj: it is a folder"), std::string::npos);
+  EXPECT_NE(message_of("none.asc").find("none.asc: No such file"), std::string::npos);
 }
 
 TEST_F(MeshFileTest, AMeshBecomesASceneWithAWayOnIt) {
