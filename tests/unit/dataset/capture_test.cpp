@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "dataset/recording.hpp"
 #include "support.hpp"
@@ -45,6 +46,81 @@ TEST(Capture, EveryMagicGivesTheSame) {
       EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
       EXPECT_EQ(recording->capture_counts().lost, 0U);
       EXPECT_EQ(recording->progress(), 1.0);
+    }
+  }
+}
+
+TEST(Capture, PcapngGivesTheSame) {
+  const test::TemporaryFolder folder;
+  for (const unsigned decimals : {6U, 9U}) {
+    for (const bool big_endian : {false, true}) {
+      test::PcapngFile file(1, decimals, big_endian);
+      for (unsigned i = 0; i < 150; ++i) {
+        file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+      }
+      const auto recording = open_recording(folder.write("a.pcapng", file.content()));
+      const auto first = recording->next();
+      const auto second = recording->next();
+      ASSERT_TRUE(first && second);
+      EXPECT_FALSE(recording->next());
+      EXPECT_EQ(first->scan->stamp_ns, kStart);
+      EXPECT_EQ(first->scan->points.size(), 75U * 384U);
+      EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
+      EXPECT_EQ(recording->capture_counts().data_packets, 150U);
+    }
+  }
+}
+
+// Without GPS the capture's own stamp gives the start, to the last digit it has.
+TEST(Capture, StampsAreReadToTheirResolution) {
+  const test::TemporaryFolder folder;
+  constexpr std::int64_t kOdd = kStart + 1'800'000'000'000 + 123'456'789;  // half past the hour
+  const std::string frame = test::ethernet_frame(test::ip_packet(payload(0), 2368));
+  const auto stamp_of = [&](auto file) {
+    file.add(kOdd, frame);
+    return open_recording(folder.write("a.pcap", file.content()))->next()->scan->stamp_ns;
+  };
+  EXPECT_EQ(stamp_of(test::PcapngFile(1, 9)), kOdd);
+  EXPECT_EQ(stamp_of(test::PcapngFile(1, 6)), kOdd - 789);
+  EXPECT_EQ(stamp_of(test::PcapngFile(1, 3)), kOdd - 456'789);
+  EXPECT_EQ(stamp_of(test::PcapFile(1, true)), kOdd);
+  EXPECT_EQ(stamp_of(test::PcapFile(1, false)), kOdd - 789);
+}
+
+struct Link {
+  const char* name;
+  std::uint16_t type;  ///< of the capture formats' list, LINKTYPE_...
+  std::string header;  ///< before the IP packet
+};
+
+// As `tcpdump -i any`, a loopback interface and a tunnel write them.
+TEST(Capture, EveryLinkLayerGivesTheSame) {
+  const std::string ipv4("\x08\x00", 2);
+  const Link links[] = {
+      {"Linux cooked", 113, std::string("\0\0\0\x01\0\x06\x60\x76\x88\0\0\0\0\0", 14) + ipv4},
+      {"Linux cooked 2", 276, ipv4 + std::string(18, '\0')},
+      {"loopback, little-endian", 0, std::string("\x02\0\0\0", 4)},
+      {"loopback, big-endian", 108, std::string("\0\0\0\x02", 4)},
+      {"raw IP", 101, ""},
+      {"raw IPv4", 228, ""},
+  };
+  const test::TemporaryFolder folder;
+  for (const Link& link : links) {
+    SCOPED_TRACE(link.name);
+    test::PcapFile classic(link.type);
+    test::PcapngFile next_generation(link.type);
+    for (unsigned i = 0; i < 75; ++i) {
+      const std::string frame = link.header + test::ip_packet(payload(i), 2368);
+      classic.add(kStart + i * kPeriod, frame);
+      next_generation.add(kStart + i * kPeriod, frame);
+    }
+    for (const std::string& content : {classic.content(), next_generation.content()}) {
+      const auto recording = open_recording(folder.write("a.pcap", content));
+      const auto item = recording->next();
+      ASSERT_TRUE(item);
+      EXPECT_EQ(item->scan->stamp_ns, kStart);
+      EXPECT_EQ(item->scan->points.size(), 75U * 384U);
+      EXPECT_EQ(recording->capture_counts().other, 0U);
     }
   }
 }
@@ -104,6 +180,15 @@ TEST(Capture, ErrorsNameWhatWasSeen) {
   test::PcapFile elsewhere;
   elsewhere.add(kStart, test::ethernet_frame(test::ip_packet(payload(0), 2369)));
   EXPECT_NE(error_of(elsewhere.content()).find("1206 bytes to port 2369"), std::string::npos);
+}
+
+// Opening a pipe would wait for a writer.
+TEST(Capture, ANamedPipeIsRefused) {
+  const test::TemporaryFolder folder;
+  const auto pipe = folder.path() / "a.pcap";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(pipe); });
+  EXPECT_NE(message.find("a.pcap: it is a named pipe"), std::string::npos) << message;
 }
 
 std::filesystem::path shared(const char* file) {

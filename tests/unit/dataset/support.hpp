@@ -146,4 +146,45 @@ class PcapFile {
   std::string content_;
 };
 
+/// A pcapng file: a section header, one interface and a packet block a frame.
+class PcapngFile {
+ public:
+  /// `decimals`: of the stamps, said by the interface's if_tsresol; 6, the default, is not said.
+  explicit PcapngFile(std::uint16_t link_type = 1, unsigned decimals = 6, bool big_endian = false)
+      : ticks_ns_(1), big_endian_(big_endian) {
+    for (unsigned i = decimals; i < 9; ++i) ticks_ns_ *= 10;
+    add_block(0x0a0d0d0aU, number(0x1a2b3c4dU) + number(std::uint16_t{1}) +
+                               number(std::uint16_t{0}) + number(~std::uint64_t{0}));
+    std::string options;
+    if (decimals != 6) {
+      constexpr std::uint16_t kTimeResolution = 9;
+      options = number(kTimeResolution) + number(std::uint16_t{1}) + static_cast<char>(decimals) +
+                std::string(3, '\0') + number(0U);
+    }
+    add_block(1, number(link_type) + number(std::uint16_t{0}) + number(65535U) + options);
+  }
+  void add(std::int64_t stamp_ns, std::string_view frame) {
+    const auto ticks = static_cast<std::uint64_t>(stamp_ns / ticks_ns_);
+    const auto size = static_cast<std::uint32_t>(frame.size());
+    add_block(6, number(0U) + number(static_cast<std::uint32_t>(ticks >> 32)) +
+                     number(static_cast<std::uint32_t>(ticks)) + number(size) + number(size) +
+                     std::string(frame));
+  }
+  [[nodiscard]] const std::string& content() const { return content_; }
+
+ private:
+  void add_block(std::uint32_t type, std::string body) {
+    body.resize((body.size() + 3) / 4 * 4, '\0');
+    const std::string length = number(static_cast<std::uint32_t>(body.size() + 12));
+    content_ += number(type) + length + body + length;
+  }
+  template <typename T>
+  [[nodiscard]] std::string number(T value) const {
+    return big_endian_ ? big(value) : little(value);
+  }
+  std::int64_t ticks_ns_;
+  bool big_endian_;
+  std::string content_;
+};
+
 }  // namespace surefoot::dataset::test
