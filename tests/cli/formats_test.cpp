@@ -80,12 +80,13 @@ TEST_P(Format, SameTrajectoryAsBinaryPcd) {
 INSTANTIATE_TEST_SUITE_P(All, Format, testing::ValuesIn(kFormats),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-class Capture : public testing::TestWithParam<const char*> {};
+class CaptureFormat : public testing::TestWithParam<const char*> {};
 
-TEST_P(Capture, StandingSensorStays) {
+TEST_P(CaptureFormat, StandingSensorStays) {
   const ScratchFolder scratch;
   const std::string name = std::string("walk.") + GetParam();
-  const std::vector<std::string> packets = vlp16_packets(4);
+  std::vector<std::string> packets = vlp16_packets(4);
+  packets.pop_back();  // it holds 3 degrees of a fifth revolution, which do not fix a pose
   write_content(scratch.path() / name,
                 name == "walk.pcap" ? pcap_file(packets) : pcapng_file(packets));
   const ProcessResult result = run_surefoot({"run", name, "-o", "out"}, scratch.path());
@@ -97,8 +98,37 @@ TEST_P(Capture, StandingSensorStays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Capture, testing::Values("pcap", "pcapng"),
+INSTANTIATE_TEST_SUITE_P(All, CaptureFormat, testing::Values("pcap", "pcapng"),
                          [](const auto& instance) { return std::string(instance.param); });
+
+// What a capture begins with is hardly ever a whole revolution.
+TEST(Capture, PartOfARevolutionAtTheStartIsLeftOut) {
+  const ScratchFolder scratch;
+  std::vector<std::string> packets = vlp16_packets(5);
+  packets.erase(packets.begin(), packets.begin() + 40);
+  write_content(scratch.path() / "walk.pcap", pcap_file(packets));
+  const ProcessResult result = run_surefoot({"run", "walk.pcap", "-o", "out"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const std::string remark = "left out: revolution 0: partial revolution: firings over 16";
+  EXPECT_NE(result.errors.find(remark), std::string::npos) << result;
+  EXPECT_NE(result.output.find("1 partial, left out"), std::string::npos) << result;
+  EXPECT_NE(file_content(scratch.path() / "out" / "run.yaml").find(remark), std::string::npos);
+  const std::string csv = file_content(scratch.path() / "out" / "scans.csv");
+  EXPECT_EQ(csv.find("\"revolution 0\""), std::string::npos) << csv;
+  EXPECT_NE(csv.find("0,\"revolution 1\""), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\"revolution 4\""), std::string::npos) << csv;
+}
+
+TEST(Capture, PartOfARevolutionThatIsAllThereIsIsUsed) {
+  const ScratchFolder scratch;
+  std::vector<std::string> packets = vlp16_packets(1);
+  packets.resize(50);
+  write_content(scratch.path() / "walk.pcap", pcap_file(packets));
+  const ProcessResult result = run_surefoot({"run", "walk.pcap", "-o", "out"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(result.errors.find("left out"), std::string::npos) << result;
+  EXPECT_EQ(dataset::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 1U) << result;
+}
 
 TEST(Output, StampsAreMidScanExactly) {
   const ScratchFolder scratch;
