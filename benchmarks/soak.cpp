@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// soak: more than a kilometre through the town's streets. Fails if memory still grows, or the local
+// map still becomes larger, after the first thousand scans, or if the robot got lost.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "memory.hpp"
+#include "simulated_walk.hpp"
+#include "surefoot/odometry.hpp"
+#include "town.hpp"
+
+namespace surefoot::benchmarks {
+
+namespace {
+
+constexpr std::uint64_t kScans = 6000;
+constexpr std::uint64_t kSettled = 1000;  // scans after which nothing may grow
+constexpr std::uint64_t kEvery = 250;     // scans between two looks at the map
+constexpr double kSpeed = 2.5;            // [m/s]
+constexpr double kLeastWay = 1000.0;      // [m]
+// Streets are not everywhere equally full, so that the map's size sways.
+constexpr double kMapGrowth = 1.3;
+constexpr double kMemoryGrowth = 8.0;  // [MB]
+
+/// Highest values seen until now.
+struct Peak {
+  double megabytes = 0.0;
+  std::size_t map_points = 0;
+
+  void raise(double memory, std::size_t points) {
+    megabytes = std::max(megabytes, memory);
+    map_points = std::max(map_points, points);
+  }
+};
+
+struct Soak {
+  Peak early;              ///< in the first kSettled scans
+  Peak late;               ///< after them
+  double way = 0.0;        ///< truly walked [m]
+  std::uint64_t lost = 0;  ///< scans whose pose is not to be trusted
+};
+
+/// Both poses in the frame that the run began in: how far the estimate is from the truth [m].
+double distance(const Pose& T_start_estimate, const Pose& T_start_truth) {
+  return (T_start_estimate.translation - T_start_truth.translation).norm();
+}
+
+Soak walk_through_town() {
+  SimulatedWalk walk(town(), {.scans = kScans, .speed = kSpeed, .footprint = false});
+  Odometry odometry;
+  Soak soak;
+  Pose T_start_map, T_start_scene, T_scene_last;
+  fmt::print("{:>6} {:>9} {:>9} {:>11} {:>12}\n", "scan", "way [m]", "RSS [MB]", "map points",
+             "error [m]");
+  for (std::uint64_t i = 0; i < kScans; ++i) {
+    const Estimate estimate = odometry.add_scan(walk.next().value());
+    const Pose truth = walk.T_map_lidar(estimate.stamp_ns);
+    soak.lost += estimate.trusted() ? 0 : 1;
+    if (i == 0) {
+      T_start_map = estimate.T_map_lidar.inverse();
+      T_start_scene = truth.inverse();
+    } else {
+      soak.way += (truth.translation - T_scene_last.translation).norm();
+    }
+    T_scene_last = truth;
+    if ((i + 1) % kEvery != 0) continue;
+    const double megabytes = resident_megabytes();
+    const std::size_t points = odometry.local_map().size();
+    (i < kSettled ? soak.early : soak.late).raise(megabytes, points);
+    fmt::print("{:6} {:9.0f} {:9.1f} {:11} {:12.2f}\n", i + 1, soak.way, megabytes, points,
+               distance(T_start_map * estimate.T_map_lidar, T_start_scene * truth));
+    std::fflush(stdout);
+  }
+  return soak;
+}
+
+bool expect(bool held, const std::string& what) {
+  fmt::print("{} {}\n", held ? "ok:    " : "FAILED:", what);
+  return held;
+}
+
+bool judge(const Soak& soak) {
+  const double growth = soak.late.megabytes - soak.early.megabytes;
+  const double map_growth =
+      static_cast<double>(soak.late.map_points) / static_cast<double>(soak.early.map_points);
+  bool held = expect(soak.way > kLeastWay,
+                     fmt::format("walked {:.0f} m, wanted more than {:.0f}", soak.way, kLeastWay));
+  held &= expect(soak.lost == 0, fmt::format("{} of {} scans lost, wanted 0", soak.lost, kScans));
+  held &= expect(growth < kMemoryGrowth,
+                 fmt::format("memory grew by {:.1f} MB after {} scans, wanted less than {:.0f}",
+                             growth, kSettled, kMemoryGrowth));
+  held &= expect(map_growth < kMapGrowth,
+                 fmt::format("local map at most {:.2f} times as large after {} scans as before, "
+                             "wanted less than {:.1f}",
+                             map_growth, kSettled, kMapGrowth));
+  return held;
+}
+
+}  // namespace
+
+}  // namespace surefoot::benchmarks
+
+int main() {
+  try {
+    return surefoot::benchmarks::judge(surefoot::benchmarks::walk_through_town()) ? 0 : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "soak: {}\n", error.what());
+    return 2;
+  }
+}
