@@ -14,11 +14,24 @@ namespace surefoot {
 
 namespace {
 
+// Directions around the LiDAR, measured one after the other: points of one sector share the error
+// of one instant's deskewing.
+constexpr int kSectors = 16;
+
+int sector_of(const Eigen::Vector3f& point) {
+  const double turn = std::atan2(static_cast<double>(point.y()), static_cast<double>(point.x())) /
+                          (2.0 * std::numbers::pi) +
+                      0.5;
+  return std::min(static_cast<int>(turn * kSectors), kSectors - 1);
+}
+
 struct PlaneSum {
   NormalEquations<6> equations;
+  Eigen::Matrix<double, 6, kSectors> sector_g = Eigen::Matrix<double, 6, kSectors>::Zero();
   double squared_distance = 0.0;  // weighted sum of |s|^2
   PlaneSum& operator+=(const PlaneSum& other) {
     equations += other.equations;
+    sector_g += other.sector_g;
     squared_distance += other.squared_distance;
     return *this;
   }
@@ -39,7 +52,9 @@ PlaneSum sum_planes(Source& source, const LocalMap& map, const Pose& T_map_lidar
       const Eigen::Matrix<double, 1, 1> r(surface.normal.dot(s - q));
       const double w =
           surface.planarity * lorentzian_weight(std::abs(r[0]), config.vertical.kernel_scale);
-      sum.equations.add<1>(plane_jacobian(s, surface.normal), r, w);
+      const Eigen::Matrix<double, 1, 6> J = plane_jacobian(s, surface.normal);
+      sum.equations.add<1>(J, r, w);
+      sum.sector_g.col(sector_of(source.points[i])) += w * r[0] * J.transpose();
       sum.squared_distance += w * s.squaredNorm();
     }
     return sum;
@@ -79,6 +94,22 @@ std::vector<DegenerateDirection> weak_directions(const PlaneSum& sum, const Pose
   return weak;
 }
 
+/// Covariance of the pose, from normal equations and residuals. Residuals are not independent: a
+/// wrong deskewing turns or shifts a whole sector of the scan. So to the usual s^2 H^-1 come
+/// - the sectors' gradients, each as one observation (the cluster-robust "sandwich"), and
+/// - how far these equations would still move the pose, since the stages, which minimise other
+///   residuals too, ended elsewhere.
+/// The prior that a pose stays within what a registration may correct keeps all of it finite where
+/// no surface speaks.
+Matrix6 pose_covariance(const PlaneSum& sum, const Config::Health& config) {
+  const double variance = std::max(sum.equations.rms() * sum.equations.rms(), 1e-8);
+  const Matrix6 prior = unregistered_covariance(config).inverse();
+  const Matrix6 independent = (sum.equations.H / variance + prior).llt().solve(Matrix6::Identity());
+  const Eigen::Matrix<double, 6, kSectors> sectors = independent * sum.sector_g / variance;
+  const Twist disagreement = sectors.rowwise().sum();
+  return independent + sectors * sectors.transpose() + disagreement * disagreement.transpose();
+}
+
 }  // namespace
 
 Matrix6 unregistered_covariance(const Config::Health& config) {
@@ -92,12 +123,7 @@ Matrix6 unregistered_covariance(const Config::Health& config) {
 void assess(Source& source, const LocalMap& map, const Pose& T_map_lidar, const Config& config,
             const Workers& workers, Estimate& estimate) {
   const PlaneSum sum = sum_planes(source, map, T_map_lidar, config, workers);
-  // Variance of one residual. The prior that a pose stays within what a registration may correct
-  // keeps the covariance finite where no surface speaks.
-  const double variance = std::max(sum.equations.rms() * sum.equations.rms(), 1e-8);
-  const Matrix6 prior = unregistered_covariance(config.health).inverse();
-  const Matrix6 information = sum.equations.H / variance + prior;
-  estimate.covariance = information.llt().solve(Matrix6::Identity());
+  estimate.covariance = pose_covariance(sum, config.health);
   estimate.degenerate = weak_directions(sum, T_map_lidar, config.health.min_information);
   if (estimate.degenerate.empty()) return;
   estimate.status = Status::degenerate;
