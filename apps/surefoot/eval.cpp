@@ -30,6 +30,7 @@ using evaluation::DeltaUnit;
 using evaluation::Evaluation;
 
 constexpr int kSomeFailed = 1;
+constexpr int kAllFailed = 2;
 
 enum class FileFormat { kAuto, kTum, kKitti };
 enum class TableFormat { kText, kJson, kCsv, kLatex };
@@ -115,6 +116,7 @@ int evaluate_all(EvalOptions options) {
       fmt::print(stderr, "surefoot: {}: {}\n", names[i], error.what());
     }
   }
+  if (evaluations.empty()) return kAllFailed;
   fmt::print("{}", table_of(evaluations, options.table));
   return evaluations.size() == options.estimates.size() ? 0 : kSomeFailed;
 }

@@ -13,7 +13,7 @@ TEST(Commands, HelpNamesEverySubcommand) {
   const ScratchFolder scratch;
   const ProcessResult result = run_surefoot({"--help"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
-  for (const char* command : {"run", "info", "config"}) {
+  for (const char* command : {"run", "info", "eval", "sweep", "config"}) {
     EXPECT_NE(result.output.find(std::string("\n  ") + command + " "), std::string::npos)
         << command << "\n"
         << result;
@@ -22,7 +22,7 @@ TEST(Commands, HelpNamesEverySubcommand) {
 
 TEST(Commands, EverySubcommandHasHelp) {
   const ScratchFolder scratch;
-  for (const char* command : {"run", "info", "config"}) {
+  for (const char* command : {"run", "info", "eval", "sweep", "config"}) {
     const ProcessResult result = run_surefoot({command, "--help"}, scratch.path());
     EXPECT_EQ(result.exit_code, 0) << result;
     EXPECT_NE(result.output.find("Options:"), std::string::npos) << result;
@@ -46,24 +46,6 @@ TEST(Commands, PrintedConfigIsTakenBack) {
   const ProcessResult result =
       run_surefoot({"run", "in", "-o", "out", "--config", "config.yaml"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
-}
-
-TEST(Commands, InfoCountsScans) {
-  const ScratchFolder scratch;
-  write_pcd_recording(scratch.path() / "in", hall_scans(3));
-  const ProcessResult result = run_surefoot({"info", "in"}, scratch.path());
-  EXPECT_EQ(result.exit_code, 0) << result;
-  EXPECT_NE(result.output.find("folder of 3 PCD files"), std::string::npos) << result;
-}
-
-// The scans that are there are told of, the one that is not is named, and the code says so.
-TEST(Commands, InfoNamesAnUnreadableScan) {
-  const ScratchFolder scratch;
-  write_pcd_recording(scratch.path() / "in", hall_scans(3));
-  write_content(scratch.path() / "in" / scan_name(1), "");
-  const ProcessResult result = run_surefoot({"info", "in"}, scratch.path());
-  EXPECT_EQ(result.exit_code, 1) << result;
-  EXPECT_NE((result.output + result.errors).find(scan_name(1)), std::string::npos) << result;
 }
 
 }  // namespace

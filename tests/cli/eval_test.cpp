@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot eval: every table, and what it does with trajectories that cannot be compared.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "dataset/trajectory_files.hpp"
+#include "process.hpp"
+
+namespace surefoot::test {
+namespace {
+
+constexpr int kPoses = 60;
+
+/// A curve of 60 poses at 10 Hz that winds in all three axes.
+Trajectory winding_walk() {
+  Trajectory walk;
+  for (int i = 0; i < kPoses; ++i) {
+    const double t = 0.1 * i;
+    const Eigen::Vector3d place(t, std::sin(t), 0.3 * std::cos(0.7 * t));
+    const Eigen::AngleAxisd turn(0.3 * t, Eigen::Vector3d(0.1, -0.2, 1.0).normalized());
+    walk.push_back({i * 100'000'000LL, {Eigen::Quaterniond(turn), place}});
+  }
+  return walk;
+}
+
+/// Every other pose of the walk 0.1 m to the left, the others 0.1 m to the right, as z is up.
+Trajectory zigzag(Trajectory walk) {
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    walk[i].pose.translation.y() += i % 2 == 0 ? 0.1 : -0.1;
+  }
+  return walk;
+}
+
+class Eval : public testing::Test {
+ protected:
+  Eval() {
+    dataset::write_tum(scratch_.path() / "truth.tum", winding_walk());
+    dataset::write_tum(scratch_.path() / "zigzag.tum", zigzag(winding_walk()));
+  }
+  [[nodiscard]] ProcessResult eval(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "eval");
+    return run_surefoot(arguments, scratch_.path());
+  }
+  [[nodiscard]] nlohmann::json eval_json(std::vector<std::string> arguments) const {
+    arguments.push_back("--json");
+    const ProcessResult result = eval(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result;
+    EXPECT_TRUE(result.errors.empty()) << result;
+    const nlohmann::json json = nlohmann::json::parse(result.output, nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << result;
+    return json;
+  }
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& named) const {
+    const ProcessResult result = eval(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_TRUE(result.output.empty()) << result;
+    EXPECT_NE(result.errors.find(named), std::string::npos) << "not named: " << named << "\n"
+                                                            << result;
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(Eval, TheReferenceItselfHasNoError) {
+  const nlohmann::json json = eval_json({"truth.tum", "truth.tum"});
+  ASSERT_EQ(json.size(), 1U);
+  EXPECT_EQ(json[0]["estimate"], "truth");
+  EXPECT_EQ(json[0]["pairs"], kPoses);
+  EXPECT_EQ(json[0]["coverage"], 1.0);
+  EXPECT_GE(json[0]["errors"].size(), 8U);
+  for (const auto& [name, error] : json[0]["errors"].items()) {
+    EXPECT_LT(error["max"].get<double>(), 1e-9) << name;
+  }
+  EXPECT_LT(json[0]["end_drift"]["total_m"].get<double>(), 1e-9);
+}
+
+TEST_F(Eval, ErrorsAreThoseThatWerePutIn) {
+  const nlohmann::json json = eval_json({"truth.tum", "zigzag.tum", "--align", "none"});
+  const nlohmann::json& error = json[0]["errors"]["ape_translation"];
+  EXPECT_EQ(error["unit"], "m");
+  EXPECT_NEAR(error["rmse"].get<double>(), 0.1, 1e-8);
+  EXPECT_NEAR(error["std"].get<double>(), 0.0, 1e-8);
+  EXPECT_NEAR(json[0]["errors"]["ape_vertical"]["max"].get<double>(), 0.0, 1e-8);
+  EXPECT_NEAR(json[0]["errors"]["rpe_translation"]["rmse"].get<double>(), 0.2, 1e-8);
+}
+
+TEST_F(Eval, TextHasABlockForEachEstimate) {
+  const ProcessResult result = eval({"truth.tum", "truth.tum", "zigzag.tum"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  for (const char* name : {"truth", "zigzag"}) {
+    const std::string line = std::string(name) + ": 60 of 60 poses paired, 100.0 % of the";
+    EXPECT_NE(result.output.find(line), std::string::npos) << result;
+  }
+}
+
+TEST_F(Eval, CsvHasALineForEachError) {
+  const ProcessResult result = eval({"truth.tum", "truth.tum", "zigzag.tum", "--csv"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_TRUE(result.output.starts_with("estimate,error,unit,count,max,mean,median,")) << result;
+  const auto lines = std::count(result.output.begin(), result.output.end(), '\n');
+  const auto errors = eval_json({"truth.tum", "truth.tum"})[0]["errors"].size();
+  EXPECT_EQ(static_cast<std::size_t>(lines), 1 + 2 * errors) << result;
+  EXPECT_NE(result.output.find("\nzigzag,ape_translation,m,60,"), std::string::npos) << result;
+}
+
+TEST_F(Eval, LatexPrintsTheBestBold) {
+  const ProcessResult result =
+      eval({"truth.tum", "truth.tum", "zigzag.tum", "--latex", "--align", "none"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_TRUE(result.output.starts_with("\\begin{tabular}{lrrrr}\n\\toprule")) << result;
+  EXPECT_NE(result.output.find("\ntruth & \\textbf{0.000}"), std::string::npos) << result;
+  EXPECT_NE(result.output.find("\nzigzag & \\underline{0.100}"), std::string::npos) << result;
+}
+
+TEST_F(Eval, KittiFilesAreFoundOutAndPairedByRow) {
+  dataset::write_kitti_poses(scratch_.path() / "truth.txt", winding_walk());
+  dataset::write_kitti_poses(scratch_.path() / "zigzag.txt", zigzag(winding_walk()));
+  const nlohmann::json json = eval_json({"truth.txt", "zigzag.txt", "--align", "none"});
+  EXPECT_EQ(json[0]["pairs"], kPoses);
+  EXPECT_NEAR(json[0]["errors"]["ape_translation"]["rmse"].get<double>(), 0.1, 1e-8);
+}
+
+TEST_F(Eval, BadInputIsRefused) {
+  write_content(scratch_.path() / "words.tum", "once upon a time\n");
+  write_content(scratch_.path() / "empty.tum", "");
+  write_content(scratch_.path() / "later.tum",
+                dataset::format_tum({{1'000'000'000'000, Pose()}, {1'000'100'000'000, Pose()}}));
+  expect_refused({"none.tum", "truth.tum"}, "none.tum");
+  expect_refused({"words.tum", "truth.tum"}, "words.tum: line 1");
+  expect_refused({"empty.tum", "truth.tum"}, "");
+  expect_refused({"truth.tum", "none.tum"}, "none.tum");
+  expect_refused({"truth.tum", "words.tum", "--json"}, "words.tum: line 1");
+  expect_refused({"truth.tum", "later.tum"}, "later");
+  expect_refused({"truth.tum", "."}, "folder");
+  expect_refused({"truth.tum"}, "estimates");
+  expect_refused({"truth.tum", "truth.tum", "--json", "--csv"}, "--csv");
+  expect_refused({"truth.tum", "truth.tum", "--align", "upwards"}, "upwards");
+  expect_refused({"truth.tum", "truth.tum", "--delta", "-1"}, "-1");
+}
+
+// One estimate that cannot be used does not take the others' figures away.
+TEST_F(Eval, ABadEstimateAmongGoodOnesIsLeftOut) {
+  write_content(scratch_.path() / "words.tum", "once upon a time\n");
+  const ProcessResult result = eval({"truth.tum", "words.tum", "zigzag.tum", "--json"});
+  EXPECT_EQ(result.exit_code, 1) << result;
+  EXPECT_NE(result.errors.find("words.tum: line 1"), std::string::npos) << result;
+  const nlohmann::json json = nlohmann::json::parse(result.output, nullptr, false);
+  ASSERT_EQ(json.size(), 1U) << result;
+  EXPECT_EQ(json[0]["estimate"], "zigzag");
+}
+
+}  // namespace
+}  // namespace surefoot::test
