@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/ray_caster.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "simulation/embree.hpp"
 
 namespace surefoot::simulation {
 
@@ -156,12 +156,9 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid.data(), fixed, &context, &packet);
+  intersect_coherent16(valid.data(), fixed, packet);
   // Rays now end where they met something fixed; only what is nearer takes its place.
-  if (movers != nullptr) rtcIntersect16(valid.data(), movers, &context, &packet);
+  if (movers != nullptr) intersect_coherent16(valid.data(), movers, packet);
 
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = Hit{};

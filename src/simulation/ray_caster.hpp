@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// Ray casting by Embree. Nothing of Embree is seen outside ray_caster.cpp.
+// Ray casting by Embree. Nothing of Embree is seen outside ray_caster.cpp and embree.hpp.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Embree 3 or 4, whichever CMake found, and the one call of ours that differs between them.
+#pragma once
+
+#if SUREFOOT_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace surefoot::simulation {
+
+/// Casts 16 rays that point in similar directions; `valid` is -1 for those to cast, else 0.
+inline void intersect_coherent16(const int* valid, RTCScene scene, RTCRayHit16& packet) {
+#if SUREFOOT_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &packet, &arguments);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &context, &packet);
+#endif
+}
+
+}  // namespace surefoot::simulation
