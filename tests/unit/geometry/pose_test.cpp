@@ -63,13 +63,21 @@ TEST(Pose, RollPitchYawAreTheAnglesOfThreeTurns) {
   }
 }
 
-TEST(Pose, RollPitchYawAtThePoleStayFiniteAndKeepThePitch) {
+TEST(Pose, RollPitchYawAtThePoleStillGiveTheSameRotation) {
+  Random random(4);
   for (const double pitch : {0.5 * kPi, -0.5 * kPi}) {
-    for (const double roll : {-2.0, 0.0, 0.7}) {
-      const Eigen::Vector3d angles = roll_pitch_yaw(from_roll_pitch_yaw({roll, pitch, 1.2}));
-      ASSERT_TRUE(angles.allFinite());
-      // asin's slope is infinite there: rounding of 1e-16 turns into 1e-8.
-      EXPECT_NEAR(angles.y(), pitch, 1e-7);
+    for (int i = 0; i < 200; ++i) {
+      const double roll = random.uniform(-kPi, kPi), yaw = random.uniform(-kPi, kPi);
+      // At the pole and next to it, on both sides of where roll is no longer told from yaw.
+      for (const double beside : {0.0, 1e-9, 9e-8, 2e-7, 1e-5}) {
+        const double off = pitch > 0.0 ? -beside : beside;
+        const Eigen::Quaterniond rotation = from_roll_pitch_yaw({roll, pitch + off, yaw});
+        const Eigen::Vector3d angles = roll_pitch_yaw(rotation);
+        ASSERT_TRUE(angles.allFinite());
+        EXPECT_NEAR(angles.y(), pitch, 2e-5);
+        // Roll and yaw turn about one axis there: only their sum or difference is known.
+        EXPECT_LT(rotation.angularDistance(from_roll_pitch_yaw(angles)), 1e-6) << beside;
+      }
     }
   }
 }

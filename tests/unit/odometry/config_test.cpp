@@ -60,8 +60,7 @@ TEST(Config, EveryNumberComesBackToTheSameValueFromBothEndsOfItsRange) {
     for (const double share : {0.0, 0.37, 1.0}) {
       Config config, again;
       const FieldSlot slot = field.slot(config);
-      const double largest = std::min(field.max, 99'999.0);
-      const double value = field.min + share * (largest - field.min);
+      const double value = field.min + share * (field.max - field.min);
       if (const auto* number = std::get_if<double*>(&slot)) **number = value;
       if (const auto* number = std::get_if<int*>(&slot)) **number = static_cast<int>(value);
       set_parameter(again, field.name, get_parameter(config, field.name));
@@ -71,6 +70,17 @@ TEST(Config, EveryNumberComesBackToTheSameValueFromBothEndsOfItsRange) {
       } else {
         EXPECT_EQ(*std::get<int*>(slot), *std::get<int*>(slot_again)) << field.name;
       }
+    }
+  }
+}
+
+TEST(Config, LargeWholeNumbersComeBackAsWholeNumbers) {
+  for (const char* name : {"preprocess.min_points", "health.min_matches", "health.restart_after"}) {
+    for (const char* value : {"99999", "100000", "1000000"}) {
+      Config config;
+      set_parameter(config, name, value);
+      EXPECT_EQ(get_parameter(config, name), value) << name;
+      EXPECT_NO_THROW(validate(config)) << name << " = " << value;
     }
   }
 }
@@ -164,6 +174,13 @@ TEST(Config, ValidateFindsContradictions) {
   distances.registration.max_distance = 2.0;
   distances.registration.relaxed_distance = 1.0;
   EXPECT_THROW(validate(distances), ConfigError);
+  Config reach;  // a search farther than eight cells of the map
+  reach.map.voxel_size = 0.5;
+  reach.registration.max_distance = 1.0;
+  reach.registration.relaxed_distance = 4.0;
+  EXPECT_NO_THROW(validate(reach));
+  reach.registration.relaxed_distance = 4.01;
+  EXPECT_THROW(validate(reach), ConfigError);
 }
 
 TEST(Config, MethodsAreValidAndDifferFromThePapersWhereTheirNameSays) {

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// The local map: exact nearest neighbours, floor indices, capacity, spacing, bounded memory.
+// The local map: exact neighbours and clearance, floor indices, capacity, spacing, bounded memory.
 #include "odometry/local_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "support/random.hpp"
 
@@ -24,75 +25,108 @@ Config::Map map_config(double voxel_size) {
   return config;
 }
 
-/// Distance to the nearest of all points, or infinity.
-double brute_force(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& place) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& point : points) best = std::min(best, (point - place).norm());
-  return best;
+/// Distances of all points from a place, nearest first, and infinity behind them.
+std::vector<double> brute_force(const std::vector<Eigen::Vector3d>& points,
+                                const Eigen::Vector3d& place) {
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& point : points) distances.push_back((point - place).norm());
+  std::sort(distances.begin(), distances.end());
+  distances.resize(points.size() + Nearby::kMost + 1, std::numeric_limits<double>::infinity());
+  return distances;
 }
 
-/// Distance to the nearest but one.
-double second_distance(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& place) {
-  double best = std::numeric_limits<double>::infinity(), second = best;
-  for (const Eigen::Vector3d& point : points) {
-    const double distance = (point - place).norm();
-    second = std::min(second, std::max(best, distance));
-    best = std::min(best, distance);
+/// Coordinates are floats about a voxel's corner: 1e-7 of a metre or two.
+constexpr double kRounding = 1e-6;
+
+/// The answer against all points: the right ones, in order, and nothing nearer than `clearance`.
+void expect_exact(const Nearby& nearby, const std::vector<Eigen::Vector3d>& stored,
+                  const Eigen::Vector3d& place, double radius) {
+  const std::vector<double> expected = brute_force(stored, place);
+  int within = 0;
+  while (within < Nearby::kMost && expected[within] < radius) ++within;
+  // A point on the very edge of the radius may count as either side of it.
+  if (nearby.count != within) {
+    ASSERT_NEAR(expected[std::min(nearby.count, within)], radius, kRounding);
+    ASSERT_LE(std::abs(nearby.count - within), 1);
   }
-  return second;
+  for (int i = 0; i < nearby.count; ++i) {
+    const Eigen::Vector3d offset = nearby.offsets[i].cast<double>();
+    ASSERT_NEAR(offset.norm(), expected[i], kRounding);
+    ASSERT_LT(brute_force(stored, place + offset).front(), kRounding);
+    for (int j = 0; j < i; ++j) {  // the same point is not named twice
+      ASSERT_GT((offset - nearby.offsets[j].cast<double>()).norm(), 0.0);
+    }
+    if (i == 0) continue;
+    ASSERT_LE(nearby.offsets[i - 1].norm(), nearby.offsets[i].norm() * 1.000001F);
+  }
+  const double clearance = static_cast<double>(nearby.clearance);
+  ASSERT_GE(expected[nearby.count], clearance - kRounding);
+  // As much is promised as can be: up to the radius, or up to the last of a full list.
+  ASSERT_NEAR(clearance, std::min(radius, expected[Nearby::kMost - 1]), kRounding);
 }
 
-void expect_nearest_is_exact(double voxel_size, double max_distance, const Eigen::Vector3d& centre,
-                             int points, std::uint64_t seed) {
+void expect_nearby_is_exact(double voxel_size, double max_radius, const Eigen::Vector3d& centre,
+                            int points, std::uint64_t seed) {
   Random random(seed);
-  LocalMap map(map_config(voxel_size), max_distance);
+  LocalMap map(map_config(voxel_size), max_radius);
   for (int i = 0; i < points; ++i) map.insert(centre + random.vector(6.0));
   const auto stored = map.points();
-  int found = 0;
-  for (int i = 0; i < 1500; ++i) {
+  int some = 0;
+  for (int i = 0; i < 400; ++i) {
     const Eigen::Vector3d place = centre + random.vector(8.0);
-    // Bounds up to the one that the map was made for.
-    const double bound = i % 3 == 0 ? random.uniform(0.0, max_distance) : max_distance;
-    const double expected = brute_force(stored, place);
-    const auto nearest = map.nearest(place, bound);
-    if (std::abs(expected - bound) < 1e-5) continue;  // either answer is right, within rounding
-    ASSERT_EQ(nearest.found, expected < bound) << expected << " against " << bound;
-    if (!nearest.found) continue;
-    ++found;
-    // Coordinates are floats about a voxel's corner: 1e-7 of a metre or two.
-    ASSERT_NEAR((nearest.point - place).norm(), expected, 1e-6);
-    ASSERT_NEAR(nearest.distance, expected, 1e-6);
-    ASSERT_LT(brute_force(stored, nearest.point), 1e-12);
-    ASSERT_LE(nearest.clearance, second_distance(stored, place) + 1e-6);
+    // Radii up to the one that the map was made for.
+    const double radius = i % 3 == 0 ? random.uniform(0.0, max_radius) : max_radius;
+    const Nearby nearby = map.nearby(place, radius);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(nearby, stored, place, radius));
+    some += nearby.count > 0 ? 1 : 0;
   }
-  EXPECT_GT(found, 100);
+  EXPECT_GT(some, 30);
 }
 
-TEST(LocalMap, NearestEqualsBruteForceWithinOneVoxel) {
-  expect_nearest_is_exact(1.0, 1.0, Eigen::Vector3d::Zero(), 2000, 1);
-  expect_nearest_is_exact(1.0, 0.45, Eigen::Vector3d::Zero(), 3000, 2);
+TEST(LocalMap, NearbyEqualsBruteForceWithinOneVoxel) {
+  expect_nearby_is_exact(1.0, 1.0, Eigen::Vector3d::Zero(), 2000, 1);
+  expect_nearby_is_exact(1.0, 0.45, Eigen::Vector3d::Zero(), 3000, 2);
 }
 
-TEST(LocalMap, NearestEqualsBruteForceBeyondOneVoxel) {
-  expect_nearest_is_exact(1.0, 2.0, Eigen::Vector3d::Zero(), 200, 3);
-  expect_nearest_is_exact(0.5, 2.3, Eigen::Vector3d::Zero(), 200, 4);
-  expect_nearest_is_exact(0.7, 3.0, Eigen::Vector3d::Zero(), 20, 5);
+TEST(LocalMap, NearbyEqualsBruteForceBeyondOneVoxel) {
+  expect_nearby_is_exact(1.0, 2.0, Eigen::Vector3d::Zero(), 200, 3);
+  expect_nearby_is_exact(0.5, 2.3, Eigen::Vector3d::Zero(), 600, 4);
+  expect_nearby_is_exact(0.7, 3.0, Eigen::Vector3d::Zero(), 20, 5);
 }
 
-TEST(LocalMap, NearestEqualsBruteForceFarFromTheOrigin) {
-  expect_nearest_is_exact(1.0, 2.0, {-40.0, -30.0, -20.0}, 500, 6);
-  expect_nearest_is_exact(1.0, 2.0, {10'000.3, -10'000.7, 500.1}, 500, 7);
+TEST(LocalMap, NearbyEqualsBruteForceUpToItsLargestReach) {
+  const double reach = LocalMap::kMaxReach * 0.25;
+  expect_nearby_is_exact(0.25, reach, Eigen::Vector3d::Zero(), 30, 11);
+  expect_nearby_is_exact(0.25, reach, Eigen::Vector3d::Zero(), 1000, 12);
 }
 
-TEST(LocalMap, AnEmptyMapHasNoNearest) {
+TEST(LocalMap, NearbyEqualsBruteForceFarFromTheOrigin) {
+  expect_nearby_is_exact(1.0, 2.0, {-40.0, -30.0, -20.0}, 500, 6);
+  expect_nearby_is_exact(1.0, 2.0, {10'000.3, -10'000.7, 500.1}, 500, 7);
+}
+
+TEST(LocalMap, NearbyAtAPointsOwnPlaceNamesItFirst) {
+  Random random(13);
+  LocalMap map(map_config(1.0), 2.0);
+  for (int i = 0; i < 500; ++i) map.insert(random.vector(3.0));
+  for (const Eigen::Vector3d& point : map.points()) {
+    const Nearby nearby = map.nearby(point, 0.5);
+    ASSERT_GE(nearby.count, 1);
+    EXPECT_LT(nearby.offsets[0].norm(), 1e-6F);
+  }
+}
+
+TEST(LocalMap, InAnEmptyMapNothingIsNearby) {
   LocalMap map(map_config(1.0), 2.0);
   EXPECT_TRUE(map.empty());
-  EXPECT_FALSE(map.nearest({0.0, 0.0, 0.0}, 2.0).found);
+  EXPECT_EQ(map.nearby({0.0, 0.0, 0.0}, 2.0).count, 0);
+  EXPECT_FLOAT_EQ(map.nearby({0.0, 0.0, 0.0}, 2.0).clearance, 2.0F);
   map.insert({0.5, 0.5, 0.5});
   EXPECT_FALSE(map.empty());
+  EXPECT_EQ(map.nearby({0.0, 0.0, 0.0}, 2.0).count, 1);
   map.clear();
   EXPECT_TRUE(map.empty());
-  EXPECT_FALSE(map.nearest({0.5, 0.5, 0.5}, 2.0).found);
+  EXPECT_EQ(map.nearby({0.5, 0.5, 0.5}, 2.0).count, 0);
 }
 
 TEST(LocalMap, VoxelsAreEquallyLargeOnBothSidesOfZero) {
@@ -151,9 +185,9 @@ TEST(LocalMap, ForgetsWhatIsFarAndKeepsWhatIsNear) {
   EXPECT_LT(after.size(), before.size());
   for (const auto& p : after) {
     ASSERT_LE((centre(p) - sensor).norm(), 20.0);
-    const auto nearest = map.nearest(p, 0.01);
-    ASSERT_TRUE(nearest.found);
-    EXPECT_EQ(nearest.point, p);
+    const Nearby nearby = map.nearby(p, 0.01);
+    ASSERT_GE(nearby.count, 1);
+    EXPECT_LT(nearby.offsets[0].norm(), 1e-6F);
   }
 }
 

@@ -41,5 +41,16 @@ TEST(Workers, SumsHaveTheSameBitsAtAnyNumberOfThreads) {
   }
 }
 
+TEST(Workers, MoreThreadsThanTheMachineHasPrintNothing) {
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  const Workers workers(1000);
+  const int sum = workers.sum<int>(
+      10'000, [](std::size_t begin, std::size_t end) { return static_cast<int>(end - begin); });
+  EXPECT_EQ(sum, 10'000);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace surefoot
