@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "simulated_walk.hpp"
 #include "surefoot/odometry.hpp"
