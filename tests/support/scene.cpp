@@ -65,7 +65,7 @@ Scene Scene::moved(const Pose& T_new_old) const {
   return result;
 }
 
-Scene furnished_hall() {
+Scene bare_hall() {
   Scene scene;
   scene.add(box_between({-15.0, -10.0, 0.0}, {15.0, 10.0, 6.0}));
   scene.add(turned_box(6.0, 6.0, 1.0, {1.0, 0.6, 1.0}, 20.0));
@@ -76,6 +76,11 @@ Scene furnished_hall() {
   scene.add(turned_box(10.0, 3.0, 2.0, {0.4, 0.4, 2.0}, 30.0));
   scene.add(turned_box(-12.0, 6.0, 0.8, {1.0, 1.0, 0.8}, 15.0));
   scene.add(turned_box(0.0, 9.5, 2.5, {2.0, 0.5, 0.2}, 0.0));
+  return scene;
+}
+
+Scene furnished_hall() {
+  Scene scene = bare_hall();
   // Shelves and pillars along both sides, as a store room has them.
   for (int i = 0; i < 12; ++i) {
     const double x = -13.0 + 2.3 * i;

@@ -35,7 +35,9 @@ class Scene {
   std::vector<Box> boxes_;
 };
 
-/// A hall of 30 m x 20 m x 6 m, floor at z = 0, with boxes of several sizes and headings in it.
+/// A hall of 30 m x 20 m x 6 m, floor at z = 0, with a few boxes in it.
+[[nodiscard]] Scene bare_hall();
+/// The same hall with shelves and pillars along both sides.
 [[nodiscard]] Scene furnished_hall();
 /// Flat ground, a ramp of 10 m length and `slope_deg` that begins at x = 0, and a plateau behind
 /// it, between walls and pillars 16 m apart.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// Recordings that the project did not make, kept beside it. The bounds are about 1.5 times what
-// was measured (beside each) and hold the odometry to what it once could.
+// Recordings that the project did not make, kept beside it. The bounds are 1.5 to 2 times what
+// was measured (beside each, over several sets of defaults) and hold the odometry to what it could.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -94,12 +94,12 @@ void expect_absolute_error(const char* name, double bound) {
 
 TEST(Recordings, TrottingUpARamp) {
   SKIP_WITHOUT("gait_ramp");
-  expect_absolute_error("gait_ramp", 0.093);  // measured: 0.062
+  expect_absolute_error("gait_ramp", 0.11);  // measured: 0.070 .. 0.073
 }
 
 TEST(Recordings, TrottingUpStairs) {
   SKIP_WITHOUT("gait_stairs");
-  expect_absolute_error("gait_stairs", 0.14);  // measured: 0.093
+  expect_absolute_error("gait_stairs", 0.09);  // measured: 0.051 .. 0.055
 }
 
 TEST(Recordings, ACarsStepsAreAsLongAsItsInertialSystemSays) {
@@ -111,9 +111,8 @@ TEST(Recordings, ACarsStepsAreAsLongAsItsInertialSystemSays) {
     return (estimates[i + 1].T_map_lidar.translation - estimates[i].T_map_lidar.translation).norm();
   };
   std::printf("kitti_raw_0926_0048: first step %.4f m, last %.4f m\n", step(0), step(14));
-  // Measured: 0.879. No velocity is known yet, so that both scans keep the 0.76 m of skew that the
-  // car's own motion gave them.
-  EXPECT_NEAR(step(0), 0.761, 0.18);
+  // Measured: 0.769 .. 0.803, although both scans came with the skew of a motion not known yet.
+  EXPECT_NEAR(step(0), 0.761, 0.065);
 }
 
 TEST(Recordings, AStandingCarStands) {
@@ -128,9 +127,30 @@ TEST(Recordings, AStandingCarStands) {
     turned = std::max(turned, so3_log(from_first.rotation).norm());
   }
   std::printf("kitti_0057_static: %.4f m, %.5f rad\n", farthest, turned);
-  EXPECT_LT(farthest, 0.012);  // measured: 0.0079
-  EXPECT_LT(turned, 0.0005);   // measured: 0.00029
+  EXPECT_LT(farthest, 0.018);  // measured: 0.0081 .. 0.0111
+  EXPECT_LT(turned, 0.0008);   // measured: 0.00034 .. 0.00043
 }
+
+#ifdef SUREFOOT_HAS_PCAP
+TEST(Recordings, AStandingVlp16Stands) {
+  SKIP_WITHOUT("vlp16_pcap");
+  // A small room: where the scan is thinned as in a hall, too few points are left to register.
+  Odometry odometry;
+  int whole = 0;
+  const auto recording =
+      dataset::open_recording(shared("vlp16_pcap") / "sample_velodyne_vlp16_gps.pcap");
+  while (const auto item = recording->next()) {
+    if (!item->scan || !item->remark.empty()) continue;  // partial revolutions at the ends
+    const Estimate estimate = odometry.add_scan(*item->scan);
+    EXPECT_TRUE(estimate.trusted()) << estimate.message;
+    const double moved = estimate.T_map_lidar.translation.norm();
+    std::printf("vlp16_pcap: %.4f m, %s\n", moved, std::string(to_string(estimate.status)).c_str());
+    EXPECT_LT(moved, 0.05);  // measured: 0.028 and 0.033
+    ++whole;
+  }
+  EXPECT_EQ(whole, 3);
+}
+#endif
 
 }  // namespace
 }  // namespace surefoot
