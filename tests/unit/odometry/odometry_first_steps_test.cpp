@@ -70,7 +70,7 @@ TEST(OdometryFirstSteps, AStraightWalkWithAPitchedMountIsFollowed) {
 TEST(OdometryFirstSteps, DISABLED_AStraightWalkThroughABareHallIsFollowed) {
   for (const double speed : {1.0, 0.5}) {
     const Walk way = walk("bare hall " + std::to_string(speed), bare_hall(), straight_walk(speed));
-    EXPECT_LT(way.error.translation, 0.2) << speed << " m/s";  // measured: 0.82 and 1.87
+    EXPECT_LT(way.error.translation, 0.2) << speed << " m/s";  // measured: 0.82 and 0.87 .. 1.87
   }
 }
 
