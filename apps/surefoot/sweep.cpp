@@ -173,7 +173,7 @@ void print_table(const SweepOptions& options, const std::vector<Variant>& varian
       milliseconds += row[r].milliseconds;
       untrusted += row[r].untrusted;
     }
-    const double n = static_cast<double>(recordings);
+    const auto n = static_cast<double>(recordings);
     fmt::print(" {:.2f} | {:.2f} | {:.1f} | {} |\n", std::exp(ape_log / n), std::exp(step_log / n),
                milliseconds / n, untrusted);
   }
