@@ -47,8 +47,11 @@ std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& poin
       kept[slot] = candidate;
     }
   }
-  std::sort(kept.begin(), kept.end(),
-            [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
+  // Any fixed order will do, but a spatial one: a voxel of the map takes the first points it is
+  // offered, and would fill up from one side, which pulls every later scan to that side.
+  std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
+    return hash_key(a.key) < hash_key(b.key);
+  });
   std::vector<Eigen::Vector3f> thinned;
   thinned.reserve(kept.size());
   for (const Candidate& candidate : kept) thinned.push_back(candidate.point);

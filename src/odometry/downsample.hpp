@@ -10,7 +10,8 @@
 namespace surefoot {
 
 /// Thins a cloud to one point per cube of `voxel` [m]: the one nearest to the cube's centre. The
-/// result does not depend on the order of the points, and is ordered by cube.
+/// result does not depend on the order of the points; its own order is fixed, but not a spatial
+/// one.
 [[nodiscard]] std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points,
                                                       double voxel);
 

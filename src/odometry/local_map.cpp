@@ -206,7 +206,7 @@ Nearby LocalMap::nearby(const Eigen::Vector3d& place, double radius) const {
   const VoxelIndex middle = voxel_of(place);
   const Eigen::Vector3f local = (place - corner(middle)).cast<float>();
   const AxisGaps gaps(local, static_cast<float>(size_), reach_);
-  NearestList list(static_cast<float>(radius));
+  NearestList list(static_cast<float>(std::min(radius, reach_ * size_)));
   for (const auto& [offset, least_gap] : neighbours_) {
     if (least_gap >= list.limit()) break;
     if (gaps.squared(offset) >= list.limit()) continue;

@@ -49,7 +49,8 @@ class LocalMap {
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
 
-  /// The points nearer to a place than `radius` [m], or the nearest of them. Exact.
+  /// The points nearer to a place than `radius` [m], or the nearest of them. Exact. A radius beyond
+  /// what the map was made for is cut to that; the answer's clearance says how far it holds.
   [[nodiscard]] Nearby nearby(const Eigen::Vector3d& place, double radius) const;
 
   /// Voxel that holds a place; surface() is the same for all places of one voxel.

@@ -9,7 +9,8 @@
 namespace {
 
 constexpr double kSpacing = 0.2;    // [m] between points
-constexpr double kMaxError = 1e-3;  // [m]
+// Not every point of a scan is kept in the map; those that are not find partners beside them.
+constexpr double kMaxError = 0.05;  // [m]
 
 /// Floor and walls of a room of 12 x 8 x 3 m around the sensor.
 surefoot::Scan scan_room(std::int64_t stamp_ns) {
