@@ -54,7 +54,7 @@ const ConfigField kFields[] = {
 
     {"downsample.map_voxel", SLOT(downsample.map_voxel), "0.2", "m", 0.01, 10.0,
      "one point per cube of this size enters the map", kSweep},
-    {"downsample.source_voxel", SLOT(downsample.source_voxel), "2", "m", 0.01, 10.0,
+    {"downsample.source_voxel", SLOT(downsample.source_voxel), "2.5", "m", 0.01, 10.0,
      "one point per cube of this size is registered", kSweep},
     {"downsample.min_points", SLOT(downsample.min_points), "400", "", 0, 1e6,
      "where fewer points would be registered, both cubes are halved, four times at most", kSweep},
@@ -115,7 +115,7 @@ const ConfigField kFields[] = {
      "a registration farther from the prediction has diverged", kChosen},
     {"health.max_correction_deg", SLOT(health.max_correction_deg), "45", "deg", 0.0, 180.0,
      "a registration turned farther from the prediction has diverged", kChosen},
-    {"health.min_information", SLOT(health.min_information), "0.02", "", 0.0, 1.0,
+    {"health.min_information", SLOT(health.min_information), "0.01", "", 0.0, 1.0,
      "a direction with a smaller share of an even scene's information is degenerate", kChosen},
     {"health.restart_after", SLOT(health.restart_after), "10", "", 1, 1e6,
      "scans lost in a row after which the map is begun anew", kChosen},

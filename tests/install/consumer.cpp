@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr double kSpacing = 0.2;    // [m] between points
+constexpr double kSpacing = 0.2;  // [m] between points
 // Not every point of a scan is kept in the map; those that are not find partners beside them.
 constexpr double kMaxError = 0.05;  // [m]
 
