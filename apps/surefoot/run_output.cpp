@@ -157,8 +157,9 @@ void RunOutput::finish(const RunOptions& options, const Config& config, const Ru
   if (!options.no_map) dataset::write_ply(folder_ / "map.ply", map.points(), map.intensities());
 #ifdef SUREFOOT_HAS_PICTURES
   if (!options.no_picture) {
-    const std::string title = fmt::format(
-        "{}, method {}", fs::absolute(options.input).lexically_normal().string(), options.method);
+    const fs::path input = fs::absolute(options.input).lexically_normal();
+    const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
+    const std::string title = fmt::format("{}, method {}", name.string(), options.method);
     report::draw_run_picture({title, trajectory_, map.points(), {}, untrusted_},
                              folder_ / "picture.png");
   }
