@@ -27,6 +27,12 @@ enum class RegistrationMode {
   coupled     ///< one 6-DoF problem, eq. (4), to compare with
 };
 
+/// What of the map a source point is matched with: q_i.
+enum class TargetKind {
+  point,   ///< the nearest map point
+  surface  ///< the nearest place on the surface about that point, where the map is flat there
+};
+
 /// The residual of the coupled registration.
 enum class CoupledResidual { point_to_point, point_to_plane };
 
@@ -81,6 +87,7 @@ struct Config {
   struct Registration {
     RegistrationMode mode;
     CoupledResidual coupled_residual;
+    TargetKind target;
     int max_iterations;
     double max_distance;      // d_max [m]
     double relaxed_distance;  // d_relaxed [m]

@@ -42,6 +42,8 @@ class Odometry {
   /// since "vertical" is the map's z axis. `threads`: at most this many, 1 without oneTBB.
   explicit Odometry(const Config& config = {}, int threads = 1, const Pose& T_world_start = {});
   ~Odometry();
+  Odometry(const Odometry&) = delete;
+  Odometry& operator=(const Odometry&) = delete;
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
 

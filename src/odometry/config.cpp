@@ -32,6 +32,12 @@ EnumNames<RegistrationMode> enum_names(RegistrationMode) {
       {RegistrationMode::decoupled, "decoupled"}, {RegistrationMode::coupled, "coupled"}};
   return names;
 }
+EnumNames<TargetKind> enum_names(TargetKind) {
+  static constexpr std::pair<TargetKind, const char*> names[] = {{TargetKind::point, "point"},
+                                                                 {TargetKind::surface, "surface"}};
+  return names;
+}
+
 EnumNames<CoupledResidual> enum_names(CoupledResidual) {
   static constexpr std::pair<CoupledResidual, const char*> names[] = {
       {CoupledResidual::point_to_point, "point_to_point"},

@@ -12,8 +12,8 @@
 namespace surefoot {
 
 /// Where a parameter lives in a Config.
-using FieldSlot =
-    std::variant<double*, int*, DeskewMode*, RegistrationMode*, CoupledResidual*, LevelMode*>;
+using FieldSlot = std::variant<double*, int*, DeskewMode*, RegistrationMode*, CoupledResidual*,
+                               TargetKind*, LevelMode*>;
 
 struct ConfigField {
   const char* name;

@@ -15,6 +15,10 @@ constexpr std::size_t kLanes = 4;  // points compared at once: one SSE or NEON v
 constexpr float kFarAway = 1e15F;  // unused places: farther than anything, and its square finite
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
+// A strip as narrow as this, RMS, is noise about a line, such as one ring on a wall, not a plane
+// [m].
+constexpr double kNarrow = 0.05;
+
 // The map is cleaned when the sensor went this share of the radius, not at every scan.
 constexpr double kCleaningShare = 0.05;
 
@@ -239,7 +243,9 @@ Surface LocalMap::surface(const VoxelIndex& voxel) const {
   eigen.computeDirect(C);
   surface.normal = eigen.eigenvectors().col(0);  // [Eq 22]
   const Eigen::Vector3d& spread = eigen.eigenvalues();
-  if (spread[2] > 0.0) surface.planarity = std::max(0.0, (spread[1] - spread[0]) / spread[2]);
+  const double thickness = std::max(spread[0], 0.0);  // rounding may leave it below zero
+  if (spread[2] > 0.0) surface.planarity = std::max(0.0, (spread[1] - thickness) / spread[2]);
+  surface.flatness = std::max(0.0, (spread[1] - thickness) / (spread[1] + kNarrow * kNarrow));
   return surface;
 }
 

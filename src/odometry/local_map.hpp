@@ -19,6 +19,7 @@ struct Surface {
   int neighbours = 0;                                 ///< |N_i|
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< n_i, unit length, either sign
   double planarity = 0.0;                             ///< 1 for a plane, 0 for a ball or a line
+  double flatness = 0.0;  ///< 1 for a plane, also a long one; 0 for a ball or a line
 };
 
 /// The map points nearest to a place, nearest first.

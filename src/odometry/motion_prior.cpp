@@ -21,7 +21,7 @@ MotionPrior predict_motion(const Motion& motion, std::int64_t start_ns, std::int
 
 Motion next_motion(const Motion& motion, const StampedPose& pose) {
   const double elapsed = static_cast<double>(pose.stamp_ns - motion.last.stamp_ns) * kSecond;
-  return {pose, se3_log(motion.last.pose.inverse() * pose.pose) / elapsed, true};
+  return {pose, se3_log(motion.last.pose.inverse() * pose.pose) / elapsed};
 }
 
 }  // namespace surefoot

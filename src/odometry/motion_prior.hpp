@@ -13,7 +13,6 @@ namespace surefoot {
 struct Motion {
   StampedPose last;                ///< T_map_lidar at mid-scan of the last scan
   Twist velocity = Twist::Zero();  ///< [m/s, rad/s] LiDAR frame
-  bool known = false;              ///< the velocity was measured: there were two poses
 };
 
 /// Where the sensor is believed to be at the start and the end of a scan.

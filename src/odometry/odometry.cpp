@@ -14,6 +14,7 @@
 #include "odometry/local_map.hpp"
 #include "odometry/motion_prior.hpp"
 #include "odometry/parallel.hpp"
+#include "odometry/prediction_error.hpp"
 #include "odometry/preprocess.hpp"
 #include "odometry/registration.hpp"
 
@@ -43,24 +44,21 @@ struct Odometry::State {
 
   LocalMap map;
   Motion motion;
-  PreparedScan first_scan;  // kept until the motion is known
   LevelReport level;
   DeskewedScan last_scan;
+  PredictionError prediction_error;
   bool started = false;
   int lost_in_a_row = 0;
 
   [[nodiscard]] std::string objection(const PreparedScan& scan) const;
   [[nodiscard]] Estimate reject(const PreparedScan& scan, std::string reason) const;
   Estimate process(const PreparedScan& scan);
-  [[nodiscard]] ScanTrajectory predict(const Motion& last_motion, const PreparedScan& scan) const;
-  [[nodiscard]] Motion first_motion(const PreparedScan& scan);
-  void rebuild_map(const Motion& known);
+  [[nodiscard]] ScanTrajectory predict(const PreparedScan& scan) const;
   [[nodiscard]] Estimate conclude(const Registration& registration, const Pose& T_0,
                                   Source& source) const;
-  Estimate begin_map(const PreparedScan& scan, const std::vector<Eigen::Vector3f>& points,
-                     const ScanTrajectory& predicted);
-  Estimate lose(const PreparedScan& scan, const std::vector<Eigen::Vector3f>& points,
-                const ScanTrajectory& predicted, Estimate estimate);
+  Estimate begin_map(const std::vector<Eigen::Vector3f>& points, const ScanTrajectory& predicted);
+  Estimate lose(const std::vector<Eigen::Vector3f>& points, const ScanTrajectory& predicted,
+                Estimate estimate);
   void integrate(const std::vector<Eigen::Vector3f>& points, const Pose& T_map_lidar);
   [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
 };
@@ -96,13 +94,12 @@ Estimate Odometry::add_scan(const Scan& scan) {
 
 /// Algorithm 1. Computes first; what outlives the scan changes in the last lines.
 Estimate Odometry::State::process(const PreparedScan& scan) {
-  const Motion last_motion = motion.known || map.empty() ? motion : first_motion(scan);
   begin_step(Step::deskew);
-  const ScanTrajectory predicted = predict(last_motion, scan);                      // lines 1-6
+  const ScanTrajectory predicted = predict(scan);                                   // lines 1-6
   last_scan = {deskew(scan, predicted, config.deskew, workers), scan.intensities};  // line 7
   begin_step(Step::downsample);
   ThinnedScan thinned = thin_scan(last_scan.points, config.downsample);
-  if (map.empty()) return begin_map(scan, thinned.map_points, predicted);
+  if (map.empty()) return begin_map(thinned.map_points, predicted);
 
   Source source = make_source(thinned);
   const Pose T_0 = predicted.at(0.5);  // line 8
@@ -112,56 +109,22 @@ Estimate Odometry::State::process(const PreparedScan& scan) {
   Estimate estimate = conclude(registration, T_0, source);
   begin_step(Step::map);
   if (!estimate.trusted()) {
-    return lose(scan, thinned.map_points, predicted, std::move(estimate));
+    return lose(thinned.map_points, predicted, std::move(estimate));
   }
   lost_in_a_row = 0;
+  prediction_error.add(T_0, registration.T_map_lidar);
+  estimate.covariance += prediction_error.deskew_covariance();
   const ScanTrajectory trajectory = through_pose(predicted, registration.T_map_lidar);
-  first_scan = {};
-  motion = next_motion(last_motion, {trajectory.mid_ns(), registration.T_map_lidar});
+  motion = next_motion(motion, {trajectory.mid_ns(), registration.T_map_lidar});
   integrate(thinned.map_points, registration.T_map_lidar);  // line 31
   return publish(trajectory, std::move(estimate));          // line 32
 }
 
 /// Lines 1-6.
-ScanTrajectory Odometry::State::predict(const Motion& last_motion, const PreparedScan& scan) const {
-  const MotionPrior prior = predict_motion(last_motion, scan.start_ns, scan.end_ns,
-                                           config.motion_prior.max_extrapolation);
+ScanTrajectory Odometry::State::predict(const PreparedScan& scan) const {
+  const MotionPrior prior =
+      predict_motion(motion, scan.start_ns, scan.end_ns, config.motion_prior.max_extrapolation);
   return predict_trajectory(prior, scan.start_ns, scan.end_ns, config.deskew);
-}
-
-/// The motion that the second scan of a map shows, where there is no last motion to predict from.
-///
-/// Started from rest, point-to-point residuals would hold a walking sensor where it was: rings on
-/// the floor and walls along the way look the same from everywhere, and most points vote for
-/// standing still. Point-to-plane residuals do not mind. They are asked twice: with both scans as
-/// measured, alike distorted, and with both deskewed by the first answer, which is also what the
-/// map goes on with. Where they are degenerate, the sensor is taken to stand.
-Motion Odometry::State::first_motion(const PreparedScan& scan) {
-  Config coupled = config;
-  coupled.registration.mode = RegistrationMode::coupled;
-  coupled.registration.coupled_residual = CoupledResidual::point_to_plane;
-  Motion guess = motion;
-  for (int round = 0; round < 2; ++round) {
-    const ScanTrajectory predicted = predict(guess, scan);
-    Source source =
-        make_source(thin_scan(deskew(scan, predicted, config.deskew, workers), config.downsample));
-    const Pose T_0 = predicted.at(0.5);
-    const Registration found = register_scan(source, map, T_0, coupled, workers, [](Step) {});
-    const bool known = conclude(found, T_0, source).status == Status::ok;
-    guess.velocity = known ? next_motion(motion, {predicted.mid_ns(), found.T_map_lidar}).velocity
-                           : motion.velocity;
-    rebuild_map(guess);
-    if (!known) break;
-  }
-  return guess;
-}
-
-/// The map of the first scan alone, deskewed by a motion that was not known when it came.
-void Odometry::State::rebuild_map(const Motion& known) {
-  const ScanTrajectory trajectory = through_pose(predict(known, first_scan), motion.last.pose);
-  const auto deskewed = deskew(first_scan, trajectory, config.deskew, workers);
-  map.clear();
-  integrate(thin_scan(deskewed, config.downsample).map_points, motion.last.pose);
 }
 
 /// What a registration that started at T_0 is worth.
@@ -200,8 +163,7 @@ Estimate Odometry::State::reject(const PreparedScan& scan, std::string reason) c
 }
 
 /// The first scan, or the first after too many lost ones: the map begins with it.
-Estimate Odometry::State::begin_map(const PreparedScan& scan,
-                                    const std::vector<Eigen::Vector3f>& points,
+Estimate Odometry::State::begin_map(const std::vector<Eigen::Vector3f>& points,
                                     const ScanTrajectory& predicted) {
   begin_step(Step::map);
   const Pose T_map_lidar = started ? predicted.at(0.5) : level_pose(points, config.level, level);
@@ -211,19 +173,18 @@ Estimate Odometry::State::begin_map(const PreparedScan& scan,
   estimate.message = started ? "the map begins anew at the predicted pose" : level.message;
   started = true;
   lost_in_a_row = 0;
-  motion = {{trajectory.mid_ns(), T_map_lidar}, Twist::Zero(), false};
-  first_scan = scan;
+  motion = {{trajectory.mid_ns(), T_map_lidar}, Twist::Zero()};
   integrate(points, T_map_lidar);
   return publish(trajectory, std::move(estimate));
 }
 
 /// A scan that could not be registered: the pose is the prediction and the map stays, until too
 /// many in a row show that the map is no longer what the sensor sees.
-Estimate Odometry::State::lose(const PreparedScan& scan, const std::vector<Eigen::Vector3f>& points,
+Estimate Odometry::State::lose(const std::vector<Eigen::Vector3f>& points,
                                const ScanTrajectory& predicted, Estimate estimate) {
   if (++lost_in_a_row > config.health.restart_after) {
     map.clear();
-    return begin_map(scan, points, predicted);
+    return begin_map(points, predicted);
   }
   estimate.covariance = unregistered_covariance(config.health);
   return publish(predicted, std::move(estimate));

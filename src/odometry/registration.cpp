@@ -56,16 +56,35 @@ Match find_match(const LocalMap& map, const Eigen::Vector3d& place, double max_d
   return {true, search.place + nearest.offset->cast<double>()};
 }
 
+/// Moves q_i along the surface towards s_i, the farther the flatter the surface is there.
+///
+/// Map points are samples of surfaces, and the LiDAR's rings sample a floor or a long wall alike
+/// from everywhere: the nearest sample holds a smoothly walking sensor back, the surface does not.
+/// The square leaves bushes and rubble, where no plane stands for the points, to the nearest point.
+void slide_on_surface(const Eigen::Vector3d& place, const Surface& surface,
+                      Eigen::Vector3d& target) {
+  const Eigen::Vector3d apart = place - target;
+  const Eigen::Vector3d along = apart - surface.normal * surface.normal.dot(apart);
+  target += surface.flatness * surface.flatness * along;
+}
+
 /// Algorithm 1, line 16. Returns the number of matches.
 int find_correspondences(Source& source, const LocalMap& map, const Pose& T_map_lidar,
-                         double max_distance, const Workers& workers) {
+                         double max_distance, const Config& config, const Workers& workers) {
+  const bool on_surface = config.registration.target == TargetKind::surface;
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   return workers.sum<int>(source.points.size(), [&](std::size_t begin, std::size_t end) {
     int found = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d place = R * source.points[i].cast<double>() + T_map_lidar.translation;
-      source.matches[i] = find_match(map, place, max_distance, source.searches[i]);
-      found += source.matches[i].found ? 1 : 0;
+      Match& match = source.matches[i];
+      match = find_match(map, place, max_distance, source.searches[i]);
+      if (!match.found) continue;
+      ++found;
+      if (!on_surface) continue;
+      const Surface& surface = surface_at(map, place, source.surfaces[i]);
+      if (surface.neighbours < config.vertical.min_neighbours) continue;
+      slide_on_surface(place, surface, match.target);
     }
     return found;
   });
@@ -135,7 +154,7 @@ Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
   for (int t = 1; t <= config.registration.max_iterations; ++t) {  // line 10
     begin_step(Step::search);
     const double d_corr = correspondence_distance(t, config.registration);  // lines 11-15
-    result.matches = find_correspondences(source, map, result.T_map_lidar, d_corr, workers);
+    result.matches = find_correspondences(source, map, result.T_map_lidar, d_corr, config, workers);
     if (result.matches < config.health.min_matches) break;  // too little to solve with
     const Twist update = (coupled ? update_coupled : update_decoupled)(source, map, config, workers,
                                                                        begin_step, result);

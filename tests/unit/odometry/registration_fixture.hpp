@@ -22,6 +22,7 @@ inline Config step_config() {
   config.map.min_spacing = 0.05;
   config.map.radius = 200.0;
   config.registration.mode = RegistrationMode::decoupled;
+  config.registration.target = TargetKind::point;
   config.registration.max_iterations = 50;
   config.registration.max_distance = 1.0;
   config.registration.relaxed_distance = 2.0;

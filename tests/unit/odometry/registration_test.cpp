@@ -103,6 +103,33 @@ TEST(Registration, AnIterationIsOneHorizontalAndThenUVVerticalUpdates) {
   }
 }
 
+TEST(Registration, TargetsLieOnTheSurfaceWhereTheMapIsFlat) {
+  Scene scene;
+  scene.config.registration.max_iterations = 1;
+  scene.config.registration.early_iterations = 0;
+  scene.config.registration.target = TargetKind::surface;
+  (void)scene.run();
+  Source nearest = test::make_source(test::room_points(2, 200), kTrue);
+  test::match_by_brute_force(nearest, scene.map.points(), scene.T_0,
+                             scene.config.registration.max_distance);
+  int on_surface = 0;
+  for (std::size_t i = 0; i < nearest.points.size(); ++i) {
+    ASSERT_EQ(scene.source.matches[i].found, nearest.matches[i].found);
+    if (!nearest.matches[i].found) continue;
+    const Eigen::Vector3d s = scene.T_0 * nearest.points[i].cast<double>();
+    const Eigen::Vector3d q = nearest.matches[i].target;
+    const Surface surface = scene.map.surface(scene.map.voxel_of(s));
+    // The residual across the surface stays, the one along it shrinks by flatness squared.
+    const Eigen::Matrix3d across = surface.normal * surface.normal.transpose();
+    const Eigen::Vector3d along = (Eigen::Matrix3d::Identity() - across) * (s - q);
+    const Eigen::Vector3d residual =
+        across * (s - q) + (1.0 - surface.flatness * surface.flatness) * along;
+    EXPECT_LT((s - scene.source.matches[i].target - residual).norm(), 1e-6);
+    on_surface += surface.flatness > 0.95 ? 1 : 0;
+  }
+  EXPECT_GT(on_surface, 300);
+}
+
 TEST(Registration, StepsFollowTheOrderOfAlgorithm1) {
   Scene scene;
   scene.config.registration.max_iterations = 2;

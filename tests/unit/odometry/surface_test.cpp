@@ -105,6 +105,24 @@ TEST(Surface, PlanarityIsSmallForALineAndABall) {
   EXPECT_LT(ball.surface({1, 1, 1}).planarity, 0.4);
 }
 
+TEST(Surface, FlatnessTellsPlanesAlsoLongOnesFromLinesAndBalls) {
+  Random random(7);
+  Config config = test::step_config();
+  LocalMap plane(config.map, 2.0), strip(config.map, 2.0), ring(config.map, 2.0),
+      ball(config.map, 2.0);
+  for (int i = 0; i < 900; ++i) {
+    const double x = random.uniform(0, 3), y = random.uniform(0, 3), z = random.uniform(0, 3);
+    plane.insert({x, y, 1.5});
+    strip.insert({x, 0.3 * y, 1.5});
+    ring.insert({x, 1.5 + 0.01 * y, 1.5});  // one ring on a wall, 3 cm of noise, no height
+    ball.insert({x, y, z});
+  }
+  EXPECT_GT(plane.surface({1, 1, 1}).flatness, 0.99);
+  EXPECT_GT(strip.surface({1, 0, 1}).flatness, 0.9);
+  EXPECT_LT(ring.surface({1, 1, 1}).flatness, 0.1);
+  EXPECT_LT(ball.surface({1, 1, 1}).flatness, 0.5);
+}
+
 TEST(Surface, FewerThanThreePointsHaveNoSurface) {
   Config config = test::step_config();
   LocalMap map(config.map, 2.0);
@@ -124,6 +142,7 @@ TEST(Surface, EqualPointsDoNotMakeNaN) {
   const Surface surface = map.surface({0, 0, 0});
   EXPECT_TRUE(surface.normal.allFinite());
   EXPECT_TRUE(std::isfinite(surface.planarity));
+  EXPECT_EQ(surface.flatness, 0.0);
 }
 
 }  // namespace
