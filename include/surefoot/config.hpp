@@ -27,6 +27,11 @@ enum class RegistrationMode {
   coupled     ///< one 6-DoF problem, eq. (4), to compare with
 };
 
+/// Which front-end registers the scans; each reads its own parameters. See method_config().
+enum class Method {
+  paper  ///< the paper's Algorithm 1 and its variants
+};
+
 /// What of the map a source point is matched with: q_i.
 enum class TargetKind {
   point,   ///< the nearest map point
@@ -45,6 +50,8 @@ enum class LevelMode {
 
 /// Parameters of the odometry; constant once an Odometry was made from them.
 struct Config {
+  Method method = Method::paper;
+
   struct Preprocess {
     double min_range;   // [m]
     double max_range;   // [m]

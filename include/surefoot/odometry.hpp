@@ -15,6 +15,8 @@ namespace surefoot {
 
 /// The steps of one scan, for whoever measures their time.
 enum class Step { preprocess, deskew, downsample, search, horizontal, vertical, assess, map, idle };
+/// Told when a step begins.
+using StepObserver = std::function<void(Step)>;
 
 /// How the map's level frame was found.
 struct LevelReport {
@@ -59,7 +61,7 @@ class Odometry {
 
   /// Called whenever a step begins (and with Step::idle at the end of a scan). The library reads
   /// no clock; the observer may.
-  void set_step_observer(std::function<void(Step)> observer);
+  void set_step_observer(StepObserver observer);
 
  private:
   struct State;

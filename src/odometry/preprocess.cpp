@@ -24,6 +24,9 @@ std::string check_sizes(const Scan& scan) {
   if (!scan.intensities.empty() && scan.intensities.size() != points) {
     return size_mismatch("intensities", scan.intensities.size(), points);
   }
+  if (!scan.rings.empty() && scan.rings.size() != points) {
+    return size_mismatch("rings", scan.rings.size(), points);
+  }
   return {};
 }
 
@@ -70,6 +73,7 @@ PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
       prepared.taus.push_back(static_cast<float>(since_start / duration));
     }
     if (!scan.intensities.empty()) prepared.intensities.push_back(scan.intensities[i]);
+    if (!scan.rings.empty()) prepared.rings.push_back(scan.rings[i]);
   }
 
   if (prepared.points.size() < static_cast<std::size_t>(config.min_points)) {

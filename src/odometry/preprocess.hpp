@@ -19,6 +19,7 @@ struct PreparedScan {
   std::vector<Eigen::Vector3f> points;  ///< [m] LiDAR frame, as measured
   std::vector<float> taus;              ///< tau_i in [0, 1]; empty if the scan has no point times
   std::vector<float> intensities;       ///< empty or one per point
+  std::vector<std::uint16_t> rings;     ///< likewise; lasers counted from the lowest
   std::string rejection;                ///< why the scan cannot be used; empty if it can
 };
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-
 #include "odometry/matches.hpp"
 #include "odometry/parallel.hpp"
 #include "surefoot/config.hpp"
@@ -11,9 +9,6 @@
 #include "surefoot/odometry.hpp"
 
 namespace surefoot {
-
-/// Called when a step begins.
-using StepObserver = std::function<void(Step)>;
 
 /// Where a registration ended.
 struct Registration {

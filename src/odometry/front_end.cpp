@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "odometry/front_end.hpp"
+
+#include "odometry/paper_front_end.hpp"
+
+namespace surefoot {
+
+std::unique_ptr<FrontEnd> make_front_end(const Session& session) {
+  switch (session.config.method) {
+    case Method::paper:
+      break;
+  }
+  return std::make_unique<PaperFrontEnd>(session);
+}
+
+}  // namespace surefoot
