@@ -69,7 +69,8 @@ const std::set<std::string> kSteps = {"coupled",    "deskew",       "downsample"
                                       "horizontal", "information",  "level",      "motion_prior",
                                       "preprocess", "registration", "vertical"};
 /// These know several steps.
-const std::set<std::string> kConductors = {"odometry", "registration"};
+const std::set<std::string> kConductors = {"front_end", "odometry", "paper_front_end",
+                                           "registration"};
 /// A step that takes what another one returns includes its type; levelling thins its cloud.
 const std::set<std::pair<std::string, std::string>> kHandovers = {{"deskew", "motion_prior"},
                                                                   {"deskew", "preprocess"},
