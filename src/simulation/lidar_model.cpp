@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Velodyne VLP-16: manual 63-9243 rev. E. Divergence 3.0 x 1.5 mrad, 100 m, +-3 cm (typical).
+/// Velodyne VLP-16: manual 63-9243 rev. E. Divergence 3.0 x 1.5 mrad, 100 m, +-3 cm (typical). The
+/// angles agree with params/VLP16db.yaml of github.com/ros-drivers/velodyne, the firing times with
+/// its src/lib/rawdata.cc, the nearest range with its launch file.
 LidarModel vlp16_model() {
   LidarModel model;
   model.name = "vlp16";
@@ -39,7 +41,9 @@ LidarModel vlp16_model() {
 }
 
 /// Velodyne VLP-32C: manual 63-9325 rev. B, tables of firing order, elevation, azimuth offset. Two
-/// lasers fire at a time.
+/// lasers fire at a time. All 32 pairs of angles agree with params/VeloView-VLP-32C.yaml of
+/// github.com/ros-drivers/velodyne (whose rot_correction is subtracted from the azimuth: the sign
+/// is the other), as does the unit of distance; the firing times with its src/lib/rawdata.cc.
 LidarModel vlp32_model() {
   struct Angles {
     double elevation_deg;
@@ -72,19 +76,26 @@ LidarModel vlp32_model() {
   return model;
 }
 
-/// Ouster OS1-64 (first generation) at 1024 columns and 10 Hz: nominal beam angles and optics of
-/// the maker's driver. All lasers of a column measure at once, at fixed angles of the encoder.
+/// Ouster OS1-64 (first generation) at 1024 columns and 10 Hz: the design values of the maker's SDK
+/// (github.com/ouster-lidar/ouster-sdk, gen1_altitude_angles, gen1_azimuth_angles and the distance
+/// of the beams' origin, 12.163 mm). All lasers of a column measure at once, at fixed angles of the
+/// encoder. The lower half mirrors the upper one.
 LidarModel os1_64_model() {
   constexpr int kBeams = 64;
-  constexpr double kTopDeg = 16.611;
+  constexpr std::array<double, kBeams / 2> kUpperDeg = {
+      16.611, 16.084, 15.557, 15.029, 14.502, 13.975, 13.447, 12.920, 12.393, 11.865, 11.338,
+      10.811, 10.283, 9.756,  9.229,  8.701,  8.174,  7.646,  7.119,  6.592,  6.064,  5.537,
+      5.010,  4.482,  3.955,  3.428,  2.900,  2.373,  1.846,  1.318,  0.791,  0.264};
   constexpr std::array<double, 4> kAzimuthDeg = {3.164, 1.055, -1.055, -3.164};
   constexpr int kColumns = 1024;
   LidarModel model;
   model.name = "os1-64";
   for (int beam = 0; beam < kBeams; ++beam) {
-    const double part = static_cast<double>(beam) / (kBeams - 1);
+    const bool upper = beam < kBeams / 2;
+    const double elevation_deg = upper ? kUpperDeg[static_cast<std::size_t>(beam)]
+                                       : -kUpperDeg[static_cast<std::size_t>(kBeams - 1 - beam)];
     model.lasers.push_back(
-        {.elevation = kTopDeg * (1.0 - 2.0 * part) * kDegree,
+        {.elevation = elevation_deg * kDegree,
          .azimuth_offset = kAzimuthDeg[static_cast<std::size_t>(beam % 4)] * kDegree});
   }
   model.sequence_ns = model.turn_ns / kColumns;
@@ -100,15 +111,17 @@ LidarModel os1_64_model() {
   return model;
 }
 
-/// Hesai PandarXT-16 at 600 rpm: a column every 50 us (0.18 deg), channels 3.024 us apart after
-/// 3.56 us (3.28 us of the block and 0.28 us of the first channel), topmost first.
+/// Hesai PandarXT-16 at 600 rpm: a column every 50 us (0.18 deg), channels 3.024 us apart, the
+/// first 6 us after the column begins ("PandarXT-16_Firetime Correction File.csv" of
+/// github.com/HesaiTechnology/HesaiLidar_SDK_2.0), topmost first, every second elevation of the
+/// XT-32 (pandarXT.h of HesaiLidar_General_ROS), 4 mm a unit of distance (there, too).
 LidarModel hesai_xt16_model() {
   constexpr int kChannels = 16;
   LidarModel model;
   model.name = "hesai-xt16";
   for (int channel = 0; channel < kChannels; ++channel) {
     model.lasers.push_back(
-        {.offset_ns = 3560.0 + 3024.0 * channel, .elevation = (15.0 - 2.0 * channel) * kDegree});
+        {.offset_ns = 6000.0 + 3024.0 * channel, .elevation = (15.0 - 2.0 * channel) * kDegree});
   }
   model.sequence_ns = 50'000.0;
   model.azimuth_unit = 0.01 * kDegree;
