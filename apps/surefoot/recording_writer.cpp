@@ -70,7 +70,10 @@ void RecordingWriter::finish(const Trajectory& truth) {
     }
     dataset::write_whole_file(folder_ / "times.txt", times);
   }
-  if (capture_) capture_->finish();
+  if (capture_) {
+    if (const auto packet = encoder_.finish()) capture_->write(packet->sent_ns, packet->payload);
+    capture_->finish();
+  }
   dataset::write_tum(folder_ / "gt.tum", truth);
 }
 

@@ -90,4 +90,10 @@ std::vector<Vlp16DataPacket> Vlp16Encoder::add(const SimulatedScan& scan) {
   return full;
 }
 
+std::optional<Vlp16DataPacket> Vlp16Encoder::finish() {
+  if (!open_) return std::nullopt;
+  open_ = false;
+  return packet_;
+}
+
 }  // namespace surefoot::simulation

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sensor/vlp16.hpp"
@@ -26,9 +27,11 @@ class Vlp16Encoder {
   /// @param start_ns stamp of firing sequence 0. @param dual last and strongest return.
   Vlp16Encoder(std::int64_t start_ns, bool dual);
 
-  /// Packets that became full. Scans must come in order and without gaps. A packet that is not full
-  /// when the recording ends is never sent, as the sensor sends whole ones only.
+  /// Packets that became full. Scans must come in order and without gaps.
   [[nodiscard]] std::vector<Vlp16DataPacket> add(const SimulatedScan& scan);
+  /// The packet at hand when the recording ends, if there is one. The sensor sends whole packets
+  /// only: the firings that are missing in it are there, with their azimuths, but met nothing.
+  [[nodiscard]] std::optional<Vlp16DataPacket> finish();
 
  private:
   void begin_packet(std::uint64_t sequence);
