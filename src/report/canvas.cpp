@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
@@ -130,6 +131,14 @@ void Canvas::triangle(const Pixel& center, double radius, const Color& fill, con
   stroke_path(page_->cairo, edge);
 }
 
+void Canvas::polygon(std::span<const Pixel> corners, const Color& fill, const Stroke& edge) {
+  for (const Pixel& corner : corners) cairo_line_to(page_->cairo, corner.x(), corner.y());
+  cairo_close_path(page_->cairo);
+  set_source(page_->cairo, fill);
+  cairo_fill_preserve(page_->cairo);
+  stroke_path(page_->cairo, edge);
+}
+
 void Canvas::image(const Raster& raster, const Rect& rect, double opacity) {
   cairo_surface_t* picture =
       cairo_image_surface_create(CAIRO_FORMAT_ARGB32, raster.width, raster.height);
@@ -183,6 +192,22 @@ void Canvas::clip(const Rect& rect) {
 }
 
 void Canvas::unclip() { cairo_restore(page_->cairo); }
+
+Raster Canvas::raster() const {
+  cairo_surface_flush(page_->surface);
+  const int width = cairo_image_surface_get_width(page_->surface);
+  const int height = cairo_image_surface_get_height(page_->surface);
+  const int stride = cairo_image_surface_get_stride(page_->surface);
+  const unsigned char* rows = cairo_image_surface_get_data(page_->surface);
+  Raster raster{width, height, {}};
+  raster.argb.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int row = 0; rows != nullptr && row < height; ++row) {
+    const auto* from = reinterpret_cast<const std::uint32_t*>(rows + std::ptrdiff_t{row} * stride);
+    std::transform(from, from + width, std::back_inserter(raster.argb),
+                   [](std::uint32_t pixel) { return pixel | 0xff000000U; });
+  }
+  return raster;
+}
 
 void Canvas::save(const std::filesystem::path& path) {
   std::string bytes;
