@@ -21,27 +21,6 @@ constexpr std::uint64_t kPurposeStumble = 115;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Stride phase [strides] at every state. The legs stand still where the robot does.
-std::vector<double> stride_phases(const GaitModel& gait, const std::vector<WalkState>& states,
-                                  std::uint64_t seed) {
-  constexpr double kFrequencyLag = 0.1;  // a new cadence is taken up within this time [s]
-  const CounterRandom random(seed, kPurposeStride);
-  std::vector<double> phases(states.size());
-  double phase = 0.0;
-  double frequency = gait.stride_frequency;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const auto stride = static_cast<std::uint64_t>(phase);
-    const double wanted =
-        gait.stride_frequency *
-        (1.0 + gait.stride_variation * std::clamp(random.normal(stride), -3.0, 3.0));
-    frequency += (wanted - frequency) * kMotionStep / kFrequencyLag;
-    const double pace = states[k].activity > 0.02 ? 1.0 : 0.0;
-    phase += pace * frequency * kMotionStep;
-    phases[k] = phase;
-  }
-  return phases;
-}
-
 void add_harmonics(const GaitModel& gait, const std::vector<WalkState>& states,
                    const std::vector<double>& phases, std::uint64_t seed,
                    std::vector<PoseAngles>& offsets) {
@@ -152,6 +131,26 @@ void add_stumbles(const GaitModel& gait, const std::vector<WalkState>& states, s
 }
 
 }  // namespace
+
+std::vector<double> stride_phases(const GaitModel& gait, const std::vector<WalkState>& states,
+                                  std::uint64_t seed) {
+  constexpr double kFrequencyLag = 0.1;  // a new cadence is taken up within this time [s]
+  const CounterRandom random(seed, kPurposeStride);
+  std::vector<double> phases(states.size());
+  double phase = 0.0;
+  double frequency = gait.stride_frequency;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto stride = static_cast<std::uint64_t>(phase);
+    const double wanted =
+        gait.stride_frequency *
+        (1.0 + gait.stride_variation * std::clamp(random.normal(stride), -3.0, 3.0));
+    frequency += (wanted - frequency) * kMotionStep / kFrequencyLag;
+    const double pace = states[k].activity > 0.02 ? 1.0 : 0.0;
+    phase += pace * frequency * kMotionStep;
+    phases[k] = phase;
+  }
+  return phases;
+}
 
 std::vector<PoseAngles> oscillate(const GaitModel& gait, const std::vector<WalkState>& states,
                                   std::uint64_t seed) {

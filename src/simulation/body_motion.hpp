@@ -16,6 +16,11 @@ namespace surefoot::simulation {
 class RayCaster;
 struct Scene;
 
+/// Strides done at every state. The legs stand still where the robot does.
+[[nodiscard]] std::vector<double> stride_phases(const GaitModel& gait,
+                                                const std::vector<WalkState>& states,
+                                                std::uint64_t seed);
+
 /// Deviation of the body from its resting pose over the footholds, one a state: surge, sway,
 /// bounce [m], roll, pitch, yaw [rad].
 [[nodiscard]] std::vector<PoseAngles> oscillate(const GaitModel& gait,

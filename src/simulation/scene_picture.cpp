@@ -2,64 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/scene_picture.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace surefoot::simulation {
 
 namespace {
 
-constexpr double kAzimuth = -65.0 * std::numbers::pi / 180.0;  // where the viewer stands
-constexpr double kElevation = 52.0 * std::numbers::pi / 180.0;
-constexpr double kFar = 400.0;  // where the rays start [m]
-constexpr std::uint32_t kSky = 0xffeef2f5;
 constexpr std::uint32_t kRoute = 0xffe8432e;
-
-/// An orthographic view: pixels to rays, points to pixels.
-struct View {
-  Eigen::Vector3d right;
-  Eigen::Vector3d up;
-  Eigen::Vector3d forward;
-  Eigen::Vector2d low;  ///< of the picture's plane [m]
-  double scale = 1.0;   ///< pixels a metre
-  int width = 0;
-  int height = 0;
-
-  [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector3d& point) const {
-    return {scale * (right.dot(point) - low.x()),
-            static_cast<double>(height) - scale * (up.dot(point) - low.y())};
-  }
-  [[nodiscard]] Eigen::Vector3d point(double x, double y) const {
-    return (low.x() + x / scale) * right +
-           (low.y() + (static_cast<double>(height) - y) / scale) * up;
-  }
-};
-
-View make_view(const Scene& scene, int width) {
-  View view;
-  view.width = width;
-  view.forward = -Eigen::Vector3d(std::cos(kElevation) * std::cos(kAzimuth),
-                                  std::cos(kElevation) * std::sin(kAzimuth), std::sin(kElevation));
-  view.right = view.forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  view.up = view.right.cross(view.forward);
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
-  Eigen::Vector2d high = -low;
-  for (const Eigen::Vector3d& corner : scene.route) {
-    const Eigen::Vector2d seen(view.right.dot(corner), view.up.dot(corner));
-    low = low.cwiseMin(seen);
-    high = high.cwiseMax(seen);
-  }
-  const double margin = scene.view_margin;
-  low.array() -= margin;
-  high.array() += margin;
-  view.low = low;
-  view.scale = width / (high.x() - low.x());
-  view.height = std::max(16, static_cast<int>(std::lround(view.scale * (high.y() - low.y()))));
-  return view;
-}
+constexpr double kDotStep = 6.0;  // between the dots of the route [pixels]
 
 std::uint32_t shade(const Hit& hit) {
   // Few steps of light keep the files small.
@@ -85,11 +36,12 @@ void draw_dot(SceneImage& image, const Eigen::Vector2d& at, double radius) {
   }
 }
 
-void draw_route(const Scene& scene, const View& view, SceneImage& image) {
+void draw_route(const Scene& scene, const SceneView& view, SceneImage& image) {
   for (std::size_t i = 0; i < scene.route.size(); ++i) {
     const Eigen::Vector3d& from = scene.route[i];
     const Eigen::Vector3d& to = scene.route[(i + 1) % scene.route.size()];
-    const int dots = std::max(1, static_cast<int>((to - from).norm() * view.scale / 7.0));
+    const int dots =
+        std::max(1, static_cast<int>((view.pixel(to) - view.pixel(from)).norm() / kDotStep));
     for (int k = 0; k < dots; ++k) {
       const Eigen::Vector3d point = from + (to - from) * (static_cast<double>(k) / dots);
       draw_dot(image, view.pixel(point + Eigen::Vector3d(0.0, 0.0, 0.1)), k % 2 == 0 ? 2.0 : 1.4);
@@ -99,26 +51,25 @@ void draw_route(const Scene& scene, const View& view, SceneImage& image) {
 
 }  // namespace
 
-SceneImage render_scene(const Scene& scene, const RayCaster& rays, int width) {
-  const View view = make_view(scene, width);
-  SceneImage image{view.width, view.height, {}};
-  const auto pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
-  image.argb.reserve(pixels);
-  std::vector<Ray> row(static_cast<std::size_t>(view.width));
+SceneImage render_view(const SceneView& view, const RayCaster& rays) {
+  SceneImage image{view.width(), view.height(), {}};
+  image.argb.reserve(static_cast<std::size_t>(view.width()) *
+                     static_cast<std::size_t>(view.height()));
+  std::vector<Ray> row(static_cast<std::size_t>(view.width()));
   std::vector<Hit> hits(row.size());
-  const Eigen::Vector3f direction = view.forward.cast<float>();
-  for (int y = 0; y < view.height; ++y) {
-    for (int x = 0; x < view.width; ++x) {
-      Eigen::Vector3d origin = view.point(x + 0.5, y + 0.5) - kFar * view.forward;
-      // What is above the ceiling, or before the front, is passed by starting behind it.
-      const double above = (origin.z() - scene.view_ceiling) / -view.forward.z();
-      const double before = (scene.view_front - origin.y()) / view.forward.y();
-      origin += std::max({0.0, above, before}) * view.forward;
-      row[static_cast<std::size_t>(x)] = {origin.cast<float>(), direction, 0.0F};
+  for (int y = 0; y < view.height(); ++y) {
+    for (int x = 0; x < view.width(); ++x) {
+      row[static_cast<std::size_t>(x)] = view.ray(x + 0.5, y + 0.5);
     }
-    rays.cast(row, static_cast<float>(2.0 * kFar), hits);
+    rays.cast(row, SceneView::reach(), hits);
     for (const Hit& hit : hits) image.argb.push_back(hit.valid() ? shade(hit) : kSky);
   }
+  return image;
+}
+
+SceneImage render_scene(const Scene& scene, const RayCaster& rays, int width) {
+  const SceneView view(scene, width);
+  SceneImage image = render_view(view, rays);
   draw_route(scene, view, image);
   return image;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// A picture of a scene: seen from above at an angle, without perspective, its route drawn in.
+// Pictures of a scene.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,12 @@
 
 #include "simulation/ray_caster.hpp"
 #include "simulation/scene.hpp"
+#include "simulation/scene_view.hpp"
 
 namespace surefoot::simulation {
+
+/// Where a ray meets nothing.
+inline constexpr std::uint32_t kSky = 0xffeef2f5;
 
 struct SceneImage {
   int width = 0;
@@ -18,7 +22,9 @@ struct SceneImage {
   std::vector<std::uint32_t> argb;  ///< row by row from the top, opaque
 };
 
-/// The route's surroundings, `width` pixels wide.
+/// What stands in view.
+[[nodiscard]] SceneImage render_view(const SceneView& view, const RayCaster& rays);
+/// The route's surroundings with the route drawn in, `width` pixels wide.
 [[nodiscard]] SceneImage render_scene(const Scene& scene, const RayCaster& rays, int width);
 
 }  // namespace surefoot::simulation
