@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -19,38 +18,13 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "recording_maker.hpp"
+#include "simulation/standard_suite.hpp"
 
 namespace surefoot::app {
 
 namespace {
 
 constexpr int kIncomplete = 1;
-
-struct SuiteEntry {
-  const char* scene;
-  const char* robot;
-  std::uint64_t scans;
-};
-
-/// Long enough for the ramps, the stairs and a lap where the scene has one.
-constexpr std::array<SuiteEntry, 13> kEntries = {{{"campus", "trot", 800},
-                                                  {"campus", "run", 400},
-                                                  {"campus", "wheel", 600},
-                                                  {"parking", "trot", 900},
-                                                  {"parking", "walk", 600},
-                                                  {"stairwell", "stairs", 900},
-                                                  {"playground", "trot", 700},
-                                                  {"forest", "trot", 600},
-                                                  {"corridor", "trot", 600},
-                                                  {"rubble", "walk", 600},
-                                                  {"plaza", "trot", 600},
-                                                  {"plaza", "handheld", 400},
-                                                  {"campus", "handheld", 600}}};
-
-/// What was tuned on is never reported: the two kinds share no seed.
-std::uint64_t seed_of(const std::string& kind, std::size_t entry) {
-  return (kind == "tuning" ? 1000U : 5000U) + entry;
-}
 
 struct SuiteArguments {
   std::string output;
@@ -76,7 +50,8 @@ class SuiteRun {
  private:
   void work() {
     try {
-      for (std::size_t entry = next_++; entry < kEntries.size() && !stopped(); entry = next_++) {
+      for (std::size_t entry = next_++; entry < simulation::kStandardSuite.size() && !stopped();
+           entry = next_++) {
         make(entry);
       }
     } catch (...) {
@@ -87,11 +62,15 @@ class SuiteRun {
   }
 
   void make(std::size_t entry) {
+    const simulation::SuiteEntry& wanted = simulation::kStandardSuite[entry];
     RecordingRequest request;
-    request.scene = kEntries[entry].scene;
-    request.robot = kEntries[entry].robot;
-    request.scans = kEntries[entry].scans;
-    request.seed = seed_of(arguments_.seeds, entry);
+    request.scene = wanted.scene;
+    request.robot = wanted.robot;
+    request.scans = wanted.scans;
+    request.seed =
+        simulation::suite_seed(arguments_.seeds == "tuning" ? simulation::SeedKind::kTuning
+                                                            : simulation::SeedKind::kReporting,
+                               entry);
     const std::string name = fmt::format("{}-{}", request.scene, request.robot);
     const auto begin = std::chrono::steady_clock::now();
     const std::uint64_t done =

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "simulation/standard_suite.hpp"
 #include "support.hpp"
 
 namespace surefoot::simulation::test {
@@ -21,12 +24,23 @@ std::vector<Eigen::Vector3f> directions(int count) {
   return result;
 }
 
-TEST_P(SceneTest, TheSensorIsNeverInsideAnything) {
+struct Recording {
+  std::string scene;
+  std::string robot;
+  std::uint64_t seed;
+  double seconds;
+};
+
+/// Looks round from the sensor every 50 ms; between two looks it passes through nothing.
+void expect_free_sensor(const Recording& recording) {
   constexpr double kStep = 0.05;
   constexpr float kClearance = 0.1F;
-  const Scene scene = build_scene(GetParam(), 11);
+  const std::string which =
+      recording.scene + "-" + recording.robot + " seed " + std::to_string(recording.seed);
+  const Scene scene = build_scene(recording.scene, recording.seed);
   RayCaster rays(scene);
-  const Motion motion = make_motion(scene, rays, gait_model(scene.robot), 150.0, 11, kMount);
+  const Motion motion = make_motion(scene, rays, gait_model(recording.robot), recording.seconds,
+                                    recording.seed, kMount);
   const std::vector<Eigen::Vector3f> around = directions(64);
   std::vector<Ray> cast(around.size() + 1);
   std::vector<Hit> hits(cast.size());
@@ -39,12 +53,33 @@ TEST_P(SceneTest, TheSensorIsNeverInsideAnything) {
     rays.cast(cast, kClearance + step.norm(), hits);
     for (std::size_t i = 0; i < around.size(); ++i) {
       ASSERT_TRUE(!hits[i].valid() || hits[i].distance > kClearance)
-          << GetParam() << " at " << time << " s, " << here.transpose() << ": " << hits[i].distance
+          << which << " at " << time << " s, " << here.transpose() << ": " << hits[i].distance
           << " m from a surface";
     }
-    // Between two looks it passes through nothing.
-    ASSERT_TRUE(!hits.back().valid() || hits.back().distance > step.norm()) << time;
+    ASSERT_TRUE(!hits.back().valid() || hits.back().distance > step.norm()) << which << time;
   }
+}
+
+TEST(SuiteTest, InNoRecordingIsTheSensorInsideAnything) {
+  for (const SeedKind kind : {SeedKind::kTuning, SeedKind::kReporting}) {
+    for (std::size_t i = 0; i < kStandardSuite.size(); ++i) {
+      const SuiteEntry& entry = kStandardSuite[i];
+      expect_free_sensor({entry.scene, entry.robot, suite_seed(kind, i),
+                          0.1 * static_cast<double>(entry.scans + 1)});
+    }
+  }
+}
+
+TEST(SuiteTest, TuningAndReportingShareNoSeedAndNoNameIsTakenTwice) {
+  std::set<std::uint64_t> seeds;
+  std::set<std::string> recordings;
+  for (std::size_t i = 0; i < kStandardSuite.size(); ++i) {
+    seeds.insert(suite_seed(SeedKind::kTuning, i));
+    seeds.insert(suite_seed(SeedKind::kReporting, i));
+    recordings.insert(std::string(kStandardSuite[i].scene) + "-" + kStandardSuite[i].robot);
+  }
+  EXPECT_EQ(seeds.size(), 2 * kStandardSuite.size());
+  EXPECT_EQ(recordings.size(), kStandardSuite.size());
 }
 
 TEST_P(SceneTest, GivesScansWithReturnsAndTheSameOnesAgain) {
