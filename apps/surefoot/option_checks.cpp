@@ -22,4 +22,16 @@ CLI::Validator whole_number(std::uint64_t least) {
   return {check, fmt::format(">={}", least)};
 }
 
+CLI::Validator number_within(double low, double high) {
+  const std::string range = fmt::format("from {} to {}", low, high);
+  const auto check = [low, high, range](std::string& text) {
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool good = error == std::errc{} && stop == end && value >= low && value <= high;
+    return good ? std::string() : fmt::format("'{}'; expected a number {}", text, range);
+  };
+  return {check, range};
+}
+
 }  // namespace surefoot::app

@@ -11,4 +11,7 @@ namespace surefoot::app {
 /// the greatest number there is.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t least);
 
+/// A number from `low` to `high`. CLI::Range lets NaN pass.
+[[nodiscard]] CLI::Validator number_within(double low, double high);
+
 }  // namespace surefoot::app

@@ -12,8 +12,6 @@
 
 namespace surefoot::app {
 
-namespace {
-
 simulation::GaitModel gait_of(const RecordingRequest& request, const simulation::Scene& scene) {
   simulation::GaitModel gait =
       simulation::gait_model(request.robot.empty() ? scene.robot : request.robot);
@@ -26,7 +24,7 @@ Pose mount_of(const RecordingRequest& request) {
   return {from_roll_pitch_yaw(kDegree * request.mount_tilt_deg), request.mount_offset};
 }
 
-simulation::ScannerOptions options_of(const RecordingRequest& request) {
+simulation::ScannerOptions scanner_options_of(const RecordingRequest& request) {
   simulation::ScannerOptions options;
   options.seed = request.seed;
   options.footprint = request.footprint;
@@ -34,8 +32,6 @@ simulation::ScannerOptions options_of(const RecordingRequest& request) {
   options.robot_body = request.robot_body;
   return options;
 }
-
-}  // namespace
 
 simulation::Scene scene_of(const RecordingRequest& request) {
   if (!simulation::is_mesh_file(request.scene)) {
@@ -63,7 +59,7 @@ std::uint64_t make_recording(const RecordingRequest& request, const std::filesys
   simulation::Scanner scanner(
       rays, lidar,
       simulation::make_motion(scene, rays, gait, duration, request.seed, mount_of(request)),
-      options_of(request));
+      scanner_options_of(request));
 
   RecordingWriter writer(folder, request.format, scanner.options());
   std::uint64_t done = 0;

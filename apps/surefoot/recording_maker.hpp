@@ -36,6 +36,13 @@ struct RecordingRequest {
 /// The scene of a request. @throws std::invalid_argument, std::runtime_error with the reason.
 [[nodiscard]] simulation::Scene scene_of(const RecordingRequest& request);
 
+/// What the request says of the robot's gait. @throws std::invalid_argument for an unknown robot.
+[[nodiscard]] simulation::GaitModel gait_of(const RecordingRequest& request,
+                                            const simulation::Scene& scene);
+/// T_body_lidar.
+[[nodiscard]] Pose mount_of(const RecordingRequest& request);
+[[nodiscard]] simulation::ScannerOptions scanner_options_of(const RecordingRequest& request);
+
 /// Makes the recording in `folder`; on_scan is told after each scan and stops it with false.
 /// @returns the number of scans that were made.
 /// @throws std::invalid_argument for a request that cannot be met, std::runtime_error for files.

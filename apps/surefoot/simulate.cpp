@@ -19,6 +19,7 @@
 #include "recording_maker.hpp"
 #include "simulation/scene_picture.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
+#include "animation.hpp"
 #include "report/canvas.hpp"
 #endif
 
@@ -27,6 +28,7 @@ namespace surefoot::app {
 namespace {
 
 constexpr int kInterrupted = 1;
+constexpr int kMostScans = 100'000;  // nearly three hours; the motion is held in memory
 
 struct SimulateArguments {
   RecordingRequest request;
@@ -36,6 +38,7 @@ struct SimulateArguments {
   std::vector<double> tilt_deg;
   std::string output;
   std::string picture;
+  std::string animation;
   bool list = false;
   bool no_footprint = false;
   bool quiet = false;
@@ -64,6 +67,14 @@ void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
 #endif
 }
 
+void draw_moving_picture([[maybe_unused]] const SimulateArguments& arguments) {
+#ifdef SUREFOOT_HAS_PICTURES
+  draw_animation(arguments.request, arguments.animation);
+#else
+  throw std::runtime_error("--animation: this program was built without pictures");
+#endif
+}
+
 void complete_request(SimulateArguments& arguments) {
   RecordingRequest& request = arguments.request;
   if (arguments.duration > 0.0) {
@@ -85,8 +96,7 @@ void complete_request(SimulateArguments& arguments) {
   request.format.pcap = wanted("pcap");
 }
 
-void simulate(SimulateArguments& arguments, int& exit_code) {
-  complete_request(arguments);
+void simulate(const SimulateArguments& arguments, int& exit_code) {
   const RecordingRequest& request = arguments.request;
   const auto begin = std::chrono::steady_clock::now();
   const InterruptGuard guard;
@@ -110,9 +120,9 @@ void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--robot", request.robot, "How it moves; absent: what suits the scene")
       ->check(CLI::IsMember(simulation::gait_names()));
   command.add_option("--speed", request.speed, "Walking speed [m/s]; absent: the robot's own")
-      ->check(CLI::Range(0.3, 3.0));
+      ->check(number_within(0.3, 3.0));
   command.add_option("--gait-scale", request.gait_scale, "All gait amplitudes times this")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(number_within(0.0, 10.0))
       ->capture_default_str();
   command.add_option("--route", request.route_file,
                      "For a mesh file: corners of a closed way, 'x y z' a line [m]");
@@ -124,29 +134,42 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
       ->check(CLI::IsMember(simulation::lidar_names()))
       ->capture_default_str();
   command.add_option("--mount", arguments.mount, "LiDAR in the body's frame: x y z [m]")
-      ->expected(3);
+      ->expected(3)
+      ->check(number_within(-5.0, 5.0));
   command.add_option("--tilt", arguments.tilt_deg, "LiDAR's roll pitch yaw on the body [deg]")
-      ->expected(3);
+      ->expected(3)
+      ->check(number_within(-180.0, 180.0));
   command.add_flag("--dual", request.dual_return, "Two returns: the strongest and the last");
   command.add_flag("--body", request.robot_body, "The robot's own body is in view");
   command.add_flag("--no-footprint", arguments.no_footprint,
                    "One ray a beam: faster, no mixed pixels");
 }
 
+/// Formats that people will ask for are told apart from misspelt ones.
+std::string known_format(const std::string& name) {
+  if (name == "pcd" || name == "pcap") return {};
+  if (name == "rosbag2" || name == "mcap") {
+    return name + " cannot be written yet; there are: pcd, pcap";
+  }
+  return "no format is called '" + name + "'; there are: pcd, pcap";
+}
+
 void add_output_options(CLI::App& command, SimulateArguments& arguments) {
   RecordingRequest& request = arguments.request;
   auto* scans = command.add_option("--scans", request.scans, "Number of scans")
-                    ->check(CLI::Range(1, 1'000'000))
+                    ->check(CLI::Range(1, kMostScans))
                     ->capture_default_str();
   command.add_option("--duration", arguments.duration, "Length of the recording [s]")
-      ->check(CLI::PositiveNumber)
+      ->check(number_within(0.1, 0.1 * kMostScans))
       ->excludes(scans);
   command.add_option("--seed", request.seed, "Same seed, same bytes")
       ->check(whole_number(0))
       ->capture_default_str();
-  command.add_option("--format", arguments.formats, "pcd, pcap (VLP-16 packets), or both")
+  command
+      .add_option("--format", arguments.formats,
+                  "pcd, pcap (VLP-16 packets), or both; rosbag2 and mcap cannot be written yet")
       ->delimiter(',')
-      ->check(CLI::IsMember({"pcd", "pcap"}));
+      ->check(known_format);
   command.add_flag("--true-points", request.format.true_points,
                    "Every point's exact position in the map, too");
   command.add_flag("-q,--quiet", arguments.quiet, "Say nothing");
@@ -162,13 +185,17 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
                       "Scene (--list shows them) or a file: .ply, .obj, .asc");
   command->add_flag("--list", arguments->list, "Show the scenes and stop");
   command->add_option("--picture", arguments->picture, "Draw the scene to this PNG file and stop");
+  command->add_option("--animation", arguments->animation,
+                      "Draw scan and gait to this animated PNG file and stop");
   add_motion_options(*command, *arguments);
   add_sensor_options(*command, *arguments);
   add_output_options(*command, *arguments);
   command->callback([arguments, &exit_code] {
     if (arguments->list) return list_scenes();
     if (arguments->request.scene.empty()) throw CLI::RequiredError("SCENE (or --list)");
+    complete_request(*arguments);
     if (!arguments->picture.empty()) return draw_picture(*arguments);
+    if (!arguments->animation.empty()) return draw_moving_picture(*arguments);
     if (arguments->output.empty()) throw CLI::RequiredError("-o OUT");
     simulate(*arguments, exit_code);
   });

@@ -48,6 +48,90 @@ TEST(Simulation, SameSeedSameBytes) {
   }
 }
 
+TEST(Simulation, DrawsAnAnimation) {
+  const ScratchFolder scratch;
+  const ProcessResult result =
+      run_surefoot({"simulate", "corridor", "--animation", "walk.png"}, scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const std::string content = file_content(scratch.path() / "walk.png");
+  EXPECT_TRUE(content.starts_with("\x89PNG\r\n\x1a\n"));
+  EXPECT_EQ(content.substr(37, 4), "acTL");  // after the signature and IHDR
+  EXPECT_LT(content.size(), 3'000'000U);
+  const ProcessResult gif =
+      run_surefoot({"simulate", "corridor", "--animation", "walk.gif"}, scratch.path());
+  EXPECT_EQ(gif.exit_code, 2) << gif;
+  EXPECT_NE(gif.errors.find(".png"), std::string::npos) << gif;
+}
+
+TEST(Simulation, FormatsThatItCannotWriteAreNamed) {
+  const ScratchFolder scratch;
+  for (const char* format : {"mcap", "rosbag2"}) {
+    const ProcessResult result = run_surefoot(
+        {"simulate", "parking", "--scans", "1", "--format", format, "-o", "out"}, scratch.path());
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_NE(result.errors.find("cannot be written yet"), std::string::npos) << result;
+    EXPECT_NE(result.errors.find("pcap"), std::string::npos) << result;
+    EXPECT_FALSE(fs::exists(scratch.path() / "out"));
+  }
+}
+
+TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
+  const ScratchFolder scratch;
+  const std::vector<std::vector<std::string>> nonsense = {{"--duration", "nan"},
+                                                          {"--duration", "inf"},
+                                                          {"--duration", "1e30"},
+                                                          {"--duration", "-1"},
+                                                          {"--duration", "0"},
+                                                          {"--speed", "nan"},
+                                                          {"--speed", "0.2"},
+                                                          {"--speed", "3.1"},
+                                                          {"--gait-scale", "nan"},
+                                                          {"--gait-scale", "-1"},
+                                                          {"--gait-scale", "inf"},
+                                                          {"--mount", "nan", "0", "0"},
+                                                          {"--mount", "0", "0"},
+                                                          {"--mount", "1e30", "0", "0"},
+                                                          {"--tilt", "0", "inf", "0"},
+                                                          {"--tilt", "0", "x", "0"},
+                                                          {"--scans", "0"},
+                                                          {"--scans", "-3"},
+                                                          {"--scans", "1000000000"},
+                                                          {"--seed", "-1"},
+                                                          {"--lidar", "hdl64"},
+                                                          {"--robot", "cat"},
+                                                          {"--format", "pcd,xyz"}};
+  for (const std::vector<std::string>& option : nonsense) {
+    std::vector<std::string> arguments = {"simulate", "corridor", "-o", "out"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const ProcessResult result = run_surefoot(arguments, scratch.path());
+    EXPECT_EQ(result.exit_code, 2) << option[0] << " " << option[1] << "\n" << result;
+    EXPECT_NE(result.errors.find(option[0]), std::string::npos) << result;
+    EXPECT_FALSE(fs::exists(scratch.path() / "out")) << option[0] << " " << option[1];
+  }
+}
+
+TEST(Simulation, EveryRobotSensorMountAndSpeedMakesARecording) {
+  const ScratchFolder scratch;
+  const std::vector<std::vector<std::string>> choices = {
+      {"--robot", "trot", "--speed", "0.3"},
+      {"--robot", "run", "--speed", "3", "--gait-scale", "2"},
+      {"--robot", "walk", "--lidar", "vlp32", "--body"},
+      {"--robot", "stairs", "--lidar", "hesai-xt16", "--dual"},
+      {"--robot", "wheel", "--gait-scale", "0", "--lidar", "os1-64"},
+      {"--robot", "handheld", "--tilt", "0", "15", "0", "--mount", "0.2", "0.1", "0.3"},
+      {"--robot", "still", "--format", "pcap,pcd", "--dual", "--true-points"}};
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const std::string folder(1, static_cast<char>('a' + i));
+    std::vector<std::string> arguments = {"simulate", "corridor", "--scans", "12", "-o", folder};
+    arguments.insert(arguments.end(), choices[i].begin(), choices[i].end());
+    const ProcessResult made = run_surefoot(arguments, scratch.path());
+    ASSERT_EQ(made.exit_code, 0) << made;
+    const ProcessResult told = run_surefoot({"info", folder}, scratch.path());
+    EXPECT_EQ(told.exit_code, 0) << told;
+    EXPECT_NE(told.output.find("12"), std::string::npos) << told;
+  }
+}
+
 TEST(Sweep, HasARowForEachValue) {
   const ScratchFolder scratch;
   simulate("walk", scratch);
