@@ -65,7 +65,8 @@ void Vlp16Revolutions::begin(std::int64_t stamp_ns) {
 }
 
 void Vlp16Revolutions::finish() {
-  if (begun_) {
+  // A few firings that met nothing fill a recording's last packet; they are no scan.
+  if (begun_ && (current_.is_whole() || !current_.scan.points.empty())) {
     usual_points_ = current_.scan.points.size() + current_.scan.points.size() / 8;
     ended_.push_back(std::move(current_));
   }

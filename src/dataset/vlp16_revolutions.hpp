@@ -34,6 +34,7 @@ class Vlp16Revolutions {
   /// Adds a packet whose first firing was at `stamp_ns`, `since_last_ns` after the one before.
   void add(const Vlp16Packet& packet, std::int64_t stamp_ns, std::int64_t since_last_ns);
   /// Ends the revolution at hand, wherever the head is: the end of the stream, or a break in it.
+  /// A partial one without any point is dropped.
   void finish();
   /// The next revolution that is ended.
   [[nodiscard]] std::optional<Revolution> take();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -17,7 +18,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Velodyne VLP-16: manual 63-9243 rev. E. Divergence 3.0 x 1.5 mrad, 100 m, +-3 cm (typical). The
 /// angles agree with params/VLP16db.yaml of github.com/ros-drivers/velodyne, the firing times with
-/// its src/lib/rawdata.cc, the nearest range with its launch file.
+/// its src/lib/rawdata.cc, the nearest range with its launch file, the heights of the beams'
+/// origins (41.91 mm) with src/calib_db.cpp of github.com/valgur/velodyne_decoder.
 LidarModel vlp16_model() {
   LidarModel model;
   model.name = "vlp16";
@@ -43,7 +45,8 @@ LidarModel vlp16_model() {
 /// Velodyne VLP-32C: manual 63-9325 rev. B, tables of firing order, elevation, azimuth offset. Two
 /// lasers fire at a time. All 32 pairs of angles agree with params/VeloView-VLP-32C.yaml of
 /// github.com/ros-drivers/velodyne (whose rot_correction is subtracted from the azimuth: the sign
-/// is the other), as does the unit of distance; the firing times with its src/lib/rawdata.cc.
+/// is the other), as does the unit of distance; the firing times with its src/lib/rawdata.cc. The
+/// beams cross 42.4 mm from the axis (velodyne_decoder, as above), hence their heights on it.
 LidarModel vlp32_model() {
   struct Angles {
     double elevation_deg;
@@ -56,12 +59,15 @@ LidarModel vlp32_model() {
        {1.0, 1.4},    {-3.667, -4.2}, {-3.333, 4.2}, {3.333, -1.4},   {2.333, 1.4},  {-2.667, -1.4},
        {-3.0, 1.4},   {7.0, -1.4},    {4.667, 1.4},  {-2.333, -4.2},  {-2.0, 4.2},   {15.0, -1.4},
        {10.333, 1.4}, {-1.333, -1.4}}};
+  constexpr double kCrossing = 0.0424;  // [m]
   LidarModel model;
   model.name = "vlp32";
   for (std::size_t laser = 0; laser < kAngles.size(); ++laser) {
+    const double elevation = kAngles[laser].elevation_deg * kDegree;
     model.lasers.push_back({.offset_ns = vlp16::kLaserNs * static_cast<double>(laser / 2),
-                            .elevation = kAngles[laser].elevation_deg * kDegree,
-                            .azimuth_offset = kAngles[laser].azimuth_deg * kDegree});
+                            .elevation = elevation,
+                            .azimuth_offset = kAngles[laser].azimuth_deg * kDegree,
+                            .vertical_origin = -kCrossing * std::tan(elevation)});
   }
   model.sequence_ns = vlp16::kSequenceNs;
   model.azimuth_unit = 0.01 * kDegree;

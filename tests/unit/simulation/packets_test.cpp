@@ -58,10 +58,14 @@ TEST(PacketsTest, TheReaderDecodesThePointsThatWereSimulated) {
 
   const auto recording = dataset::open_recording(file, {});
   std::map<Key, Eigen::Vector3d> decoded;
+  std::uint64_t revolutions = 0;
   while (const auto item = recording->next()) {
-    if (!item->scan) continue;
+    ++revolutions;
+    ASSERT_TRUE(item->scan.has_value());
+    EXPECT_EQ(item->remark, "");
     decoded.merge(by_firing(*item->scan, 1152.0));
   }
+  EXPECT_EQ(revolutions, kScans);
   std::size_t simulated = 0;
   std::size_t matched = 0;
   ASSERT_NE(scans.back().end_sequence % 24, 0U) << "the last packet is to be one that is not full";

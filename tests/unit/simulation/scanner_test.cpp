@@ -84,6 +84,7 @@ TEST(LidarModelTest, LasersAreTheMakersToTheDigit) {
   EXPECT_EQ(lidar_model("os1-64").lasers.size(), 64U);
   EXPECT_EQ(lidar_model("hesai-xt16").lasers.size(), 16U);
   EXPECT_DOUBLE_EQ(lidar_model("vlp32").range_unit, 0.004);
+  EXPECT_NEAR(lidar_model("vlp32").lasers[0].vertical_origin, 0.019771, 1e-6);  // 42.4 mm, -25 deg
   EXPECT_DOUBLE_EQ(lidar_model("hesai-xt16").range_unit, 0.004);
   EXPECT_DOUBLE_EQ(lidar_model("os1-64").radial_origin, 0.012163);
 }
