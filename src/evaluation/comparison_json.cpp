@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "evaluation/comparison_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "evaluation/comparison_tables.hpp"
 #include "evaluation/evaluation_json.hpp"
 

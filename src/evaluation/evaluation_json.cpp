@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "evaluation/evaluation_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "evaluation/option_names.hpp"
 #include "evaluation/statistics_names.hpp"
 

@@ -4,7 +4,8 @@
 // Evaluations as JSON objects, for files that hold more than evaluations.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "evaluation/evaluate.hpp"
 

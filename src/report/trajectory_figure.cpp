@@ -4,47 +4,24 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "report/box_view.hpp"
 #include "report/canvas.hpp"
-#include "report/panels.hpp"
+#include "report/figure_curves.hpp"
 #include "report/plot.hpp"
 
 namespace surefoot::report {
 
 namespace {
 
-constexpr int kDots = 2;                 // of a PNG for each pixel of the page
-constexpr double kPageMargin = 24.0;     // [px]
-constexpr double kLegendLine = 44.0;     // [px]
-constexpr double kLegendSample = 52.0;   // [px]
-constexpr double kTextSize = 21.0;       // [px]
-constexpr double kSmallestExtent = 1.0;  // [m] a shorter path is not blown up beyond this
-constexpr double kSmallestHeight = 0.1;  // [m]
-constexpr double kLeastStep = 0.4;       // [px] between two points that are drawn
-constexpr double kFarOff = 0.5;          // of the reference's extent: estimates beyond are cut
+constexpr int kDots = 2;                // of a PNG for each pixel of the page
+constexpr double kPageMargin = 24.0;    // [px]
+constexpr double kLegendLine = 44.0;    // [px]
+constexpr double kLegendSample = 52.0;  // [px]
+constexpr double kTextSize = 21.0;      // [px]
 
-const Stroke kReference{{0.0, 0.0, 0.0}, 2.5, LineStyle::kDashed};
-const Stroke kShadow{{0.72, 0.74, 0.78}, 1.5};
-const Stroke kMarkerEdge{{0.1, 0.1, 0.12}, 1.5};
-
-/// After Okabe and Ito (2008), without black, which is the reference's.
-constexpr std::array<Color, 6> kColors = {{{0.0, 0.447, 0.698},
-                                           {0.835, 0.369, 0.0},
-                                           {0.0, 0.620, 0.451},
-                                           {0.8, 0.475, 0.655},
-                                           {0.902, 0.624, 0.0},
-                                           {0.337, 0.706, 0.914}}};
-constexpr std::array<LineStyle, 4> kStyles = {LineStyle::kSolid, LineStyle::kDashDotted,
-                                              LineStyle::kLongDashed, LineStyle::kDotted};
-
-/// Neither colour nor style alone repeats with the other before twelve names.
-Stroke stroke_of(std::size_t name) {
-  return {kColors[name % kColors.size()], 2.2, kStyles[name % kStyles.size()]};
-}
+const Stroke kShadow{{0.72, 0.74, 0.78}, 1.5};  // of the reference, on the floor
 
 /// How panels of a view are laid out: the page's columns have a given width.
 struct Frame {
@@ -72,131 +49,6 @@ struct Layout {
 Layout layout_for(std::size_t panels) {
   if (panels == 1) return {1, 760.0};
   return panels <= 4 ? Layout{2, 620.0} : Layout{3, 560.0};
-}
-
-std::vector<Eigen::Vector3d> drawable_points(const Trajectory& trajectory) {
-  std::vector<Eigen::Vector3d> points;
-  for (const StampedPose& stamped : trajectory) {
-    if (is_drawable(stamped.pose.translation)) points.push_back(stamped.pose.translation);
-  }
-  return points;
-}
-
-/// A panel's points, ready to be drawn.
-struct Curves {
-  std::vector<Eigen::Vector3d> reference;
-  std::vector<std::vector<Eigen::Vector3d>> estimates;
-  std::array<Range, 3> ranges;  // of x, y and z
-};
-
-std::vector<double> coordinates(const std::vector<Eigen::Vector3d>& points, int axis) {
-  std::vector<double> values;
-  values.reserve(points.size());
-  for (const Eigen::Vector3d& point : points) values.push_back(point[axis]);
-  return values;
-}
-
-/// All of the reference, and of the estimates that may widen the axes what is not far off.
-Range shown_range(const Curves& curves, const std::vector<bool>& cut, int axis, double far_off) {
-  std::vector<double> values = coordinates(curves.reference, axis);
-  const Range own = range_of(values);
-  const bool any = !values.empty();
-  for (std::size_t i = 0; i < curves.estimates.size(); ++i) {
-    if (any && !cut.empty() && cut[i]) continue;
-    for (const double value : coordinates(curves.estimates[i], axis)) {
-      values.push_back(any ? std::clamp(value, own.low - far_off, own.high + far_off) : value);
-    }
-  }
-  return padded(range_of(values), 0.07, axis == 2 ? kSmallestHeight : kSmallestExtent);
-}
-
-Curves curves_of(const FigurePanel& panel) {
-  Curves curves{drawable_points(panel.reference), {}, {}};
-  for (const Trajectory& estimate : panel.estimates) {
-    curves.estimates.push_back(drawable_points(estimate));
-  }
-  double extent = kSmallestExtent;
-  for (const int axis : {0, 1}) {
-    extent = std::max(extent, range_of(coordinates(curves.reference, axis)).width());
-  }
-  for (const int axis : {0, 1, 2}) {
-    curves.ranges[static_cast<std::size_t>(axis)] =
-        shown_range(curves, panel.cut, axis, kFarOff * extent);
-  }
-  return curves;
-}
-
-/// Where a curve is drawn: in a plane up to the panel's border, in space up to the box, which has
-/// no border on the page.
-struct Border {
-  std::optional<Rect> rect;
-  const std::array<Range, 3>* box = nullptr;
-};
-
-bool is_within(const Eigen::Vector3d& point, const std::array<Range, 3>& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const Range& range = box[static_cast<std::size_t>(axis)];
-    if (point[axis] < range.low || point[axis] > range.high) return false;
-  }
-  return true;
-}
-
-/// The part of a segment within the rectangle (Liang and Barsky 1984); false if there is none.
-bool clip_segment(const Rect& rect, Pixel& from, Pixel& to) {
-  const Pixel step = to - from;
-  const std::array<std::array<double, 2>, 4> sides = {{{-step.x(), from.x() - rect.x},
-                                                       {step.x(), rect.right() - from.x()},
-                                                       {-step.y(), from.y() - rect.y},
-                                                       {step.y(), rect.bottom() - from.y()}}};
-  double enter = 0.0, leave = 1.0;
-  for (const auto& [slope, room] : sides) {
-    if (slope == 0.0 && room < 0.0) return false;
-    if (slope < 0.0) enter = std::max(enter, room / slope);
-    if (slope > 0.0) leave = std::min(leave, room / slope);
-  }
-  if (enter > leave) return false;
-  const Pixel begin = from;
-  from = begin + enter * step;
-  to = begin + leave * step;
-  return true;
-}
-
-/// A line through the points, without those that the eye could not tell from the one before and
-/// without what lies outside: dashes along a path of a million kilometres take cairo minutes.
-template <typename Projection>
-void draw_curve(Canvas& canvas, const std::vector<Eigen::Vector3d>& points, const Projection& at,
-                const Stroke& stroke, const Border& border) {
-  std::vector<Pixel> line;
-  const auto finish = [&] {
-    if (line.size() > 1) canvas.line(line, stroke);
-    line.clear();
-  };
-  std::size_t last = 0;  // point that the line has reached
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    Pixel from = at(points[last]), to = at(points[i]);
-    if ((to - from).norm() < kLeastStep && i + 1 < points.size()) continue;
-    const Pixel end = to;
-    const bool shown =
-        border.rect ? clip_segment(*border.rect, from, to)
-                    : is_within(points[last], *border.box) && is_within(points[i], *border.box);
-    if (!shown || from != at(points[last])) finish();
-    if (shown && line.empty()) line.push_back(from);
-    if (shown) line.push_back(to);
-    if (shown && to != end) finish();
-    last = i;
-  }
-  finish();
-}
-
-template <typename Projection>
-void draw_curves(Canvas& canvas, const Curves& curves, const Projection& at, const Border& border) {
-  for (std::size_t i = curves.estimates.size(); i-- > 0;) {  // the first one on top
-    draw_curve(canvas, curves.estimates[i], at, stroke_of(i), border);
-  }
-  draw_curve(canvas, curves.reference, at, kReference, border);
-  if (curves.reference.empty()) return;
-  canvas.circle(at(curves.reference.front()), 8.0, style::kStart, kMarkerEdge);
-  canvas.triangle(at(curves.reference.back()), 11.0, style::kEnd, kMarkerEdge);
 }
 
 void draw_space(Canvas& canvas, const Rect& rect, const Curves& curves) {
@@ -267,12 +119,12 @@ struct Entry {
 };
 
 std::vector<Entry> legend_entries(const TrajectoryFigure& figure) {
-  std::vector<Entry> entries = {{"reference", kReference}};
+  std::vector<Entry> entries = {{"reference", reference_stroke()}};
   for (std::size_t i = 0; i < figure.names.size(); ++i) {
     entries.push_back({figure.names[i], stroke_of(i)});
   }
-  entries.push_back({"start", kMarkerEdge, Entry::Kind::kStart});
-  entries.push_back({"end", kMarkerEdge, Entry::Kind::kEnd});
+  entries.push_back({"start", {}, Entry::Kind::kStart});
+  entries.push_back({"end", {}, Entry::Kind::kEnd});
   return entries;
 }
 
@@ -310,9 +162,8 @@ void draw_legend(Canvas& canvas, const std::vector<LegendLine>& lines, double pa
       const std::array<Pixel, 2> sample = {Pixel(x, middle.y()),
                                            Pixel(x + sample_width(entry), middle.y())};
       if (entry.kind == Entry::Kind::kLine) canvas.line(sample, entry.stroke);
-      if (entry.kind == Entry::Kind::kStart)
-        canvas.circle(middle, 8.0, style::kStart, entry.stroke);
-      if (entry.kind == Entry::Kind::kEnd) canvas.triangle(middle, 11.0, style::kEnd, entry.stroke);
+      if (entry.kind == Entry::Kind::kStart) draw_start(canvas, middle);
+      if (entry.kind == Entry::Kind::kEnd) draw_end(canvas, middle);
       x += sample_width(entry) + kSampleGap;
       canvas.text(entry.name, {x, baseline}, {.size = kTextSize});
       x += canvas.text_width(entry.name, {.size = kTextSize}) + kEntryGap;

@@ -112,7 +112,7 @@ TEST(TrajectoryFigure, JumpsToTheEndOfTheWorldTakeNoTime) {
     figure.panels[0].estimates = {jumping, jumping};
     const auto begin = std::chrono::steady_clock::now();
     draw_trajectory_figure(figure, scratch("jumps.png"));
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
   }
 }
 
