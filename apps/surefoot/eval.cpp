@@ -18,13 +18,15 @@
 #include "dataset/trajectory_files.hpp"
 #include "evaluation/evaluate.hpp"
 #include "evaluation/tables.hpp"
-#include "option_checks.hpp"
+#include "evaluation_options.hpp"
+#ifdef SUREFOOT_HAS_PICTURES
+#include "compare_figures.hpp"
+#endif
 
 namespace surefoot::app {
 namespace {
 
 namespace fs = std::filesystem;
-using evaluation::AlignmentMethod;
 using evaluation::AssociationMethod;
 using evaluation::DeltaUnit;
 using evaluation::Evaluation;
@@ -41,6 +43,7 @@ struct EvalOptions {
   FileFormat format = FileFormat::kAuto;
   evaluation::EvaluationOptions evaluation;
   TableFormat table = TableFormat::kText;
+  std::vector<fs::path> figures;  ///< to draw: .svg or .png
 };
 
 /// By the number of values in the first row: TUM has 8, KITTI 12.
@@ -94,6 +97,23 @@ std::string table_of(const std::vector<Evaluation>& evaluations, TableFormat for
   return evaluation::to_text(evaluations);
 }
 
+void draw_figures([[maybe_unused]] const EvalOptions& options,
+                  [[maybe_unused]] const Trajectory& reference,
+                  [[maybe_unused]] const std::vector<Evaluation>& evaluations,
+                  [[maybe_unused]] const std::vector<Trajectory>& paths) {
+#ifdef SUREFOOT_HAS_PICTURES
+  std::vector<std::string> names;
+  for (const Evaluation& evaluation : evaluations) names.push_back(evaluation.name);
+  for (const fs::path& file : options.figures) {
+    draw_views(reference, names, paths, file);
+  }
+#else
+  if (!options.figures.empty()) {
+    throw std::runtime_error("--figure: this program was built without pictures");
+  }
+#endif
+}
+
 /// An estimate that cannot be evaluated is told and left out; the others go on.
 int evaluate_all(EvalOptions options) {
   const bool find_format = options.format == FileFormat::kAuto;
@@ -107,82 +127,28 @@ int evaluate_all(EvalOptions options) {
   const Trajectory reference = read_trajectory(options.reference, format);
   const std::vector<std::string> names = names_of(options.estimates);
   std::vector<Evaluation> evaluations;
+  std::vector<Trajectory> paths;  // aligned
   for (std::size_t i = 0; i < options.estimates.size(); ++i) {
     try {
       const Trajectory estimate = read_trajectory(options.estimates[i], format);
       evaluations.push_back(
           evaluation::evaluate(names[i], reference, estimate, options.evaluation));
+      paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
     } catch (const std::exception& error) {
       fmt::print(stderr, "surefoot: {}: {}\n", names[i], error.what());
     }
   }
   if (evaluations.empty()) return kAllFailed;
+  draw_figures(options, reference, evaluations, paths);
   fmt::print("{}", table_of(evaluations, options.table));
   return evaluations.size() == options.estimates.size() ? 0 : kSomeFailed;
 }
 
-void add_pairing_options(CLI::App& command, EvalOptions& options) {
-  auto& association = options.evaluation.association;
+void add_format_option(CLI::App& command, FileFormat& format) {
   const std::map<std::string, FileFormat> formats = {
       {"auto", FileFormat::kAuto}, {"tum", FileFormat::kTum}, {"kitti", FileFormat::kKitti}};
-  command.add_option("--format", options.format, "Of all files: auto, tum or kitti")
+  command.add_option("--format", format, "Of all files: auto, tum or kitti")
       ->transform(CLI::CheckedTransformer(formats));
-  const std::map<std::string, AssociationMethod> methods = {
-      {"nearest", AssociationMethod::kNearest}, {"interpolate", AssociationMethod::kInterpolate}};
-  command
-      .add_option("--pair", association.method,
-                  "nearest: poses with the nearest stamps; interpolate: the reference at the "
-                  "estimate's stamps")
-      ->transform(CLI::CheckedTransformer(methods));
-  command
-      .add_option("--max-diff", association.max_difference,
-                  "Largest difference of two stamps that are paired [s]")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  command
-      .add_option("--max-gap", association.max_gap,
-                  "Longest gap of the reference that is interpolated [s]")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  command.add_option("--offset", association.offset, "Added to the estimates' stamps [s]")
-      ->check(CLI::Range(-1e9, 1e9))
-      ->capture_default_str();
-}
-
-void add_error_options(CLI::App& command, evaluation::EvaluationOptions& options) {
-  const std::map<std::string, AlignmentMethod> alignments = {
-      {"none", AlignmentMethod::kNone},          {"origin", AlignmentMethod::kOrigin},
-      {"yaw", AlignmentMethod::kYawTranslation}, {"se3", AlignmentMethod::kRigid},
-      {"sim3", AlignmentMethod::kSimilarity},    {"scale", AlignmentMethod::kScale}};
-  command
-      .add_option("--align", options.alignment,
-                  "none, origin, yaw (and translation), se3 (the default), sim3 or scale")
-      ->transform(CLI::CheckedTransformer(alignments));
-  command
-      .add_option("--align-poses", options.alignment_poses, "Align the first poses only; 0: all")
-      ->check(whole_number(0));
-  auto& stretches = options.stretches;
-  command.add_option("--delta", stretches.delta, "Length of a stretch of the relative error")
-      ->capture_default_str();
-  const std::map<std::string, DeltaUnit> units = {{"frames", DeltaUnit::kFrames},
-                                                  {"m", DeltaUnit::kMetres},
-                                                  {"s", DeltaUnit::kSeconds},
-                                                  {"deg", DeltaUnit::kDegrees}};
-  command.add_option("--delta-unit", stretches.unit, "Of --delta: frames, m, s or deg")
-      ->transform(CLI::CheckedTransformer(units));
-  command.add_flag("--all-pairs", stretches.all_pairs,
-                   "A stretch from every pose, not one after the other");
-  command
-      .add_option("--delta-tolerance", stretches.tolerance,
-                  "With --all-pairs: accepted deviation as a share of --delta")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command.add_flag("--pairs-from-reference", options.stretches_from_reference,
-                   "Measure the stretches along the reference");
-  command
-      .add_option("--segments", options.segment_lengths,
-                  "Lengths of KITTI's segment error [m], such as 10,20,50")
-      ->delimiter(',');
 }
 
 }  // namespace
@@ -193,8 +159,13 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("eval", "Compare trajectories with a reference (TUM or KITTI files)");
   command->add_option("reference", options->reference, "The true trajectory")->required();
   command->add_option("estimates", options->estimates, "One trajectory or more")->required();
-  add_pairing_options(*command, *options);
+  add_format_option(*command, options->format);
+  add_pairing_options(*command, options->evaluation.association);
   add_error_options(*command, options->evaluation);
+  command
+      ->add_option("--figure", options->figures,
+                   "Draw the aligned trajectories to this .svg or .png file; may be repeated")
+      ->allow_extra_args(false);
   CLI::Option_group* output = command->add_option_group("output");
   const auto add_table = [&](const char* flag, TableFormat format, const char* help) {
     output->add_flag_callback(

@@ -16,13 +16,13 @@ constexpr double kTerminalPeriod = 0.1;  // [s]
 constexpr double kPlainPeriod = 5.0;     // [s]
 constexpr int kBarWidth = 30;
 
+}  // namespace
+
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long>(seconds + 0.5);
   return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
                       : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
-
-}  // namespace
 
 Progress::Progress(std::string unit, bool quiet)
     : unit_(std::move(unit)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}

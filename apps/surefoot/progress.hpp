@@ -8,6 +8,9 @@
 
 namespace surefoot::app {
 
+/// A time span as "2:07" or "1:02:07".
+[[nodiscard]] std::string clock_text(double seconds);
+
 /// Progress on stderr: a bar with rate and remaining time on a terminal, a plain line now and then
 /// elsewhere.
 class Progress {

@@ -5,26 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "evaluation/evaluation_json.hpp"
+#include "evaluation/marked_table.hpp"
+#include "evaluation/statistics_names.hpp"
 
 namespace surefoot::evaluation {
 
 namespace {
-
-using Column = std::pair<const char*, double Statistics::*>;
-constexpr std::array<Column, 7> kColumns = {{{"max", &Statistics::max},
-                                             {"mean", &Statistics::mean},
-                                             {"median", &Statistics::median},
-                                             {"min", &Statistics::min},
-                                             {"rmse", &Statistics::rmse},
-                                             {"std", &Statistics::std},
-                                             {"sse", &Statistics::sse}}};
-// The columns of the tables that papers print.
-constexpr std::array<Column, 4> kPaperColumns = {{{"Max", &Statistics::max},
-                                                  {"Mean", &Statistics::mean},
-                                                  {"RMSE", &Statistics::rmse},
-                                                  {"Std", &Statistics::std}}};
 
 std::vector<NamedStatistics> all_statistics(const Evaluation& evaluation) {
   std::vector<NamedStatistics> all = evaluation.absolute;
@@ -32,83 +25,16 @@ std::vector<NamedStatistics> all_statistics(const Evaluation& evaluation) {
   return all;
 }
 
-nlohmann::ordered_json json_of(const NamedStatistics& named) {
-  nlohmann::ordered_json json = {{"unit", named.unit}, {"count", named.statistics.count}};
-  for (const auto& [name, member] : kColumns) json[name] = named.statistics.*member;
-  return json;
-}
-
-nlohmann::ordered_json json_of(const SegmentError& segment) {
-  return {{"length_m", segment.length},
-          {"count", segment.count},
-          {"translation_percent", segment.translation_percent},
-          {"rotation_deg_per_m", segment.rotation_deg_per_m}};
-}
-
-nlohmann::ordered_json json_of(const Evaluation& evaluation) {
-  const Pose& pose = evaluation.alignment.pose;
-  nlohmann::ordered_json json = {
-      {"estimate", evaluation.name},
-      {"poses", evaluation.poses},
-      {"pairs", evaluation.pairs},
-      {"coverage", evaluation.coverage},
-      {"alignment",
-       {{"translation_m", {pose.translation.x(), pose.translation.y(), pose.translation.z()}},
-        {"rotation_xyzw",
-         {pose.rotation.x(), pose.rotation.y(), pose.rotation.z(), pose.rotation.w()}},
-        {"scale", evaluation.alignment.scale}}},
-      {"errors", nlohmann::ordered_json::object()},
-      {"segments", nlohmann::ordered_json::array()},
-      {"segments_all", json_of(evaluation.segments.all)},
-      {"end_drift",
-       {{"path_length_m", evaluation.drift.path_length},
-        {"total_m", evaluation.drift.total},
-        {"horizontal_m", evaluation.drift.horizontal},
-        {"vertical_m", evaluation.drift.vertical},
-        {"percent", evaluation.drift.percent}}}};
-  for (const NamedStatistics& named : all_statistics(evaluation)) {
-    json["errors"][named.name] = json_of(named);
-  }
-  json["segments_all"].erase("length_m");
-  for (const SegmentError& segment : evaluation.segments.by_length) {
-    json["segments"].push_back(json_of(segment));
-  }
-  return json;
-}
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string latex_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (std::string("&%$#_{}").find(c) != std::string::npos) {
-      escaped += std::string("\\") + c;
-    } else if (c == '\\') {
-      escaped += "\\textbackslash{}";
-    } else if (c == '~' || c == '^') {
-      escaped += std::string("\\") + c + "{}";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
-}
-
 void append_text(std::string& text, const Evaluation& evaluation) {
   text +=
       fmt::format("{}: {} of {} poses paired, {:.1f} % of the reference covered\n", evaluation.name,
                   evaluation.pairs, evaluation.poses, 100.0 * evaluation.coverage);
   text += fmt::format("  {:<22}{:>5}", "", "");
-  for (const auto& [name, member] : kColumns) text += fmt::format("{:>12}", name);
+  for (const auto& [name, member] : kStatisticsNames) text += fmt::format("{:>12}", name);
   text += '\n';
   for (const NamedStatistics& named : all_statistics(evaluation)) {
     text += fmt::format("  {:<22}{:>5}", named.name, named.unit);
-    for (const auto& [name, member] : kColumns) {
+    for (const auto& [name, member] : kStatisticsNames) {
       text += fmt::format("{:>12.6g}", named.statistics.*member);
     }
     text += '\n';
@@ -131,22 +57,118 @@ void append_text(std::string& text, const Evaluation& evaluation) {
       drift.total, drift.percent, drift.path_length, drift.horizontal, drift.vertical);
 }
 
-/// Smallest and second smallest of the values in a column; equal values share a place.
-struct Podium {
-  double first, second;
-};
-
-Podium podium(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  const double none = -1.0;  // errors are never negative
-  return {values.empty() ? none : values[0], values.size() < 2 ? none : values[1]};
+/// Finds an error's statistics by name; nothing if the run was too short for it.
+const Statistics* find(const std::vector<NamedStatistics>& errors, const std::string& name) {
+  for (const NamedStatistics& named : errors) {
+    if (named.name == name) return &named.statistics;
+  }
+  return nullptr;
 }
 
-std::string latex_number(double value, const Podium& best) {
-  const std::string number = fmt::format("{:.3f}", value);
-  if (value == best.first) return "\\textbf{" + number + "}";
-  return value == best.second ? "\\underline{" + number + "}" : number;
+/// A column of a table with a row for each estimate.
+struct Column {
+  std::string name;
+  std::function<std::optional<double>(const Evaluation&)> value;
+  int decimals = 3;
+  bool ranked = true;
+};
+
+/// The larger the farther off, whatever the sign.
+Cell cell_of(const Evaluation& evaluation, const Column& column, bool whole) {
+  const std::optional<double> value = column.value(evaluation);
+  if (!value) return {"\u2013"};
+  return {fmt::format("{:.{}f}", *value, column.decimals), std::abs(*value),
+          whole && column.ranked};
+}
+
+std::string latex_table(const std::vector<Evaluation>& evaluations, double full_coverage,
+                        const std::string& title, const std::vector<Column>& columns) {
+  Table table{.title = title, .head_names = {"Method"}};
+  for (const Column& column : columns) table.columns.push_back(column.name);
+  for (const Evaluation& evaluation : evaluations) {
+    const bool whole = evaluation.coverage >= full_coverage;
+    TableRow row{.heads = {evaluation.name}};
+    if (!whole) row.heads[0] += fmt::format(" ({:.0f} % covered)", 100.0 * evaluation.coverage);
+    for (const Column& column : columns) row.cells.push_back(cell_of(evaluation, column, whole));
+    table.rows.push_back(std::move(row));
+  }
+  rank_columns(table);
+  return to_latex(table);
+}
+
+std::vector<Column> paper_columns() {
+  std::vector<Column> columns;
+  for (const auto& [name, member] : kPaperStatistics) {
+    columns.push_back({name, [member = member](const Evaluation& evaluation) {
+                         return evaluation.absolute.front().statistics.*member;
+                       }});
+  }
+  return columns;
+}
+
+/// The RMSE of every error of the list that the first estimate has.
+std::vector<Column> rmse_columns(const std::vector<Evaluation>& evaluations,
+                                 std::vector<NamedStatistics> Evaluation::*list) {
+  std::vector<Column> columns;
+  for (const Evaluation& evaluation : evaluations) {
+    for (const NamedStatistics& named : evaluation.*list) {
+      const std::string unit = named.unit.empty() ? "" : " (" + named.unit + ")";
+      const std::string title = named.name.substr(named.name.find('_') + 1);
+      columns.push_back({title + unit, [list, name = named.name](const Evaluation& each) {
+                           const Statistics* found = find(each.*list, name);
+                           return found ? std::optional(found->rmse) : std::nullopt;
+                         }});
+    }
+    if (!columns.empty()) break;  // estimates differ only in having none
+  }
+  return columns;
+}
+
+/// Segments have a column for each length that any of the estimates is long enough for.
+std::vector<Column> segment_columns(const std::vector<Evaluation>& evaluations) {
+  const auto column = [](std::string name, auto pick, double SegmentError::*part, int decimals) {
+    return Column{std::move(name),
+                  [pick, part](const Evaluation& evaluation) -> std::optional<double> {
+                    const SegmentError* segment = pick(evaluation);
+                    if (segment == nullptr || segment->count == 0) return std::nullopt;
+                    return segment->*part;
+                  },
+                  decimals};
+  };
+  std::set<double> lengths;
+  for (const Evaluation& evaluation : evaluations) {
+    for (const SegmentError& segment : evaluation.segments.by_length) {
+      if (segment.count > 0) lengths.insert(segment.length);
+    }
+  }
+  std::vector<Column> columns;
+  for (const double length : lengths) {
+    const auto pick = [length](const Evaluation& evaluation) {
+      const auto& all = evaluation.segments.by_length;
+      const auto found = std::find_if(all.begin(), all.end(), [length](const SegmentError& each) {
+        return each.length == length;
+      });
+      return found == all.end() ? nullptr : &*found;
+    };
+    columns.push_back(
+        column(fmt::format("{:g} m (%)", length), pick, &SegmentError::translation_percent, 3));
+  }
+  const auto all = [](const Evaluation& evaluation) { return &evaluation.segments.all; };
+  columns.push_back(column("all (%)", all, &SegmentError::translation_percent, 3));
+  columns.push_back(column("all (deg/m)", all, &SegmentError::rotation_deg_per_m, 4));
+  return columns;
+}
+
+std::vector<Column> drift_columns() {
+  const auto drift = [](double EndDrift::*part) {
+    return [part](const Evaluation& evaluation) { return evaluation.drift.*part; };
+  };
+  return {{"Drift (m)", drift(&EndDrift::total)},
+          {"Drift (%)", drift(&EndDrift::percent)},
+          {"Horizontal (m)", drift(&EndDrift::horizontal)},
+          {"Vertical (m)", drift(&EndDrift::vertical)},
+          {"Path (m)", drift(&EndDrift::path_length), 1, false},
+          {"Coverage (%)", [](const Evaluation& e) { return 100.0 * e.coverage; }, 1, false}};
 }
 
 }  // namespace
@@ -163,18 +185,18 @@ std::string to_text(const std::vector<Evaluation>& evaluations) {
 std::string to_json(const std::vector<Evaluation>& evaluations) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Evaluation& evaluation : evaluations) json.push_back(json_of(evaluation));
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return json_text(json);
 }
 
 std::string to_csv(const std::vector<Evaluation>& evaluations) {
   std::string csv = "estimate,error,unit,count";
-  for (const auto& [name, member] : kColumns) csv += fmt::format(",{}", name);
+  for (const auto& [name, member] : kStatisticsNames) csv += fmt::format(",{}", name);
   csv += '\n';
   for (const Evaluation& evaluation : evaluations) {
     for (const NamedStatistics& named : all_statistics(evaluation)) {
       csv += fmt::format("{},{},{},{}", csv_field(evaluation.name), named.name, named.unit,
                          named.statistics.count);
-      for (const auto& [name, member] : kColumns) {
+      for (const auto& [name, member] : kStatisticsNames) {
         csv += fmt::format(",{}", named.statistics.*member);
       }
       csv += '\n';
@@ -184,29 +206,16 @@ std::string to_csv(const std::vector<Evaluation>& evaluations) {
 }
 
 std::string to_latex(const std::vector<Evaluation>& evaluations, double full_coverage) {
-  std::array<Podium, kPaperColumns.size()> best{};
-  for (std::size_t column = 0; column < kPaperColumns.size(); ++column) {
-    std::vector<double> values;
-    for (const Evaluation& evaluation : evaluations) {
-      if (evaluation.coverage < full_coverage) continue;
-      values.push_back(evaluation.absolute.front().statistics.*kPaperColumns[column].second);
-    }
-    best[column] = podium(std::move(values));
-  }
-  std::string latex = "\\begin{tabular}{lrrrr}\n\\toprule\nMethod";
-  for (const auto& [name, member] : kPaperColumns) latex += fmt::format(" & {}", name);
-  latex += " \\\\\n\\midrule\n";
-  for (const Evaluation& evaluation : evaluations) {
-    const bool whole = evaluation.coverage >= full_coverage;
-    latex += latex_text(evaluation.name);
-    if (!whole) latex += fmt::format(" ({:.0f}\\,\\% covered)", 100.0 * evaluation.coverage);
-    for (std::size_t column = 0; column < kPaperColumns.size(); ++column) {
-      const double value = evaluation.absolute.front().statistics.*kPaperColumns[column].second;
-      latex += " & " + latex_number(value, whole ? best[column] : Podium{-1.0, -1.0});
-    }
-    latex += " \\\\\n";
-  }
-  return latex + "\\bottomrule\n\\end{tabular}\n";
+  const auto table = [&](const std::string& title, const std::vector<Column>& columns) {
+    return latex_table(evaluations, full_coverage, title, columns);
+  };
+  std::string latex = table("Absolute pose error, translation (m)", paper_columns());
+  latex += '\n' + table("Absolute pose error, RMSE of all kinds",
+                        rmse_columns(evaluations, &Evaluation::absolute));
+  const std::vector<Column> relative = rmse_columns(evaluations, &Evaluation::relative);
+  if (!relative.empty()) latex += '\n' + table("Relative pose error, RMSE of all kinds", relative);
+  latex += '\n' + table("Error over segments, mean", segment_columns(evaluations));
+  return latex + '\n' + table("Drift at the end, and coverage", drift_columns());
 }
 
 }  // namespace surefoot::evaluation

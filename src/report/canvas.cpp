@@ -54,11 +54,29 @@ void set_source(cairo_t* cairo, const Color& color) {
   cairo_set_source_rgba(cairo, color.red, color.green, color.blue, color.alpha);
 }
 
+/// Lengths of strokes and gaps, in line widths.
+std::vector<double> dashes_of(LineStyle style) {
+  switch (style) {
+    case LineStyle::kDashed:
+      return {3.5, 2.5};
+    case LineStyle::kDotted:
+      return {1.2, 1.6};
+    case LineStyle::kDashDotted:
+      return {5.0, 1.8, 1.2, 1.8};
+    case LineStyle::kLongDashed:
+      return {8.0, 2.5};
+    case LineStyle::kSolid:
+      break;
+  }
+  return {};
+}
+
 void stroke_path(cairo_t* cairo, const Stroke& stroke) {
   set_source(cairo, stroke.color);
   cairo_set_line_width(cairo, stroke.width);
-  const std::array<double, 2> dashes = {3.5 * stroke.width, 2.5 * stroke.width};
-  cairo_set_dash(cairo, dashes.data(), stroke.dashed ? 2 : 0, 0.0);
+  std::vector<double> dashes = dashes_of(stroke.style);
+  for (double& dash : dashes) dash *= stroke.width;
+  cairo_set_dash(cairo, dashes.data(), static_cast<int>(dashes.size()), 0.0);
   cairo_stroke(cairo);
 }
 
@@ -75,11 +93,14 @@ struct Canvas::Page {
   cairo_surface_t* surface = nullptr;
   cairo_t* cairo = nullptr;
 
-  Page(int width, int height, PageFormat format)
-      : surface(format == PageFormat::kSvg
-                    ? cairo_svg_surface_create_for_stream(append, &svg, width, height)
-                    : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
-        cairo(cairo_create(surface)) {}
+  Page(int width, int height, PageFormat format, int scale)
+      : surface(
+            format == PageFormat::kSvg
+                ? cairo_svg_surface_create_for_stream(append, &svg, width, height)
+                : cairo_image_surface_create(CAIRO_FORMAT_RGB24, scale * width, scale * height)),
+        cairo(cairo_create(surface)) {
+    if (format == PageFormat::kPng) cairo_scale(cairo, scale, scale);
+  }
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
   ~Page() {
@@ -88,8 +109,16 @@ struct Canvas::Page {
   }
 };
 
-Canvas::Canvas(int width, int height, PageFormat format)
-    : page_(std::make_unique<Page>(width, height, format)) {
+PageFormat page_format_of(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension == ".png") return PageFormat::kPng;
+  if (extension == ".svg") return PageFormat::kSvg;
+  throw std::runtime_error(path.string() + ": a picture's name ends in .png or .svg, not in \"" +
+                           extension + "\"");
+}
+
+Canvas::Canvas(int width, int height, PageFormat format, int scale)
+    : page_(std::make_unique<Page>(width, height, format, scale)) {
   cairo_set_line_join(page_->cairo, CAIRO_LINE_JOIN_ROUND);
   fill({0.0, 0.0, static_cast<double>(width), static_cast<double>(height)}, {1.0, 1.0, 1.0});
 }
@@ -110,6 +139,14 @@ void Canvas::outline(const Rect& rect, const Stroke& stroke) {
 void Canvas::line(std::span<const Pixel> points, const Stroke& stroke) {
   for (const Pixel& point : points) cairo_line_to(page_->cairo, point.x(), point.y());
   stroke_path(page_->cairo, stroke);
+}
+
+void Canvas::polygon(std::span<const Pixel> corners, const Color& fill, const Stroke& edge) {
+  for (const Pixel& point : corners) cairo_line_to(page_->cairo, point.x(), point.y());
+  cairo_close_path(page_->cairo);
+  set_source(page_->cairo, fill);
+  cairo_fill_preserve(page_->cairo);
+  stroke_path(page_->cairo, edge);
 }
 
 void Canvas::circle(const Pixel& center, double radius, const Color& fill, const Stroke& edge) {

@@ -28,10 +28,12 @@ struct Rect {
   [[nodiscard]] Pixel center() const { return {x + 0.5 * width, y + 0.5 * height}; }
 };
 
+enum class LineStyle { kSolid, kDashed, kDotted, kDashDotted, kLongDashed };
+
 struct Stroke {
   Color color;
   double width = 1.0;
-  bool dashed = false;
+  LineStyle style = LineStyle::kSolid;
 };
 
 /// Colours of an image's pixels, premultiplied ARGB, row by row from the top.
@@ -51,15 +53,19 @@ struct TextStyle {
 };
 
 enum class PageFormat { kPng, kSvg };
+/// By the extension of a picture's name. Throws std::runtime_error if it is neither .png nor .svg.
+[[nodiscard]] PageFormat page_format_of(const std::filesystem::path& path);
 
 class Canvas {
  public:
-  Canvas(int width, int height, PageFormat format);
+  /// `scale`: dots of a PNG for each pixel; an SVG has no dots.
+  Canvas(int width, int height, PageFormat format, int scale = 1);
   ~Canvas();
 
   void fill(const Rect& rect, const Color& color);
   void outline(const Rect& rect, const Stroke& stroke);
   void line(std::span<const Pixel> points, const Stroke& stroke);
+  void polygon(std::span<const Pixel> corners, const Color& fill, const Stroke& edge);
   void circle(const Pixel& center, double radius, const Color& fill, const Stroke& edge);
   /// A triangle that points up, its circumcircle of the given radius.
   void triangle(const Pixel& center, double radius, const Color& fill, const Stroke& edge);

@@ -70,7 +70,7 @@ void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector
   draw_untrusted(canvas, path, untrusted);
   canvas.line(path, {style::kHalo, 9.0});
   canvas.line(path, {style::kPath, 4.5});
-  canvas.line(reference, {style::kReference, 2.5, true});
+  canvas.line(reference, {style::kReference, 2.5, LineStyle::kDashed});
   if (path.empty()) return;
   const Stroke edge{{0.1, 0.1, 0.12}, 2.0};
   canvas.circle(path.front(), style::kMarkerRadius, style::kStart, edge);

@@ -26,14 +26,6 @@ bool is_drawable_pose(const Pose& pose) {
          pose.rotation.squaredNorm() > 0.0;
 }
 
-PageFormat format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension == ".png") return PageFormat::kPng;
-  if (extension == ".svg") return PageFormat::kSvg;
-  throw std::runtime_error(path.string() + ": a picture's name ends in .png or .svg, not in \"" +
-                           extension + "\"");
-}
-
 /// Ranges of nearly all of the map: single far returns would shrink everything else.
 void find_map_ranges(Run& run) {
   constexpr double kTail = 0.005;
@@ -122,7 +114,7 @@ void draw_header(Canvas& canvas, const std::string& title, const Run& run) {
     right = draw_entry(canvas, right, "not trustworthy", {style::kUntrusted, style::kBandWidth});
   }
   if (!run.reference.empty()) {
-    right = draw_entry(canvas, right, "reference", {style::kReference, 2.5, true});
+    right = draw_entry(canvas, right, "reference", {style::kReference, 2.5, LineStyle::kDashed});
   }
   draw_entry(canvas, right, "estimate", {style::kPath, 4.5});
 }
@@ -148,7 +140,7 @@ Run prepare_run(const PictureInput& input) {
 }
 
 void draw_run_picture(const PictureInput& input, const std::filesystem::path& path) {
-  const PageFormat format = format_of(path);
+  const PageFormat format = page_format_of(path);
   const Run run = prepare_run(input);
   Canvas canvas(kPictureWidth, kPictureHeight, format);
   draw_header(canvas, input.title, run);

@@ -87,7 +87,7 @@ void draw_quantity(Canvas& canvas, const Rect& rect, const Run& run, const Quant
   canvas.clip(rect);
   shade_untrusted(canvas, area, path.times, run.untrusted);
   canvas.line(to_pixels(path, area), {style::kPath, 3.0});
-  canvas.line(to_pixels(reference, area), {style::kReference, 2.0, true});
+  canvas.line(to_pixels(reference, area), {style::kReference, 2.0, LineStyle::kDashed});
   canvas.unclip();
   draw_axes(canvas, area, labels);
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -19,8 +20,9 @@ inline std::filesystem::path evo_data(const std::string& name) {
   return std::filesystem::path(SUREFOOT_SHARED_DATA) / "evo_trajectories" / name;
 }
 
-/// Nanoseconds of a decimal number of seconds, exactly.
+/// Nanoseconds of a decimal number of seconds, exactly; with an exponent, as near as doubles are.
 inline std::int64_t nanoseconds(const std::string& seconds) {
+  if (seconds.find('e') != std::string::npos) return std::llround(1e9 * std::stod(seconds));
   const std::size_t point = seconds.find('.');
   std::string fraction = point == std::string::npos ? "" : seconds.substr(point + 1);
   fraction.resize(9, '0');
@@ -39,6 +41,23 @@ inline Trajectory read_tum(const std::filesystem::path& path) {
     Eigen::Quaterniond q;
     fields >> seconds >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w();
     trajectory.push_back({nanoseconds(seconds), {q.normalized(), t}});
+  }
+  return trajectory;
+}
+
+/// Lines of `ns,x,y,z,qw,qx,qy,qz,...`, as the EuRoC data have them.
+inline Trajectory read_euroc(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  Trajectory trajectory;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    std::int64_t stamp_ns = 0;
+    Eigen::Vector3d t;
+    Eigen::Quaterniond q;
+    fields >> stamp_ns >> t.x() >> t.y() >> t.z() >> q.w() >> q.x() >> q.y() >> q.z();
+    trajectory.push_back({stamp_ns, {q.normalized(), t}});
   }
   return trajectory;
 }

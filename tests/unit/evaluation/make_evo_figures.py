@@ -51,6 +51,14 @@ def pairs(folder):
             ("fr1_xyz", "freiburg1_xyz-groundtruth.txt", "freiburg1_xyz-rgbdslam.txt"),
             ("fr1_drift", "freiburg1_xyz-groundtruth.txt", "freiburg1_xyz-rgbdslam_drift.txt")):
         yield name, *sync.associate_trajectories(tum(folder / reference), tum(folder / estimate))
+    yield "v102", *sync.associate_trajectories(
+        file_interface.read_euroc_csv_trajectory(folder / "V102_groundtruth.csv"),
+        tum(folder / "V102.txt"))
+    # One trajectory five thousand kilometres off the origin: each pose against the next one.
+    far = tum(folder / "georeferenced.tum")
+    positions, rotations = far.positions_xyz, far.orientations_quat_wxyz
+    yield ("georeferenced", PosePath3D(positions[:-1], rotations[:-1]),
+           PosePath3D(positions[1:], rotations[1:]))
 
 
 def aligned(reference, estimate, method, poses):

@@ -81,7 +81,32 @@ TEST(Tables, LatexMarksTheBestTwoButNeverARunThatStoppedEarly) {
   EXPECT_TRUE(contains(latex, "first\\_one & \\textbf{0.100}")) << latex;
   EXPECT_TRUE(contains(latex, "second & \\underline{0.200}")) << latex;
   EXPECT_TRUE(contains(latex, "third & 0.300")) << latex;
-  EXPECT_TRUE(contains(latex, "stopped (49\\,\\% covered) & 0.001")) << latex;
+  EXPECT_TRUE(contains(latex, "stopped (49 \\% covered) & 0.001")) << latex;
+}
+
+TEST(Tables, LatexHasEveryKindOfError) {
+  const std::string latex = to_latex({too_high("low", 0.1), too_high("high", 0.3)});
+  for (const char* head :
+       {"Max",
+        "translation (m) & rotation\\_angle (deg) & rotation\\_part & full & horizontal (m) & "
+        "vertical (m) & tilt (deg) & yaw (deg)",
+        "distance (m) & distance\\_percent (\\%)", "1 m (\\%)", "all (deg/m)", "Drift (\\%)",
+        "Coverage (\\%)"}) {
+    EXPECT_TRUE(contains(latex, head)) << head << "\n" << latex;
+  }
+  std::size_t tables = 0;
+  for (std::size_t at = 0; (at = latex.find("\\end{tabular}", at)) != std::string::npos; ++at) {
+    ++tables;
+  }
+  EXPECT_EQ(tables, 5U);
+}
+
+TEST(Tables, LatexLeavesOutWhatARunIsTooShortFor) {
+  const Trajectory walk = test::winding_walk(5);
+  const std::string latex = to_latex({evaluate(
+      "short", walk, walk, {.alignment = AlignmentMethod::kNone, .stretches = {.delta = 50.0}})});
+  EXPECT_FALSE(contains(latex, "Relative pose error")) << latex;
+  EXPECT_TRUE(contains(latex, "Drift at the end")) << latex;
 }
 
 }  // namespace

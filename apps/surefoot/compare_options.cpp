@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "compare_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "evaluation_options.hpp"
+#include "option_checks.hpp"
+#include "surefoot/config.hpp"
+
+namespace surefoot::app {
+
+namespace {
+
+void add_input_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("recordings", options.recordings,
+                     "Folders or captures, as for 'surefoot run', with gt.tum in the folder");
+  command.add_option("--truth", options.truths,
+                     "True trajectories (TUM), one for each recording, instead of gt.tum");
+  command.add_option("--suite", options.suite,
+                     "All recordings in a folder made by 'surefoot suite'; or tuning or "
+                     "reporting: made in the output folder first, if not there yet");
+  command
+      .add_option("--methods", options.methods,
+                  fmt::format("Some of {}; with '+' and key=value to change parameters: "
+                              "paper,paper+deskew.segments=8",
+                              fmt::join(methods(), ", ")))
+      ->delimiter(',')
+      ->capture_default_str();
+  command.add_option("--set", options.settings, "key=value for every method; may be repeated")
+      ->allow_extra_args(false);
+}
+
+void add_work_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("-o,--output", options.output, "Folder of all results")->capture_default_str();
+  command
+      .add_option("--repeat", options.repeats,
+                  "Runs of each kind: spread of times; trajectories must be the same")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("-j,--jobs", options.jobs, "Runs at the same time; they share the machine")
+      ->check(CLI::Range(1, 64));
+  command.add_flag("--retry-failed", options.retry_failed, "Do again what failed before");
+  command.add_flag("--figures,!--no-figures", options.figures,
+                   "Draw the trajectories as SVG and PNG (default: yes)");
+  command.add_flag("-q,--quiet", options.quiet, "No progress; the tables alone");
+}
+
+void add_run_options(CLI::App& command, CompareOptions& options) {
+  constexpr const char* kGroup = "Runs";
+  command.add_option("--threads", options.threads, "Threads of each run")
+      ->check(CLI::Range(1, 1024))
+      ->group(kGroup);
+  command.add_option("--start", options.start, "Scans to pass over at first")
+      ->check(whole_number(0))
+      ->group(kGroup);
+  command.add_option("--count", options.count, "Scans to use at most")
+      ->check(whole_number(1))
+      ->group(kGroup);
+  command.add_option("--stride", options.stride, "Use every n-th scan")
+      ->check(whole_number(1))
+      ->group(kGroup);
+  command.add_flag("--no-map", options.no_map, "Do not write map.ply")->group(kGroup);
+  command
+      .add_option("--pass", options.passed,
+                  "A further argument of 'surefoot run': --pass=--rate=10; may be repeated")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+}
+
+void add_verdict_options(CLI::App& command, CompareOptions& options) {
+  constexpr const char* kGroup = "Evaluation";
+  const std::map<std::string, Cover> words = {
+      {"auto", Cover::kAuto}, {"truth", Cover::kTruth}, {"recording", Cover::kRecording}};
+  command
+      .add_option("--cover", options.cover,
+                  "What a run has to cover: truth, recording (the truth from its first scan to its "
+                  "last), or auto: the truth, unless --start or --count leave scans out")
+      ->transform(CLI::CheckedTransformer(words))
+      ->group(kGroup);
+  command
+      .add_option("--full-coverage", options.rules.full_coverage,
+                  "Share of it that a run must have an estimate for to be ranked")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str()
+      ->group(kGroup);
+}
+
+}  // namespace
+
+void add_compare_options(CLI::App& command, CompareOptions& options) {
+  auto& stretches = options.evaluation.stretches;
+  stretches = {.delta = 10.0, .unit = evaluation::DeltaUnit::kMetres, .all_pairs = true};
+  options.evaluation.stretches_from_reference = true;
+  add_input_options(command, options);
+  add_work_options(command, options);
+  add_run_options(command, options);
+  add_pairing_options(command, options.evaluation.association);
+  add_error_options(command, options.evaluation);
+  add_verdict_options(command, options);
+}
+
+std::vector<std::string> run_arguments(const CompareOptions& options) {
+  std::vector<std::string> arguments = {"--threads", std::to_string(options.threads)};
+  const auto add = [&](const char* flag, std::size_t value) {
+    arguments.insert(arguments.end(), {flag, std::to_string(value)});
+  };
+  if (options.start > 0) add("--start", options.start);
+  if (options.count > 0) add("--count", options.count);
+  if (options.stride > 1) add("--stride", options.stride);
+  if (options.no_map) arguments.push_back("--no-map");
+  arguments.insert(arguments.end(), options.passed.begin(), options.passed.end());
+  return arguments;
+}
+
+}  // namespace surefoot::app

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "evaluation/comparison_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "evaluation/comparison_tables.hpp"
+#include "evaluation/evaluation_json.hpp"
+
+namespace surefoot::evaluation {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormatVersion = 1;  // changes when a key changes its meaning or goes
+
+Json json_of(const ComparedMethod& method) {
+  Json parameters = Json::object();
+  for (const auto& [name, value] : method.parameters) parameters[name] = value;
+  return {{"label", method.label}, {"method", method.method}, {"parameters", parameters}};
+}
+
+Json json_of(const MeasuredRun& run) {
+  Json json = {{"folder", run.folder},
+               {"exit_code", run.exit_code},
+               {"signal", run.signal},
+               {"error", run.error},
+               {"wall_s", run.wall_seconds},
+               {"processor_s", run.processor_seconds},
+               {"peak_memory_bytes", run.peak_memory_bytes},
+               {"jobs", run.jobs},
+               {"scans", run.scans},
+               {"statuses", Json::object()},
+               {"time_per_scan_ms", {{"median", run.median_ms}, {"p99", run.p99_ms}}}};
+  for (const auto& [status, count] : run.statuses) json["statuses"][status] = count;
+  return json;
+}
+
+Json json_of(const Spread& spread) {
+  return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
+}
+
+Json json_of(const MethodResult& result, const std::string& method) {
+  Json json = {{"method", method},
+               {"outcome", to_string(result.verdict.outcome)},
+               {"outcome_text", result.verdict.text},
+               {"ranked", result.verdict.outcome == Outcome::kWhole},
+               {"repeats_agree", result.repeats_agree},
+               {"median_time_per_scan_ms", json_of(spread_of(result, &MeasuredRun::median_ms))},
+               {"p99_time_per_scan_ms", json_of(spread_of(result, &MeasuredRun::p99_ms))},
+               {"peak_memory_bytes", peak_memory(result)},
+               {"evaluation", nullptr},
+               {"evaluation_from_start", nullptr},
+               {"runs", Json::array()}};
+  if (result.evaluation) json["evaluation"] = evaluation::json_of(*result.evaluation);
+  if (result.from_start) json["evaluation_from_start"] = evaluation::json_of(*result.from_start);
+  for (const MeasuredRun& run : result.runs) json["runs"].push_back(json_of(run));
+  return json;
+}
+
+Json json_of(const ComparedRecording& recording, const std::vector<ComparedMethod>& methods) {
+  Json json = {{"name", recording.name},
+               {"path", recording.path},
+               {"truth", recording.truth},
+               {"fingerprint", recording.fingerprint},
+               {"truth_length_m", recording.truth_length},
+               {"truth_duration_s", recording.truth_duration},
+               {"results", Json::array()}};
+  for (std::size_t m = 0; m < recording.results.size(); ++m) {
+    json["results"].push_back(json_of(recording.results[m], methods[m].label));
+  }
+  return json;
+}
+
+Json json_of(const Table& table) {
+  Json json = {{"title", table.title}, {"rows", Json::array()}};
+  for (const TableRow& row : table.rows) {
+    Json cells = Json::array();
+    for (std::size_t column = 0; column < row.cells.size(); ++column) {
+      const Cell& cell = row.cells[column];
+      Json entry = {{"method", table.columns[column]}, {"text", cell.text}};
+      entry["value"] = cell.value ? Json(*cell.value) : Json(nullptr);
+      entry["place"] =
+          cell.place == Place::kNone ? Json(nullptr) : Json(cell.place == Place::kFirst ? 1 : 2);
+      cells.push_back(std::move(entry));
+    }
+    json["rows"].push_back(
+        {{"sequence", row.heads[0]}, {"figure", row.heads[1]}, {"cells", cells}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Comparison& comparison) {
+  Json json = {
+      {"format", "surefoot-comparison"},
+      {"format_version", kFormatVersion},
+      {"program", {{"version", comparison.version}, {"build", comparison.build}}},
+      {"machine", {{"processor", comparison.processor}, {"cores", comparison.processor_cores}}},
+      {"repeats", comparison.repeats},
+      {"most_jobs", most_jobs(comparison)},
+      {"run_arguments", comparison.run_arguments},
+      {"evaluation", evaluation::json_of(comparison.options)},
+      {"rules",
+       {{"full_coverage", comparison.rules.full_coverage},
+        {"standing_share", comparison.rules.standing_share},
+        {"least_divergence_m", comparison.rules.least_divergence}}},
+      {"notes", comparison_notes(comparison)},
+      {"methods", Json::array()},
+      {"recordings", Json::array()},
+      {"tables", Json::array()}};
+  for (const ComparedMethod& method : comparison.methods) {
+    json["methods"].push_back(json_of(method));
+  }
+  for (const ComparedRecording& recording : comparison.recordings) {
+    json["recordings"].push_back(json_of(recording, comparison.methods));
+  }
+  for (const Table& table : comparison_tables(comparison)) json["tables"].push_back(json_of(table));
+  return json_text(json);
+}
+
+}  // namespace surefoot::evaluation

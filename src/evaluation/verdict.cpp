@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "evaluation/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace surefoot::evaluation {
+
+namespace {
+
+/// Share [0, 1] of the reference's time at which the estimate ends.
+double reach(const Trajectory& reference, const Trajectory& estimate, double offset) {
+  const auto begin = static_cast<double>(reference.front().stamp_ns);
+  const auto end = static_cast<double>(reference.back().stamp_ns);
+  const double last = static_cast<double>(estimate.back().stamp_ns) + 1e9 * offset;
+  return end > begin ? std::clamp((last - begin) / (end - begin), 0.0, 1.0) : 1.0;
+}
+
+/// In percent, rounded down: 99.9 % is not all.
+int whole_percent(double share) { return static_cast<int>(std::floor(100.0 * share)); }
+
+}  // namespace
+
+std::string_view to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kWhole:
+      return "whole";
+    case Outcome::kStopped:
+      return "stopped";
+    case Outcome::kPartial:
+      return "partial";
+    case Outcome::kDiverged:
+      return "diverged";
+    case Outcome::kFailed:
+      break;
+  }
+  return "failed";
+}
+
+double standing_error(const Trajectory& reference) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  const auto count = static_cast<double>(std::max<std::size_t>(reference.size(), 1));
+  for (const StampedPose& stamped : reference) mean += stamped.pose.translation / count;
+  double sum = 0.0;
+  for (const StampedPose& stamped : reference)
+    sum += (stamped.pose.translation - mean).squaredNorm();
+  return std::sqrt(sum / count);
+}
+
+Verdict judge(const Trajectory& reference, const Trajectory& estimate, const Evaluation& evaluation,
+              const EvaluationOptions& options, const VerdictRules& rules) {
+  if (reference.empty() || estimate.empty()) {
+    throw std::invalid_argument("judge: a trajectory has no poses");
+  }
+  if (evaluation.coverage < rules.full_coverage) {
+    const bool stamped = options.association.method != AssociationMethod::kIndex;
+    const double end = stamped ? reach(reference, estimate, options.association.offset) : 1.0;
+    if (end < rules.full_coverage) {
+      return {Outcome::kStopped, fmt::format("stopped at {} %", whole_percent(end))};
+    }
+    return {Outcome::kPartial, fmt::format("covers only {} %", whole_percent(evaluation.coverage))};
+  }
+  const double error = evaluation.absolute.front().statistics.rmse;
+  const double standing = rules.standing_share * standing_error(reference);
+  if (error >= std::max(standing, rules.least_divergence)) return {Outcome::kDiverged, "diverged"};
+  return {Outcome::kWhole, ""};
+}
+
+}  // namespace surefoot::evaluation

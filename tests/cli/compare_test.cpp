@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot compare: tables that equal the files, nothing done twice, nothing taken along by what
+// fails, nothing ranked that stopped early.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "dataset/trajectory_files.hpp"
+#include "process.hpp"
+#include "recordings.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kScans = 12;
+constexpr int kThinFrom = 5;  // of the recording that one method loses
+
+/// A glide along a bend through the hall, with the truth beside it every 10 ms.
+void write_recording(const fs::path& folder, double yaw_rate, bool thin_end = false) {
+  Twist velocity = Twist::Zero();
+  velocity[0] = 1.0;
+  velocity[5] = yaw_rate;
+  const MotionFunction motion =
+      constant_velocity({Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}}, velocity);
+  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans, {.columns = 180});
+  for (std::size_t i = kThinFrom; thin_end && i < scans.size(); ++i) {
+    Scan thin = scans[i];
+    const auto thinned = [](auto& values) {
+      std::size_t kept = 0;
+      for (std::size_t p = 0; p < values.size(); p += 2) values[kept++] = values[p];
+      values.resize(std::min(kept, values.size()));
+    };
+    thinned(thin.points);
+    thinned(thin.times_ns);
+    thinned(thin.intensities);
+    thinned(thin.rings);
+    scans[i] = thin;
+  }
+  write_pcd_recording(folder, scans);
+  Trajectory truth;
+  for (int i = 5; i <= 10 * kScans - 5; ++i) {
+    truth.push_back({std::int64_t{i} * 10'000'000, motion(0.01 * i)});
+  }
+  dataset::write_tum(folder / "gt.tum", truth);
+}
+
+class Compare : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_recording(scratch_.path() / "left", 0.6);
+    write_recording(scratch_.path() / "right", -0.8);
+  }
+
+  [[nodiscard]] ProcessResult compare(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "compare");
+    arguments.insert(arguments.end(), {"--delta", "0.5"});
+    return run_surefoot(arguments, scratch_.path());
+  }
+  [[nodiscard]] json results(const std::string& folder) const {
+    return json::parse(file_content(scratch_.path() / folder / "compare.json"), nullptr, false);
+  }
+  [[nodiscard]] std::string content(const std::string& file) const {
+    return file_content(scratch_.path() / file);
+  }
+  /// When each file below a folder was written.
+  [[nodiscard]] std::map<std::string, fs::file_time_type> times(const std::string& folder) const {
+    std::map<std::string, fs::file_time_type> found;
+    for (const auto& entry : fs::recursive_directory_iterator(scratch_.path() / folder)) {
+      if (entry.is_regular_file()) found[entry.path().string()] = entry.last_write_time();
+    }
+    return found;
+  }
+
+  ScratchFolder scratch_;
+};
+
+/// The cell of a table in compare.json.
+json cell(const json& results, std::size_t table, const std::string& sequence,
+          const std::string& figure, const std::string& method) {
+  for (const json& row : results["tables"][table]["rows"]) {
+    if (row["sequence"] != sequence || row["figure"] != figure) continue;
+    for (const json& entry : row["cells"]) {
+      if (entry["method"] == method) return entry;
+    }
+  }
+  ADD_FAILURE() << "no cell " << sequence << ", " << figure << ", " << method;
+  return {};
+}
+
+json result(const json& results, const std::string& recording, const std::string& method) {
+  for (const json& each : results["recordings"]) {
+    if (each["name"] != recording) continue;
+    for (const json& entry : each["results"]) {
+      if (entry["method"] == method) return entry;
+    }
+  }
+  ADD_FAILURE() << "no result " << recording << ", " << method;
+  return {};
+}
+
+/// Everything about errors and verdicts, nothing about times.
+json errors_of(const json& results) {
+  json errors;
+  for (const json& recording : results["recordings"]) {
+    for (const json& each : recording["results"]) {
+      errors.push_back({recording["name"], each["method"], each["outcome"], each["evaluation"],
+                        each["evaluation_from_start"]});
+    }
+  }
+  return errors;
+}
+
+TEST_F(Compare, TablesFilesAndFiguresOfTwoByTwo) {
+  const ProcessResult printed =
+      compare({"left", "right", "--methods", "paper,paper+deskew.mode=none", "-o", "out"});
+  ASSERT_EQ(printed.exit_code, 0) << printed;
+  EXPECT_NE(printed.errors.find("4/4  right, paper+deskew.mode=none"), std::string::npos)
+      << printed;
+  const json all = results("out");
+  ASSERT_TRUE(all.is_object()) << printed;
+  const std::string markdown = content("out/tables.md"), csv = content("out/tables.csv"),
+                    latex = content("out/tables.tex");
+  EXPECT_EQ(printed.output.substr(0, markdown.size()), markdown);
+  for (const char* sequence : {"left", "right"}) {
+    for (const char* method : {"paper", "paper+deskew.mode=none"}) {
+      const json one = result(all, sequence, method);
+      EXPECT_EQ(one["outcome"], "whole") << one;
+      const json rmse = cell(all, 0, sequence, "RMSE (m)", method);
+      EXPECT_EQ(rmse["value"], one["evaluation"]["errors"]["ape_translation"]["rmse"]);
+      EXPECT_LT(rmse["value"].get<double>(), 0.2);
+      const std::string text = rmse["text"];
+      const bool best = rmse["place"] == 1;
+      EXPECT_NE(markdown.find(best ? "**" + text + "**" : "<u>" + text + "</u>"),
+                std::string::npos);
+      EXPECT_NE(latex.find((best ? "\\textbf{" : "\\underline{") + text + "}"), std::string::npos);
+      EXPECT_NE(csv.find(std::string("Absolute pose error (APE),") + sequence + ",RMSE (m)," +
+                         method + "," + rmse["value"].dump() + "," + text + ","),
+                std::string::npos)
+          << csv;
+      EXPECT_GT(one["peak_memory_bytes"], 1'000'000);
+      const std::string folder = "out/" + one["runs"][0]["folder"].get<std::string>();
+      EXPECT_FALSE(content(folder + "/trajectory.tum").empty());
+      EXPECT_FALSE(content(folder + "/map.ply").empty());
+    }
+  }
+#ifdef SUREFOOT_HAS_PICTURES
+  for (const char* view : {"3d", "side", "top"}) {
+    const std::string name = std::string("out/figures/trajectories_") + view;
+    EXPECT_NE(content(name + ".svg").find("<svg"), std::string::npos);
+    EXPECT_EQ(content(name + ".png").substr(1, 3), "PNG");
+  }
+#endif
+}
+
+TEST_F(Compare, TheFiguresAreThoseOfEval) {
+  ASSERT_EQ(compare({"left", "-o", "out", "--no-figures"}).exit_code, 0);
+  const ProcessResult eval =
+      run_surefoot({"eval", "left/gt.tum", "out/runs/left/paper/1/trajectory.tum", "--json",
+                    "--delta", "0.5", "--delta-unit", "m", "--all-pairs", "--pairs-from-reference"},
+                   scratch_.path());
+  ASSERT_EQ(eval.exit_code, 0) << eval;
+  json expected = json::parse(eval.output)[0];
+  expected["estimate"] = "paper";
+  EXPECT_EQ(result(results("out"), "left", "paper")["evaluation"], expected);
+  EXPECT_FALSE(fs::exists(scratch_.path() / "out/figures"));
+}
+
+TEST_F(Compare, WhatIsDoneIsNotDoneAgain) {
+  const std::vector<std::string> command = {"left", "-o", "out", "--no-figures"};
+  ASSERT_EQ(compare(command).exit_code, 0);
+  const std::string first = content("out/compare.json");
+  const auto before = times("out/runs");
+  const ProcessResult again = compare(command);
+  EXPECT_EQ(again.exit_code, 0) << again;
+  EXPECT_NE(again.errors.find("1 done before"), std::string::npos) << again;
+  EXPECT_EQ(times("out/runs"), before);
+  EXPECT_EQ(content("out/compare.json"), first);
+  // Another parameter, a changed recording: done anew.
+  const ProcessResult other =
+      compare({"left", "-o", "out", "--no-figures", "--set", "map.radius=50"});
+  EXPECT_NE(other.errors.find("0 done before"), std::string::npos) << other;
+  EXPECT_NE(times("out/runs"), before);
+  const fs::path scan = scratch_.path() / "left" / scan_name(3);
+  fs::last_write_time(scan, fs::last_write_time(scan) + std::chrono::seconds(5));
+  const ProcessResult touched =
+      compare({"left", "-o", "out", "--no-figures", "--set", "map.radius=50"});
+  EXPECT_NE(touched.errors.find("0 done before"), std::string::npos) << touched;
+}
+
+// A second recording that is far longer than the test waits for.
+TEST_F(Compare, CtrlCKeepsWhatIsDone) {
+  const fs::path endless = scratch_.path() / "very_long";
+  write_pcd_recording(endless, hall_scans(1));
+  for (std::size_t i = 1; i < 20'000; ++i) {
+    fs::create_hard_link(endless / scan_name(0), endless / scan_name(i));
+  }
+  fs::remove(endless / "times.txt");
+  fs::copy_file(scratch_.path() / "left/gt.tum", endless / "gt.tum");
+  const std::vector<std::string> rest = {"--delta", "0.5", "-o", "out", "--pass=--rate=10"};
+  std::vector<std::string> both = {"compare", "left", "very_long"}, left = {"compare", "left"};
+  both.insert(both.end(), rest.begin(), rest.end());
+  left.insert(left.end(), rest.begin(), rest.end());
+  const Process process(both, scratch_.path());
+  const fs::path running = scratch_.path() / "out/runs/very_long/paper/1";
+  for (int i = 0; i < 3000 && file_content(running / "scans.csv").size() < 2000; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  process.send(SIGINT);
+  const ProcessResult stopped = process.wait();
+  EXPECT_EQ(stopped.exit_code, 130) << stopped;
+  EXPECT_NE(stopped.errors.find("1 of 2 runs"), std::string::npos) << stopped;
+  EXPECT_NE(stopped.errors.find("the same command again goes on"), std::string::npos) << stopped;
+  EXPECT_FALSE(fs::exists(running / "compare_run.json"));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "out/compare.json"));
+  EXPECT_EQ(content("out/runs/very_long/paper/1/trajectory.tum").back(), '\n');
+  const ProcessResult again = run_surefoot(left, scratch_.path());
+  EXPECT_NE(again.errors.find("1 done before"), std::string::npos) << again;
+}
+
+TEST_F(Compare, AFailureTakesNothingAlong) {
+  fs::create_directory(scratch_.path() / "broken");
+  write_content(scratch_.path() / "broken" / scan_name(0), "no point cloud");
+  fs::copy_file(scratch_.path() / "left/gt.tum", scratch_.path() / "broken/gt.tum");
+  fs::copy(scratch_.path() / "left", scratch_.path() / "no_truth");
+  fs::remove(scratch_.path() / "no_truth/gt.tum");
+  const ProcessResult printed = compare({"broken", "no_truth", "left", "-o", "out"});
+  EXPECT_EQ(printed.exit_code, 1) << printed;
+  const json all = results("out");
+  for (const char* recording : {"broken", "no_truth"}) {
+    const json failed = result(all, recording, "paper");
+    EXPECT_EQ(failed["outcome"], "failed");
+    EXPECT_EQ(failed["ranked"], false);
+    EXPECT_EQ(cell(all, 0, recording, "Maximum (m)", "paper")["text"], "failed");
+  }
+  EXPECT_EQ(result(all, "broken", "paper")["runs"][0]["exit_code"], 2);
+  EXPECT_NE(printed.output.find("broken, paper: ended with exit code 2"), std::string::npos);
+  EXPECT_NE(printed.output.find("no_truth, paper:"), std::string::npos) << printed;
+  EXPECT_NE(printed.output.find("gt.tum"), std::string::npos) << printed;
+  EXPECT_EQ(result(all, "left", "paper")["outcome"], "whole");
+  // Failures are kept, too, unless they are to be tried again.
+  EXPECT_NE(compare({"broken", "left", "-o", "out"}).errors.find("2 done before"),
+            std::string::npos);
+  EXPECT_NE(compare({"broken", "left", "-o", "out", "--retry-failed"}).errors.find("1 done before"),
+            std::string::npos);
+}
+
+// One method refuses the thin scans at the end: its error over the rest is no error of the run.
+TEST_F(Compare, WhatStopsEarlyIsNotRanked) {
+  write_recording(scratch_.path() / "thin", 0.6, true);
+  const std::string choosy = "paper+preprocess.min_points=2000";
+  const ProcessResult printed =
+      compare({"thin", "--methods", choosy + ",paper", "-o", "out", "--no-figures"});
+  EXPECT_EQ(printed.exit_code, 0) << printed;
+  const json all = results("out");
+  const json stopped = result(all, "thin", choosy);
+  EXPECT_EQ(stopped["outcome"], "stopped") << printed;
+  EXPECT_EQ(stopped["outcome_text"], "stopped at 36 %");
+  EXPECT_EQ(stopped["runs"][0]["statuses"]["rejected"], kScans - kThinFrom);
+  EXPECT_EQ(cell(all, 0, "thin", "Maximum (m)", choosy)["text"], "stopped at 36 %");
+  for (const char* figure : {"Maximum (m)", "Mean (m)", "RMSE (m)", "std (m)"}) {
+    EXPECT_TRUE(cell(all, 0, "thin", figure, choosy)["value"].is_null());
+    EXPECT_EQ(cell(all, 0, "thin", figure, "paper")["place"], 1);
+  }
+  EXPECT_TRUE(cell(all, 2, "thin", "Time a scan, median (ms)", choosy)["place"].is_null());
+}
+
+TEST_F(Compare, SideBySideEqualsOneAfterTheOther) {
+  const std::vector<std::string> command = {"left",     "right", "--methods",    "paper,paper-cv",
+                                            "--repeat", "2",     "--no-figures", "-o"};
+  std::vector<std::string> alone = command, together = command;
+  alone.push_back("alone");
+  together.insert(together.end(), {"together", "-j", "2"});
+  const ProcessResult one = compare(alone), two = compare(together);
+  EXPECT_EQ(one.exit_code, 0) << one;
+  EXPECT_EQ(two.exit_code, 0) << two;
+  EXPECT_EQ(errors_of(results("alone")), errors_of(results("together")));
+  EXPECT_EQ(result(results("alone"), "left", "paper")["repeats_agree"], true);
+  EXPECT_NE(one.output.find("2 repeats each: all trajectories are the same"), std::string::npos);
+  EXPECT_EQ(one.output.find("shared the machine"), std::string::npos) << one;
+  EXPECT_NE(two.output.find("2 runs shared the machine"), std::string::npos) << two;
+}
+
+TEST_F(Compare, RepeatsThatDifferAreTold) {
+  const std::vector<std::string> command = {"left", "--repeat", "2", "-o", "out", "--no-figures"};
+  ASSERT_EQ(compare(command).exit_code, 0);
+  const fs::path second = scratch_.path() / "out/runs/left/paper/2/trajectory.tum";
+  write_content(second, file_content(second) + "# changed\n");
+  const ProcessResult printed = compare(command);
+  EXPECT_EQ(printed.exit_code, 1) << printed;
+  EXPECT_NE(printed.output.find("left, paper: THE REPEATS' TRAJECTORIES DIFFER"), std::string::npos)
+      << printed;
+  EXPECT_EQ(result(results("out"), "left", "paper")["repeats_agree"], false);
+}
+
+TEST_F(Compare, PartOfTheScansIsComparedWithPartOfTheTruth) {
+  ASSERT_EQ(compare({"left", "--count", "6", "-o", "out", "--no-figures"}).exit_code, 0);
+  EXPECT_EQ(result(results("out"), "left", "paper")["outcome"], "whole");
+  ASSERT_EQ(
+      compare({"left", "--count", "6", "--cover", "truth", "-o", "out", "--no-figures"}).exit_code,
+      0);
+  EXPECT_EQ(result(results("out"), "left", "paper")["outcome_text"], "stopped at 45 %");
+}
+
+TEST_F(Compare, ASuiteIsAFolderOfRecordings) {
+  const ProcessResult printed = compare({"--suite", ".", "-o", "out", "--no-figures", "-q"});
+  EXPECT_EQ(printed.exit_code, 0) << printed;
+  EXPECT_TRUE(printed.errors.empty()) << printed;
+  EXPECT_EQ(results("out")["recordings"].size(), 2U);
+}
+
+TEST_F(Compare, ForeignFilesAreNeverRemoved) {
+  const fs::path file = scratch_.path() / "out/runs/left/paper/1/thesis.tex";
+  fs::create_directories(file.parent_path());
+  write_content(file, "years of work");
+  const ProcessResult printed = compare({"left", "-o", "out"});
+  EXPECT_EQ(printed.exit_code, 2) << printed;
+  EXPECT_EQ(file_content(file), "years of work");
+}
+
+}  // namespace
+}  // namespace surefoot::test
