@@ -16,6 +16,7 @@ void add_config_command(CLI::App& app, int& exit_code);
 void add_simulate_command(CLI::App& app, int& exit_code);  // with SUREFOOT_SIMULATION
 void add_suite_command(CLI::App& app, int& exit_code);     // with SUREFOOT_SIMULATION
 void add_eval_command(CLI::App& app, int& exit_code);
+void add_report_command(CLI::App& app, int& exit_code);
 void add_sweep_command(CLI::App& app, int& exit_code);
 
 }  // namespace surefoot::app
