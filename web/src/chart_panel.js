@@ -74,8 +74,12 @@ export class ChartPanel {
     this.legend = el("ul.legend");
     this.holder = el("div.plot");
     this.note = el("p.note");
-    this.element = el("figure.card.chart", {},
-      el("figcaption", {}, el("h3", {}, spec.title), this.note, this.legend), this.holder);
+    this.element = el(
+      "figure.card.chart",
+      {},
+      el("figcaption", {}, el("h3", {}, spec.title), this.note, this.legend),
+      this.holder,
+    );
     new ResizeObserver(() => this.#resize()).observe(this.holder);
   }
 
@@ -126,10 +130,15 @@ export class ChartPanel {
       return `${label} median ${significant(quantile(numbers, 0.5), 3)}, largest ${significant(quantile(numbers, 1), 3)}`;
     });
     this.holder.setAttribute("role", "img");
-    this.holder.setAttribute("aria-label", `${title} ${unit} over ${this.axis.label}: ${parts.join("; ")}`);
+    this.holder.setAttribute(
+      "aria-label",
+      `${title} ${unit} over ${this.axis.label}: ${parts.join("; ")}`,
+    );
     const { values } = this.lines[0];
     const cut = this.spec.cut && isPeaked(values);
-    this.note.textContent = cut ? `Peaks up to ${significant(quantile(values, 1), 3)} are cut off.` : "";
+    this.note.textContent = cut
+      ? `Peaks up to ${significant(quantile(values, 1), 3)} are cut off.`
+      : "";
   }
 
   #resize() {

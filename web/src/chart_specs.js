@@ -31,7 +31,9 @@ function poseLines(context, part, offset) {
 function errorLines(context, parts) {
   const { errors } = context.run();
   if (!errors) return [];
-  return parts.map(([label, name], place) => line(label, errors.times, errors[name], stepColor(2 * place)));
+  return parts.map(([label, name], place) =>
+    line(label, errors.times, errors[name], stepColor(2 * place)),
+  );
 }
 
 function translationErrors(context) {
@@ -43,22 +45,30 @@ function translationErrors(context) {
       ["vertical, signed", "vertical_m"],
     ]);
   }
-  return context.companions().flatMap((run, place) =>
-    run.errors ? [line(run.name, run.errors.times, run.errors.translation_m, runColor(place))] : [],
-  );
+  return context
+    .companions()
+    .flatMap((run, place) =>
+      run.errors
+        ? [line(run.name, run.errors.times, run.errors.translation_m, runColor(place))]
+        : [],
+    );
 }
 
 function columnLines(context, columns) {
   const { scans } = context.run();
   return columns.flatMap(([label, name], place) =>
-    scans.columns[name] ? [line(label, scans.times, scans.columns[name], stepColor(2 * place))] : [],
+    scans.columns[name]
+      ? [line(label, scans.times, scans.columns[name], stepColor(2 * place))]
+      : [],
   );
 }
 
 /** The steps on top of each other: each line is the sum up to its step; `own` is the step's. */
 function stepLines(context) {
   const { scans } = context.run();
-  const names = Object.keys(scans.columns).filter((name) => name.startsWith("ms_") && name !== "ms_total");
+  const names = Object.keys(scans.columns).filter(
+    (name) => name.startsWith("ms_") && name !== "ms_total",
+  );
   const sum = new Float32Array(scans.count);
   const lines = names.map((name, place) => {
     const own = scans.columns[name];
@@ -76,7 +86,12 @@ function observabilityLines(context) {
   const least = scans.columns.least_information;
   if (!least || !scans.degenerate.some(Boolean)) return lines;
   const values = least.map((value, i) => (scans.degenerate[i] ? value : NaN));
-  lines.push(line("weakest direction, where degenerate", scans.times, values, stepColor(2), { width: 0, dots: true }));
+  lines.push(
+    line("weakest direction, where degenerate", scans.times, values, stepColor(2), {
+      width: 0,
+      dots: true,
+    }),
+  );
   return lines;
 }
 
@@ -85,34 +100,62 @@ export const kCharts = [
   { group: "Motion", title: "Height", unit: "z [m]", lines: (c) => poseLines(c, "positions", 2) },
   { group: "Motion", title: "Roll", unit: "roll [deg]", lines: (c) => poseLines(c, "angles", 0) },
   { group: "Motion", title: "Pitch", unit: "pitch [deg]", lines: (c) => poseLines(c, "angles", 1) },
-  { group: "Error against the truth", title: "Position", unit: "error [m]", lines: translationErrors },
+  {
+    group: "Error against the truth",
+    title: "Position",
+    unit: "error [m]",
+    lines: translationErrors,
+  },
   {
     group: "Error against the truth",
     title: "Orientation",
     unit: "error [deg]",
-    lines: (c) => errorLines(c, [["tilt", "tilt_deg"], ["yaw", "yaw_deg"]]),
+    lines: (c) =>
+      errorLines(c, [
+        ["tilt", "tilt_deg"],
+        ["yaw", "yaw_deg"],
+      ]),
   },
-  { group: "Registration, scan by scan", title: "Time by step", unit: "time [ms]", fromZero: true, cut: true, lines: stepLines },
+  {
+    group: "Registration, scan by scan",
+    title: "Time by step",
+    unit: "time [ms]",
+    fromZero: true,
+    cut: true,
+    lines: stepLines,
+  },
   {
     group: "Registration, scan by scan",
     title: "Iterations",
     unit: "iterations [1]",
     fromZero: true,
-    lines: (c) => columnLines(c, [["horizontal", "horizontal_iterations"], ["vertical", "vertical_iterations"]]),
+    lines: (c) =>
+      columnLines(c, [
+        ["horizontal", "horizontal_iterations"],
+        ["vertical", "vertical_iterations"],
+      ]),
   },
   {
     group: "Registration, scan by scan",
     title: "Matches",
     unit: "matches [1]",
     fromZero: true,
-    lines: (c) => columnLines(c, [["horizontal", "horizontal_matches"], ["vertical", "vertical_matches"]]),
+    lines: (c) =>
+      columnLines(c, [
+        ["horizontal", "horizontal_matches"],
+        ["vertical", "vertical_matches"],
+      ]),
   },
   {
     group: "Registration, scan by scan",
     title: "Residuals",
     unit: "residual [m]",
     fromZero: true,
-    lines: (c) => columnLines(c, [["horizontal", "horizontal_residual_m"], ["vertical", "vertical_residual_m"]]),
+    lines: (c) =>
+      columnLines(c, [
+        ["horizontal", "horizontal_residual_m"],
+        ["vertical", "vertical_residual_m"],
+      ]),
   },
   {
     group: "Registration, scan by scan",
@@ -125,7 +168,8 @@ export const kCharts = [
 
 /** From time to the chosen axis, by the path of the run that is looked at. */
 export function axisOf(context) {
-  if (context.store.get("axis") === "time") return { label: "time [s]", at: (time) => time, back: (x) => x };
+  if (context.store.get("axis") === "time")
+    return { label: "time [s]", at: (time) => time, back: (x) => x };
   const { scans, lengths } = context.run();
   return {
     label: "path [m]",

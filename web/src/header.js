@@ -15,8 +15,16 @@ function keyFigures(run) {
   const total = columns.ms_total ?? new Float32Array();
   const figures = [
     ["Scans", grouped(count), duration(seconds)],
-    ["Path", `${fixed(run.lengths.at(-1) ?? 0, 1)} m`, run.map ? `${grouped(run.map.total)} map points` : "no map"],
-    ["Time per scan", `${fixed(quantile(total, 0.5), 1)} ms`, `99 % within ${fixed(quantile(total, 0.99), 1)} ms`],
+    [
+      "Path",
+      `${fixed(run.lengths.at(-1) ?? 0, 1)} m`,
+      run.map ? `${grouped(run.map.total)} map points` : "no map",
+    ],
+    [
+      "Time per scan",
+      `${fixed(quantile(total, 0.5), 1)} ms`,
+      `99 % within ${fixed(quantile(total, 0.99), 1)} ms`,
+    ],
     ["Untrusted", grouped(untrusted), `${grouped(weak)} degenerate`],
   ];
   if (run.figures) {
@@ -54,7 +62,11 @@ function runChoice({ report, store, recording, companions, run }) {
 
 export function addHeader(page, context) {
   const { report, store } = context;
-  const themes = [["auto", "Auto"], ["light", "Light"], ["dark", "Dark"]];
+  const themes = [
+    ["auto", "Auto"],
+    ["light", "Light"],
+    ["dark", "Dark"],
+  ];
   const chosen = el("div.chosen");
   const figures = el("dl.figures", { "aria-label": "Key figures" });
   const subtitle = el("p.subtitle");
@@ -69,7 +81,9 @@ export function addHeader(page, context) {
         el("h1", {}, report.title),
         subtitle,
       ),
-      choice("Colours of the page", themes, store.get("themeWish"), (wish) => store.set("themeWish", wish)),
+      choice("Colours of the page", themes, store.get("themeWish"), (wish) =>
+        store.set("themeWish", wish),
+      ),
     ),
     chosen,
     figures,

@@ -48,6 +48,8 @@ function showReport() {
 try {
   showReport();
 } catch (error) {
-  page.replaceChildren(el("p.failure", { role: "alert" }, `This report cannot be shown: ${error.message}`));
+  page.replaceChildren(
+    el("p.failure", { role: "alert" }, `This report cannot be shown: ${error.message}`),
+  );
   throw error;
 }

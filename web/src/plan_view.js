@@ -65,9 +65,16 @@ export class PlanView {
       this.height - kMargin.top - kMargin.bottom,
     ];
     this.h = widened(rangeOf(series, 0), 0.08, 4);
-    this.v = widened(rangeOf(series, this.vertical), this.vertical === 1 ? 0.08 : 0.3, this.vertical === 1 ? 4 : 1.5);
+    this.v = widened(
+      rangeOf(series, this.vertical),
+      this.vertical === 1 ? 0.08 : 0.3,
+      this.vertical === 1 ? 4 : 1.5,
+    );
     if (this.vertical === 1) {
-      const scale = Math.min(inner[0] / (this.h[1] - this.h[0]), inner[1] / (this.v[1] - this.v[0]));
+      const scale = Math.min(
+        inner[0] / (this.h[1] - this.h[0]),
+        inner[1] / (this.v[1] - this.v[0]),
+      );
       this.h = widened(this.h, 0, inner[0] / scale);
       this.v = widened(this.v, 0, inner[1] / scale);
     }
@@ -103,7 +110,9 @@ export class PlanView {
     const [gx, gy] = axes.map((axis) => (map.high[axis] - map.low[axis]) / 65535);
     for (let i = 0; i < map.steps.length; i += 3) {
       const x = Math.floor(this.x(map.low[0] + gx * map.steps[i]) - left);
-      const y = Math.floor(this.y(map.low[this.vertical] + gy * map.steps[i + this.vertical]) - top);
+      const y = Math.floor(
+        this.y(map.low[this.vertical] + gy * map.steps[i + this.vertical]) - top,
+      );
       if (x >= 0 && y >= 0 && x < columns && y < rows) ++counts[y * columns + x];
     }
     const [red, green, blue] = color("shadow").split(" ").map(Number);
@@ -116,7 +125,13 @@ export class PlanView {
     shadow.width = columns;
     shadow.height = rows;
     shadow.getContext("2d").putImageData(image, 0, 0);
-    context.drawImage(shadow, left * this.ratio, top * this.ratio, columns * this.ratio, rows * this.ratio);
+    context.drawImage(
+      shadow,
+      left * this.ratio,
+      top * this.ratio,
+      columns * this.ratio,
+      rows * this.ratio,
+    );
   }
 
   #drawAxes(context) {
@@ -129,7 +144,8 @@ export class PlanView {
     const ticks = ([low, high], pixels, each) => {
       const step = niceStep(high - low, Math.max(2, pixels / 70));
       const decimals = Math.max(0, -Math.floor(Math.log10(step)));
-      for (let k = Math.ceil(low / step); k * step <= high; ++k) each(k * step, fixed(k * step, decimals));
+      for (let k = Math.ceil(low / step); k * step <= high; ++k)
+        each(k * step, fixed(k * step, decimals));
     };
     context.beginPath();
     context.textAlign = "center";
@@ -184,7 +200,11 @@ export class PlanView {
     let pen = false;
     for (let i = 0; i < positions.length; i += 3) {
       const missing = Number.isNaN(positions[i]);
-      if (!missing) context[pen ? "lineTo" : "moveTo"](this.x(positions[i]), this.y(positions[i + this.vertical]));
+      if (!missing)
+        context[pen ? "lineTo" : "moveTo"](
+          this.x(positions[i]),
+          this.y(positions[i + this.vertical]),
+        );
       pen = !missing;
     }
     context.stroke();

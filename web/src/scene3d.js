@@ -32,7 +32,11 @@ export class Scene3d {
   constructor(canvas, context) {
     this.context = context;
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      preserveDrawingBuffer: true,
+    });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 5000);
     this.camera.up.set(0, 0, 1);
@@ -152,7 +156,9 @@ export class Scene3d {
   resetView() {
     const { middle, size } = extentOf(this.context.run(), this.context.recording().truth);
     this.controls.target.copy(middle);
-    this.camera.position.copy(middle).add(new THREE.Vector3(-0.45, -0.75, 0.62).multiplyScalar(1.3 * size));
+    this.camera.position
+      .copy(middle)
+      .add(new THREE.Vector3(-0.45, -0.75, 0.62).multiplyScalar(1.3 * size));
     this.camera.near = size / 500;
     this.camera.far = size * 60;
     this.camera.updateProjectionMatrix();

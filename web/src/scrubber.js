@@ -45,8 +45,13 @@ export function addScrubber(page, context) {
   const slider = el("input", { type: "range", min: 0, step: 1, "aria-label": "Scan" });
   const place = el("span.place");
   const status = el("span.status");
-  const bar = el("div.scrubber", { role: "group", "aria-label": "Instant" }, play, slider,
-    el("output", {}, place, status));
+  const bar = el(
+    "div.scrubber",
+    { role: "group", "aria-label": "Instant" },
+    play,
+    slider,
+    el("output", {}, place, status),
+  );
   page.append(bar);
   const start = makePlayer(context);
   play.addEventListener("click", () => store.set("playing", !store.get("playing")));
@@ -67,7 +72,8 @@ export function addScrubber(page, context) {
     const index = cursor === null ? 0 : nearestIndex(run.scans.times, cursor);
     slider.max = run.scans.count - 1;
     slider.value = index;
-    const text = cursor === null ? "Hover a chart or a path, or move this slider" : describe(run, index);
+    const text =
+      cursor === null ? "Hover a chart or a path, or move this slider" : describe(run, index);
     slider.setAttribute("aria-valuetext", text);
     place.textContent = text;
     status.textContent = cursor === null ? "" : describeStatus(run, index);

@@ -67,14 +67,21 @@ function addScene(holder, controls, legend, context) {
   const canvas = el("canvas", {
     tabIndex: 0,
     role: "img",
-    "aria-label": "Map and paths in three dimensions. Drag to turn, right-drag or arrow keys to move, wheel to zoom.",
+    "aria-label":
+      "Map and paths in three dimensions. Drag to turn, right-drag or arrow keys to move, wheel to zoom.",
   });
   holder.append(canvas);
   let scene;
   try {
     scene = new Scene3d(canvas, context);
   } catch (error) {
-    holder.replaceChildren(el("p.failure", {}, `The 3-D view needs WebGL, which is not to be had here: ${error.message}`));
+    holder.replaceChildren(
+      el(
+        "p.failure",
+        {},
+        `The 3-D view needs WebGL, which is not to be had here: ${error.message}`,
+      ),
+    );
     return;
   }
   const { store, run } = context;
@@ -83,7 +90,9 @@ function addScene(holder, controls, legend, context) {
     scene.setCursor();
   });
   store.watch(["theme"], () => scene.setTheme());
-  store.watch(["run", "theme"], () => controls.replaceChildren(...mapControls(scene, store, run, legend)));
+  store.watch(["run", "theme"], () =>
+    controls.replaceChildren(...mapControls(scene, store, run, legend)),
+  );
   store.watch(["cursor", "playing"], () => scene.setCursor());
 }
 
@@ -112,8 +121,13 @@ export function addViews(page, context) {
       el(
         "div.grid",
         {},
-        el("figure.card.wide", {}, el("figcaption", {}, el("h3", {}, "In space"), note), scene,
-          el("div.below", {}, controls, colours)),
+        el(
+          "figure.card.wide",
+          {},
+          el("figcaption", {}, el("h3", {}, "In space"), note),
+          scene,
+          el("div.below", {}, controls, colours),
+        ),
         card("From above", null, top),
         card("From the side", stretch, side),
       ),
@@ -123,7 +137,14 @@ export function addViews(page, context) {
   context.store.watch(["run", "theme"], () => legend.replaceChildren(...pathLegend(context)));
   addScene(scene, controls, colours, context);
   addPlan(top, context, 1, "Paths seen from above, x to the right, y upwards, in metres");
-  addPlan(side, context, 2, "Paths seen from the side, x to the right, z upwards, in metres", (factor) => {
-    stretch.textContent = factor > 1.05 ? `Heights stretched ${significant(factor, 2)} times.` : "";
-  });
+  addPlan(
+    side,
+    context,
+    2,
+    "Paths seen from the side, x to the right, z upwards, in metres",
+    (factor) => {
+      stretch.textContent =
+        factor > 1.05 ? `Heights stretched ${significant(factor, 2)} times.` : "";
+    },
+  );
 }

@@ -44,7 +44,10 @@ export async function open(browser, file, { theme = "light", width = 1100, heigh
 /** Lets the frames be drawn that are due. */
 export function settle(page) {
   return page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100)))),
+    () =>
+      new Promise((done) =>
+        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))),
+      ),
   );
 }
 

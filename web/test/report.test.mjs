@@ -24,12 +24,16 @@ before(async () => {
 after(() => browser?.close());
 
 const stored = (key) => page.evaluate((name) => window.surefootReport.store.get(name), key);
-const times = () => page.evaluate(() => Array.from(window.surefootReport.report.runs[0].scans.times));
+const times = () =>
+  page.evaluate(() => Array.from(window.surefootReport.report.runs[0].scans.times));
 const pictures = (views = kViews) => Promise.all(views.map((view) => colorsOf(page, view)));
 
 function assertQuiet(said, asked) {
   assert.deepEqual(said, []);
-  assert.deepEqual(asked.filter((url) => !/^(file|data):/.test(url)), []);
+  assert.deepEqual(
+    asked.filter((url) => !/^(file|data):/.test(url)),
+    [],
+  );
   assert.equal(asked.filter((url) => url.startsWith("file:")).length, 1);
 }
 
@@ -51,7 +55,12 @@ test("colours the map by height, intensity and time", async () => {
 test("shows the figures of surefoot eval", async () => {
   const [expected] = JSON.parse(await readFile(process.env.SUREFOOT_TEST_EVALUATION, "utf8"));
   const shown = await page.$$eval("#errors td[data-statistic]", (cells) =>
-    cells.map(({ dataset, textContent }) => [dataset.error, dataset.statistic, dataset.value, textContent]),
+    cells.map(({ dataset, textContent }) => [
+      dataset.error,
+      dataset.statistic,
+      dataset.value,
+      textContent,
+    ]),
   );
   assert.equal(shown.length, 7 * Object.keys(expected.errors).length);
   for (const [error, statistic, value, text] of shown) {
@@ -70,7 +79,9 @@ test("marks the instant under the pointer everywhere", async () => {
   assert.ok(Math.abs(cursor - end / 2) < 0.1 * end, `${cursor} of ${end} s`);
   (await pictures()).forEach(({ text }, i) => assert.notEqual(text, earlier[i].text, kViews[i]));
   const lines = await page.$$eval(".chart:not([hidden]) .u-cursor-x", (cursors) =>
-    cursors.map((line) => line.getBoundingClientRect().left - line.parentElement.getBoundingClientRect().left),
+    cursors.map(
+      (line) => line.getBoundingClientRect().left - line.parentElement.getBoundingClientRect().left,
+    ),
   );
   assert.equal(lines.length, 10);
   for (const left of lines) assert.ok(left > 20, `a cursor at ${left} px`);
@@ -80,7 +91,8 @@ test("marks the instant under the pointer everywhere", async () => {
 test("takes hold of a path", async () => {
   await page.evaluate(() => window.surefootReport.store.set("cursor", null));
   const top = await page.$(".top canvas");
-  for (let y = 0.1; y < 0.95 && (await stored("cursor")) === null; y += 0.06) await hover(page, top, 0.5, y);
+  for (let y = 0.1; y < 0.95 && (await stored("cursor")) === null; y += 0.06)
+    await hover(page, top, 0.5, y);
   assert.notEqual(await stored("cursor"), null);
 });
 
@@ -111,7 +123,10 @@ test("charts can go along the path, and be looked at closely", async () => {
   await settle(page);
   const [low, high] = await stored("range");
   const length = await page.evaluate(() => window.surefootReport.report.runs[0].lengths.at(-1));
-  assert.ok(Math.abs(low / length - 0.3) < 0.05 && Math.abs(high / length - 0.7) < 0.05, `${low} to ${high} m`);
+  assert.ok(
+    Math.abs(low / length - 0.3) < 0.05 && Math.abs(high / length - 0.7) < 0.05,
+    `${low} to ${high} m`,
+  );
 });
 
 test("is dark where it is asked to be", async () => {
