@@ -20,7 +20,7 @@ std::uint64_t cube_key(const Eigen::Vector3d& point, double inverse_voxel) {
 
 }  // namespace
 
-void MapBuilder::add(const DeskewedScan& scan, const Pose& T_map_lidar) {
+void MapBuilder::add(const DeskewedScan& scan, const Pose& T_map_lidar, double seconds) {
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   if (scan.intensities.empty()) {
     has_intensities_ = false;
@@ -30,6 +30,7 @@ void MapBuilder::add(const DeskewedScan& scan, const Pose& T_map_lidar) {
     const Eigen::Vector3d point = R * scan.points[i].cast<double>() + T_map_lidar.translation;
     if (!taken_.insert(cube_key(point, inverse_voxel_)).second) continue;
     points_.push_back(point.cast<float>());
+    first_seen_.push_back(static_cast<float>(seconds));
     if (has_intensities_) intensities_.push_back(scan.intensities[i]);
   }
 }

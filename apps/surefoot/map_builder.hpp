@@ -17,12 +17,14 @@ class MapBuilder {
   /// `voxel`: side of the cubes [m].
   explicit MapBuilder(double voxel) : inverse_voxel_(1.0 / voxel) {}
 
-  /// Adds a scan whose LiDAR stood at `T_map_lidar` at mid-scan.
-  void add(const DeskewedScan& scan, const Pose& T_map_lidar);
+  /// Adds a scan whose LiDAR stood at `T_map_lidar` at mid-scan, `seconds` after the first scan.
+  void add(const DeskewedScan& scan, const Pose& T_map_lidar, double seconds);
 
   [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   /// Empty if any scan had no intensities.
   [[nodiscard]] const std::vector<float>& intensities() const { return intensities_; }
+  /// When the scan was taken that put the point into the map [s after the first scan].
+  [[nodiscard]] const std::vector<float>& first_seen() const { return first_seen_; }
 
  private:
   double inverse_voxel_;
@@ -30,6 +32,7 @@ class MapBuilder {
   std::unordered_set<std::uint64_t> taken_;
   std::vector<Eigen::Vector3f> points_;  // [m] map frame
   std::vector<float> intensities_;
+  std::vector<float> first_seen_;  // [s]
 };
 
 }  // namespace surefoot::app

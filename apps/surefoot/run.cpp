@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "report_maker.hpp"
 #include "run_options.hpp"
 #include "run_output.hpp"
 
@@ -64,6 +65,7 @@ class Run {
   [[nodiscard]] std::optional<dataset::ScanItem> first_scan();
   void process(const dataset::ScanItem& item, RunOutput& output);
   [[nodiscard]] double progress(std::size_t done) const;
+  void write_page(const std::filesystem::path& folder);
   void report(const RunOutput& output, bool interrupted);
 
   const RunOptions& options_;
@@ -78,6 +80,7 @@ class Run {
   std::vector<std::string> notes_;      ///< the recording's that were said
   std::vector<std::string> own_notes_;  ///< the run's
   Status last_status_ = Status::ok;
+  std::int64_t first_stamp_ns_ = 0;
 };
 
 void Run::say_new_notes() {
@@ -120,9 +123,11 @@ void Run::process(const dataset::ScanItem& item, RunOutput& output) {
   }
   times_.reset();
   const Estimate estimate = odometry_.add_scan(*item.scan);
+  if (tally_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (estimate.trusted() && !options_.no_map) {
-    map_.add(odometry_.deskewed_scan(), estimate.T_map_lidar);
+    const double seconds = 1e-9 * static_cast<double>(estimate.stamp_ns - first_stamp_ns_);
+    map_.add(odometry_.deskewed_scan(), estimate.T_map_lidar, seconds);
   }
   const bool serious = !estimate.trusted() || estimate.status == Status::first_scan;
   if (serious && estimate.status != last_status_) {
@@ -164,6 +169,7 @@ int Run::execute() {
                 {recording_->description(), notes, odometry_.level().message, tally_.scans(),
                  tally_.untrusted(), interrupted},
                 map_);
+  write_page(output.folder());
   report(output, interrupted);
   if (output.trajectory().empty()) {
     throw dataset::ReadError(
@@ -171,6 +177,18 @@ int Run::execute() {
                     options_.input.string(), done, output.folder().string()));
   }
   return interrupted ? kInterrupted : 0;
+}
+
+/// The page is an extra: without it the run is whole all the same.
+void Run::write_page(const std::filesystem::path& folder) {
+  if (options_.no_report || !has_report_page()) return;
+  try {
+    ReportMaker maker;
+    maker.add_run(folder);
+    write_report(maker.take({}), folder / "report.html");
+  } catch (const std::exception& error) {
+    say(fmt::format("no report.html: {}", error.what()));
+  }
 }
 
 void Run::report(const RunOutput& output, bool interrupted) {

@@ -67,6 +67,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->capture_default_str();
   command.add_flag("--no-map", options.no_map, "do not write map.ply");
   command.add_flag("--no-picture", options.no_picture, "do not draw the picture");
+  command.add_flag("--no-report", options.no_report, "do not write report.html");
   command.add_flag("-q,--quiet", options.quiet, "print errors only");
   add_reader_options(command, options.reader);
 }

@@ -36,6 +36,7 @@ struct RunOptions {
   double map_voxel = 0.1;  // [m]
   bool no_map = false;
   bool no_picture = false;
+  bool no_report = false;
   bool quiet = false;
 };
 

@@ -154,7 +154,11 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
 void RunOutput::finish(const RunOptions& options, const Config& config, const RunSummary& summary,
                        const MapBuilder& map) {
   write_run_yaml(folder_ / "run.yaml", options, config, summary);
-  if (!options.no_map) dataset::write_ply(folder_ / "map.ply", map.points(), map.intensities());
+  if (!options.no_map) {
+    const std::vector<dataset::PlyColumn> columns = {{"intensity", map.intensities()},
+                                                     {"first_seen", map.first_seen()}};
+    dataset::write_ply(folder_ / "map.ply", map.points(), columns);
+  }
 #ifdef SUREFOOT_HAS_PICTURES
   if (!options.no_picture) {
     const fs::path input = fs::absolute(options.input).lexically_normal();

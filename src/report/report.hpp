@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What a report tells: runs, the recordings they were made on, and how they compare.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::report {
+
+/// One label and what stands behind it.
+using Fact = std::pair<std::string, std::string>;
+
+struct ReportParameter {
+  std::string name;
+  std::string value;
+  std::string default_value;
+  std::string unit;  ///< "" where the value has none
+  std::string help;
+};
+
+/// A number for every scan; NaN where a scan has none.
+struct ScanColumn {
+  std::string name;  ///< as in scans.csv, such as "horizontal_iterations" or "ms_search"
+  std::vector<float> values;
+};
+
+/// What scans.csv tells, one entry a scan in each vector.
+struct ScanTable {
+  std::vector<std::int64_t> stamps_ns;
+  std::vector<std::string> statuses;    ///< "ok", "degenerate", ...
+  std::vector<std::string> messages;    ///< why it is not "ok"
+  std::vector<std::string> degenerate;  ///< names of the weak directions, between blanks
+  std::vector<ScanColumn> columns;
+
+  [[nodiscard]] std::size_t size() const { return stamps_ns.size(); }
+};
+
+/// The absolute errors of the poses that have a partner in the truth.
+struct ErrorSeries {
+  std::vector<std::int64_t> stamps_ns;
+  std::vector<float> translation_m;
+  std::vector<float> horizontal_m;
+  std::vector<float> vertical_m;  ///< positive: too high
+  std::vector<float> tilt_deg;
+  std::vector<float> yaw_deg;
+};
+
+/// How a run compares with the truth.
+struct RunEvaluation {
+  std::string json;  ///< one object as `surefoot eval --json` prints it
+  ErrorSeries errors;
+};
+
+/// Points in the frame in which the run is shown; the other vectors are as long or empty.
+struct MapCloud {
+  std::vector<Eigen::Vector3f> points;  ///< [m]
+  std::vector<float> intensities;
+  std::vector<float> first_seen;  ///< [s] after the run's first scan
+};
+
+/// Poses are given in the frame in which runs are shown: the truth's world where there is a truth,
+/// the run's own map otherwise. z is up.
+struct ReportRun {
+  std::string name;
+  std::size_t recording = 0;  ///< index of Report::recordings
+  std::vector<Fact> facts;
+  std::vector<std::string> notes;
+  std::vector<ReportParameter> parameters;
+  ScanTable scans;
+  std::vector<std::optional<Pose>> poses;  ///< one a scan; none for a rejected one
+  std::optional<RunEvaluation> evaluation;
+  MapCloud map;
+};
+
+struct ReportRecording {
+  std::string name;
+  Trajectory truth;  ///< over the time of the runs; empty if there is none
+};
+
+struct ReportCell {
+  std::string text;
+  int place = 0;  ///< 1: best, 2: second, 0: neither
+};
+
+/// A table over several runs.
+struct ReportTable {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<ReportCell>> rows;  ///< as long as `columns` each
+};
+
+struct Report {
+  std::string title;
+  std::string version;  ///< of the program
+  std::vector<std::string> notes;
+  std::vector<ReportTable> tables;
+  std::vector<ReportRecording> recordings;
+  std::vector<ReportRun> runs;
+};
+
+}  // namespace surefoot::report

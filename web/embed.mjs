@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// node embed.mjs PAGE OUT: the page as the C++ function that src/report/page.hpp declares.
+import { readFile, writeFile } from "node:fs/promises";
+
+const [input, output] = process.argv.slice(2);
+
+/** As the inside of a string literal; octal escapes end after three digits, whatever follows. */
+function literal(bytes) {
+  let text = "";
+  for (const byte of bytes) {
+    const plain = byte >= 0x20 && byte < 0x7f && !'"\\?'.includes(String.fromCharCode(byte));
+    text += plain ? String.fromCharCode(byte) : `\\${byte.toString(8).padStart(3, "0")}`;
+  }
+  return text;
+}
+
+const page = await readFile(input);
+const lines = [];
+for (let at = 0; at < page.length; at += 4096) {
+  lines.push(`    "${literal(page.subarray(at, at + 4096))}"`);
+}
+await writeFile(
+  output,
+  `// Made by web/embed.mjs from web/src.
+#include "report/page.hpp"
+
+namespace surefoot::report {
+
+namespace {
+constexpr char kPage[] =
+${lines.join("\n")};
+}  // namespace
+
+std::string_view page_template() { return {kPage, sizeof(kPage) - 1}; }
+
+}  // namespace surefoot::report
+`,
+);

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// One chart: uPlot with this page's axes, shading, legend and cursor.
+import uPlot from "uplot";
+
+import { interpolate, nearestIndex } from "./data.js";
+import { el } from "./dom.js";
+import { quantile, significant } from "./numbers.js";
+import { gradedSpans } from "./status.js";
+import { color } from "./theme.js";
+
+const kHeight = 168; // [px]
+
+/** Lines with times of their own as one table; equal places on the axis share a row. */
+function joined(lines, axis) {
+  const tables = lines.map(({ times, values }) => {
+    const xs = new Float64Array(times.length);
+    let last = -Infinity;
+    times.forEach((time, i) => (xs[i] = last = Math.max(axis.at(time), last + 1e-7)));
+    return [xs, Array.from(values, (value) => (Number.isFinite(value) ? value : null))];
+  });
+  return tables.length === 1 ? tables[0] : uPlot.join(tables);
+}
+
+const usual = (values) => quantile(values, 0.95);
+
+/** Whether a few values are so large that in full range the others would lie flat. */
+const isPeaked = (values) => quantile(values, 1) > 3 * usual(values);
+
+/** The range of the values; with `cut`, without rare peaks that would flatten all others. */
+function valueRange(spec, lines, low, high) {
+  if (low === null || high === null) return [0, 1];
+  const top = spec.cut && isPeaked(lines[0].values) ? 1.6 * usual(lines[0].values) : high;
+  const margin = Math.max(0.06 * (top - low), 1e-6);
+  return [spec.fromZero ? Math.min(0, low) : low - margin, top + margin];
+}
+
+function shade(plot, spans, axis) {
+  const { ctx: context, bbox } = plot;
+  context.save();
+  context.beginPath();
+  context.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  context.clip();
+  for (const { grade, from, to } of spans) {
+    const left = plot.valToPos(axis.at(from), "x", true);
+    const right = plot.valToPos(axis.at(to), "x", true);
+    context.fillStyle = color(`shade-${grade}`);
+    context.fillRect(left, bbox.top, Math.max(right - left, devicePixelRatio), bbox.height);
+  }
+  context.restore();
+}
+
+function seriesOf({ label, stroke, width, fill, dash, dots = false }) {
+  const points = { show: dots, size: 4, width: 0, fill: stroke };
+  return { label, stroke, width, fill, dash, points, spanGaps: !dots };
+}
+
+function axisStyle(more) {
+  return {
+    stroke: color("muted"),
+    font: `11px ${color("font")}`,
+    labelFont: `11px ${color("font")}`,
+    grid: { stroke: color("grid"), width: 1 },
+    ticks: { show: false },
+    ...more,
+  };
+}
+
+export class ChartPanel {
+  constructor(spec, context) {
+    this.spec = spec;
+    this.context = context;
+    this.legend = el("ul.legend");
+    this.holder = el("div.plot");
+    this.note = el("p.note");
+    this.element = el(
+      "figure.card.chart",
+      {},
+      el("figcaption", {}, el("h3", {}, spec.title), this.note, this.legend),
+      this.holder,
+    );
+    new ResizeObserver(() => this.#resize()).observe(this.holder);
+  }
+
+  /** Draws anew for another run, axis or theme. Without lines the panel hides. */
+  update(axis) {
+    this.plot?.destroy();
+    this.plot = null;
+    this.axis = axis;
+    this.lines = this.spec.lines(this.context).filter(({ times }) => times.length > 0);
+    this.element.hidden = this.lines.length === 0;
+    if (this.element.hidden) return;
+    this.#describe();
+    const spans = gradedSpans(this.context.run());
+    this.plot = new uPlot(this.#options(spans), joined(this.lines, axis), this.holder);
+    this.showCursor();
+  }
+
+  #options(spans) {
+    const { spec, lines, axis, context } = this;
+    return {
+      width: Math.max(this.holder.clientWidth, 200),
+      height: kHeight,
+      legend: { show: false },
+      padding: [8, 10, 0, 0],
+      cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
+      scales: {
+        x: { time: false, range: (plot, low, high) => context.store.get("range") ?? [low, high] },
+        y: { range: (plot, low, high) => valueRange(spec, lines, low, high) },
+      },
+      axes: [
+        axisStyle({ label: axis.label, labelSize: 16, labelGap: -2, size: 26 }),
+        axisStyle({ label: spec.unit, labelSize: 16, labelGap: 0, size: 46 }),
+      ],
+      series: [{}, ...lines.map(seriesOf)],
+      hooks: {
+        drawAxes: [(plot) => shade(plot, spans, axis)],
+        setCursor: [(plot) => this.#moved(plot)],
+        setSelect: [(plot) => this.#selected(plot)],
+      },
+    };
+  }
+
+  /** For those who do not see the chart. */
+  #describe() {
+    const { title, unit } = this.spec;
+    const parts = this.lines.map(({ label, own, values }) => {
+      const numbers = own ?? values;
+      return `${label} median ${significant(quantile(numbers, 0.5), 3)}, largest ${significant(quantile(numbers, 1), 3)}`;
+    });
+    this.holder.setAttribute("role", "img");
+    this.holder.setAttribute(
+      "aria-label",
+      `${title} ${unit} over ${this.axis.label}: ${parts.join("; ")}`,
+    );
+    const { values } = this.lines[0];
+    const cut = this.spec.cut && isPeaked(values);
+    this.note.textContent = cut
+      ? `Peaks up to ${significant(quantile(values, 1), 3)} are cut off.`
+      : "";
+  }
+
+  #resize() {
+    if (this.plot && this.holder.clientWidth > 0) {
+      this.plot.setSize({ width: this.holder.clientWidth, height: kHeight });
+    }
+  }
+
+  /** The pointer is over this chart: its place becomes everyone's. */
+  #moved(plot) {
+    if (!plot.cursor.event || plot.cursor.left < 0) return;
+    const time = this.axis.back(plot.posToVal(plot.cursor.left, "x"));
+    this.context.store.set("playing", false);
+    this.context.store.set("cursor", time);
+  }
+
+  #selected(plot) {
+    const { left, width } = plot.select;
+    if (width < 4) return;
+    const range = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
+    plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+    this.context.store.set("range", range);
+  }
+
+  showRange() {
+    if (!this.plot) return;
+    const xs = this.plot.data[0];
+    const [min, max] = this.context.store.get("range") ?? [xs[0], xs.at(-1)];
+    this.plot.setScale("x", { min, max });
+  }
+
+  showCursor() {
+    if (!this.plot) return;
+    const cursor = this.context.store.get("cursor");
+    const left = cursor === null ? -10 : this.plot.valToPos(this.axis.at(cursor), "x");
+    if (Math.abs(left - this.plot.cursor.left) > 0.5) this.plot.setCursor({ left, top: 0 }, false);
+    const entries = this.lines.map((line) => {
+      const swatch = el("i.line");
+      swatch.style.background = line.stroke;
+      if (line.dash) swatch.className = "line dashed";
+      const value = cursor === null ? "" : significant(this.#valueAt(line, cursor), 3);
+      return el("li", {}, swatch, line.label, el("b", {}, value));
+    });
+    this.legend.replaceChildren(...entries);
+  }
+
+  #valueAt({ times, values, own }, time) {
+    if (time < times[0] - 0.5 || time > times.at(-1) + 0.5) return NaN;
+    if (this.spec.fromZero) return (own ?? values)[nearestIndex(times, time)];
+    return interpolate(times, values, time);
+  }
+}

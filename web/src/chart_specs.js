@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What each chart shows of the run that is looked at and of its companions.
+import { interpolate } from "./data.js";
+import { color, runColor, stepColor } from "./theme.js";
+
+/** One line of a chart: values at times of its own. */
+function line(label, times, values, stroke, more = {}) {
+  return { label, times, values, stroke, width: 1.5, ...more };
+}
+
+const strided = (values, offset) => values.filter((_, i) => i % 3 === offset);
+
+/** All runs' and the truth's positions or angles. */
+function poseLines(context, part, offset) {
+  const focus = context.run();
+  const lines = context.companions().map((run, place) =>
+    line(run.name, run.scans.times, strided(run.path[part], offset), runColor(place), {
+      width: run === focus ? 1.8 : 1.1,
+    }),
+  );
+  const { truth } = context.recording();
+  if (truth) {
+    const style = { dash: [5, 4], width: 1.1 };
+    lines.push(line("truth", truth.times, strided(truth[part], offset), color("truth"), style));
+  }
+  return lines;
+}
+
+function errorLines(context, parts) {
+  const { errors } = context.run();
+  if (!errors) return [];
+  return parts.map(([label, name], place) =>
+    line(label, errors.times, errors[name], stepColor(2 * place)),
+  );
+}
+
+function translationErrors(context) {
+  const evaluated = context.companions().filter((run) => run.errors);
+  if (evaluated.length < 2) {
+    return errorLines(context, [
+      ["whole", "translation_m"],
+      ["horizontal", "horizontal_m"],
+      ["vertical, signed", "vertical_m"],
+    ]);
+  }
+  return context
+    .companions()
+    .flatMap((run, place) =>
+      run.errors
+        ? [line(run.name, run.errors.times, run.errors.translation_m, runColor(place))]
+        : [],
+    );
+}
+
+function columnLines(context, columns) {
+  const { scans } = context.run();
+  return columns.flatMap(([label, name], place) =>
+    scans.columns[name]
+      ? [line(label, scans.times, scans.columns[name], stepColor(2 * place))]
+      : [],
+  );
+}
+
+/** The steps on top of each other: each line is the sum up to its step; `own` is the step's. */
+function stepLines(context) {
+  const { scans } = context.run();
+  const names = Object.keys(scans.columns).filter(
+    (name) => name.startsWith("ms_") && name !== "ms_total",
+  );
+  const sum = new Float32Array(scans.count);
+  const lines = names.map((name, place) => {
+    const own = scans.columns[name];
+    for (let i = 0; i < scans.count; ++i) sum[i] += own[i];
+    const fill = stepColor(place);
+    return line(name.slice(3), scans.times, sum.slice(), fill, { own, fill, width: 0 });
+  });
+  return lines.reverse(); // the highest is painted first
+}
+
+/** The weakest direction is told only where it counts as degenerate; the others are points. */
+function observabilityLines(context) {
+  const lines = columnLines(context, [["vertical stage", "vertical_observability"]]);
+  const { scans } = context.run();
+  const least = scans.columns.least_information;
+  if (!least || !scans.degenerate.some(Boolean)) return lines;
+  const values = least.map((value, i) => (scans.degenerate[i] ? value : NaN));
+  lines.push(
+    line("weakest direction, where degenerate", scans.times, values, stepColor(2), {
+      width: 0,
+      dots: true,
+    }),
+  );
+  return lines;
+}
+
+/** Charts with their unit; `lines` is asked anew when run or theme changes. */
+export const kCharts = [
+  { group: "Motion", title: "Height", unit: "z [m]", lines: (c) => poseLines(c, "positions", 2) },
+  { group: "Motion", title: "Roll", unit: "roll [deg]", lines: (c) => poseLines(c, "angles", 0) },
+  { group: "Motion", title: "Pitch", unit: "pitch [deg]", lines: (c) => poseLines(c, "angles", 1) },
+  {
+    group: "Error against the truth",
+    title: "Position",
+    unit: "error [m]",
+    lines: translationErrors,
+  },
+  {
+    group: "Error against the truth",
+    title: "Orientation",
+    unit: "error [deg]",
+    lines: (c) =>
+      errorLines(c, [
+        ["tilt", "tilt_deg"],
+        ["yaw", "yaw_deg"],
+      ]),
+  },
+  {
+    group: "Registration, scan by scan",
+    title: "Time by step",
+    unit: "time [ms]",
+    fromZero: true,
+    cut: true,
+    lines: stepLines,
+  },
+  {
+    group: "Registration, scan by scan",
+    title: "Iterations",
+    unit: "iterations [1]",
+    fromZero: true,
+    lines: (c) =>
+      columnLines(c, [
+        ["horizontal", "horizontal_iterations"],
+        ["vertical", "vertical_iterations"],
+      ]),
+  },
+  {
+    group: "Registration, scan by scan",
+    title: "Matches",
+    unit: "matches [1]",
+    fromZero: true,
+    lines: (c) =>
+      columnLines(c, [
+        ["horizontal", "horizontal_matches"],
+        ["vertical", "vertical_matches"],
+      ]),
+  },
+  {
+    group: "Registration, scan by scan",
+    title: "Residuals",
+    unit: "residual [m]",
+    fromZero: true,
+    lines: (c) =>
+      columnLines(c, [
+        ["horizontal", "horizontal_residual_m"],
+        ["vertical", "vertical_residual_m"],
+      ]),
+  },
+  {
+    group: "Registration, scan by scan",
+    title: "Observability",
+    unit: "share [1]",
+    fromZero: true,
+    lines: observabilityLines,
+  },
+];
+
+/** From time to the chosen axis, by the path of the run that is looked at. */
+export function axisOf(context) {
+  if (context.store.get("axis") === "time")
+    return { label: "time [s]", at: (time) => time, back: (x) => x };
+  const { scans, lengths } = context.run();
+  return {
+    label: "path [m]",
+    at: (time) => interpolate(scans.times, lengths, time),
+    back: (x) => interpolate(lengths, scans.times, x),
+  };
+}

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The report's data as C++ wrote them (src/report/report_json.cpp), with typed arrays in place of
+// base64.
+
+function bytesOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
+const floats = (base64) => new Float32Array(bytesOf(base64).buffer);
+
+function sharedTexts({ texts, numbers }) {
+  return Array.from(new Uint32Array(bytesOf(numbers).buffer), (number) => texts[number]);
+}
+
+function decodeAll(series) {
+  return Object.fromEntries(Object.entries(series).map(([name, text]) => [name, floats(text)]));
+}
+
+/** Length of the path up to each pose [m]; gaps add nothing. */
+function pathLengths(positions) {
+  const lengths = new Float32Array(positions.length / 3);
+  let sum = 0;
+  let last = null;
+  for (let i = 0; i < lengths.length; ++i) {
+    const here = positions.subarray(3 * i, 3 * i + 3);
+    if (!Number.isNaN(here[0])) {
+      if (last) sum += Math.hypot(here[0] - last[0], here[1] - last[1], here[2] - last[2]);
+      last = here;
+    }
+    lengths[i] = sum;
+  }
+  return lengths;
+}
+
+function decodeMap(map) {
+  if (!map) return null;
+  return {
+    total: map.points,
+    shown: map.shown,
+    cube: map.cube_m,
+    low: map.positions.low,
+    high: map.positions.high,
+    steps: new Uint16Array(bytesOf(map.positions.values).buffer),
+    intensity: map.intensity && { ...map.intensity, steps: bytesOf(map.intensity.values) },
+    firstSeen: map.first_seen_s && {
+      ...map.first_seen_s,
+      steps: new Uint16Array(bytesOf(map.first_seen_s.values).buffer),
+    },
+  };
+}
+
+function decodePoses({ positions, angles }) {
+  return { positions: floats(positions), angles: floats(angles) };
+}
+
+function decodeRun(run, index) {
+  const path = decodePoses(run.path);
+  return {
+    ...run,
+    index,
+    path,
+    lengths: pathLengths(path.positions),
+    scans: {
+      ...run.scans,
+      times: floats(run.scans.times),
+      status: sharedTexts(run.scans.status),
+      degenerate: sharedTexts(run.scans.degenerate),
+      columns: decodeAll(run.scans.columns),
+    },
+    figures: run.evaluation?.figures ?? null,
+    errors: run.evaluation ? decodeAll(run.evaluation.errors) : null,
+    map: decodeMap(run.map),
+  };
+}
+
+function decodeRecording(recording) {
+  const truth = recording.truth;
+  return {
+    ...recording,
+    truth: truth && { times: floats(truth.times), ...decodePoses(truth) },
+  };
+}
+
+export function readReport(text) {
+  const report = JSON.parse(text);
+  if (report.format !== 1) throw new Error(`data of format ${report.format}; this page reads 1`);
+  return {
+    ...report,
+    recordings: report.recordings.map(decodeRecording),
+    runs: report.runs.map(decodeRun),
+  };
+}
+
+/** Index of the time that is nearest; times ascend. -1 for none. */
+export function nearestIndex(times, time) {
+  if (times.length === 0) return -1;
+  let low = 0;
+  let high = times.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] < time) low = middle;
+    else high = middle;
+  }
+  return time - times[low] <= times[high] - time ? low : high;
+}
+
+/** Linear between the neighbours, constant outside. */
+export function interpolate(times, values, time) {
+  const last = times.length - 1;
+  if (last < 0) return NaN;
+  if (time <= times[0]) return values[0];
+  if (time >= times[last]) return values[last];
+  let index = nearestIndex(times, time);
+  if (times[index] > time) --index;
+  const step = times[index + 1] - times[index];
+  const share = step > 0 ? (time - times[index]) / step : 0;
+  return values[index] + share * (values[index + 1] - values[index]);
+}

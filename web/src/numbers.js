@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Numbers as they are read.
+
+/** With so many significant digits, without an exponent where that can be avoided. */
+export function significant(value, digits = 4) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size < 1e-5 || size >= 1e6) return value.toExponential(digits - 1);
+  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+  return value.toFixed(Math.min(decimals, 12)).replace("-", "−");
+}
+
+export function fixed(value, decimals) {
+  return Number.isFinite(value) ? value.toFixed(decimals).replace("-", "−") : "–";
+}
+
+export function grouped(value) {
+  return Math.round(value).toLocaleString("en-US").replaceAll(",", "\u202f");
+}
+
+/** The value at this share of the ordered ones, as surefoot run prints it. */
+export function quantile(values, share) {
+  const ordered = Float64Array.from(values.filter(Number.isFinite)).sort();
+  return ordered.length ? ordered[Math.floor(share * (ordered.length - 1))] : NaN;
+}
+
+export function duration(seconds) {
+  if (seconds < 120) return `${fixed(seconds, 1)} s`;
+  return `${Math.floor(seconds / 60)} min ${String(Math.round(seconds % 60)).padStart(2, "0")} s`;
+}
+
+/** A step of 1, 2 or 5 times a power of ten that makes about so many over the range. */
+export function niceStep(range, count) {
+  const rough = range / count;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const factor = [1, 2, 5, 10].find((f) => f * power >= rough) ?? 10;
+  return factor * power;
+}

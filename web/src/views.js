@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The section with the views on path and map, and their controls.
+import { choice, el, toggle } from "./dom.js";
+import { grouped, significant } from "./numbers.js";
+import { paletteGradient } from "./palette.js";
+import { PlanView } from "./plan_view.js";
+import { Scene3d } from "./scene3d.js";
+import { runColor } from "./theme.js";
+
+function card(title, note, ...content) {
+  return el("figure.card", {}, el("figcaption", {}, el("h3", {}, title), note), ...content);
+}
+
+function mapNote(map) {
+  if (!map) return "No map in this run's folder.";
+  if (map.shown === map.total) return `All ${grouped(map.total)} map points.`;
+  const thinned = map.cube ? `, one per ${significant(map.cube, 2)} m cube` : "";
+  return `${grouped(map.shown)} of ${grouped(map.total)} map points${thinned}.`;
+}
+
+/** Colours of lines and markers. */
+function pathLegend({ run, recording, companions }) {
+  const items = companions().map((companion, place) => {
+    const swatch = el("i.line");
+    swatch.style.background = runColor(place);
+    return el("li", { className: companion === run() ? "here" : "" }, swatch, companion.name);
+  });
+  if (recording().truth) items.push(el("li", {}, el("i.line.dashed"), "truth"));
+  items.push(el("li", {}, el("i.start"), "start"), el("li", {}, el("i.end"), "end"));
+  return items;
+}
+
+function mapControls(scene, store, run, legend) {
+  const map = run().map;
+  const modes = [["height", "Height"]];
+  if (map?.intensity) modes.push(["intensity", "Intensity"]);
+  if (map?.firstSeen) modes.push(["time", "Time"]);
+  if (!modes.some(([mode]) => mode === scene.mode)) scene.setMode("height");
+  const showLegend = () => {
+    const [low, high, unit] = scene.points?.legend(scene.mode) ?? [];
+    const bar = el("i.palette");
+    bar.style.background = paletteGradient(store.get("theme"));
+    const text = (value) => el("span", {}, `${significant(value, 3)} ${unit}`.trim());
+    legend.replaceChildren(...(map ? [text(low), bar, text(high)] : []));
+  };
+  showLegend();
+  const size = el("input", { type: "range", min: 0.5, max: 5, step: 0.5, value: scene.pointSize });
+  size.addEventListener("input", () => scene.setPointSize(Number(size.value)));
+  const reset = el("button", { type: "button" }, "Reset view");
+  reset.addEventListener("click", () => scene.resetView());
+  const colours = choice("Colour of the map", modes, scene.mode, (mode) => {
+    scene.setMode(mode);
+    showLegend();
+  });
+  return [
+    map && colours,
+    map && el("label.slider", {}, el("span", {}, "Points"), size),
+    map && toggle("Map", scene.showMap, (shown) => scene.setMapShown(shown)),
+    toggle("Truth", true, (shown) => scene.setTruthShown(shown)),
+    reset,
+  ].filter(Boolean);
+}
+
+function addScene(holder, controls, legend, context) {
+  const canvas = el("canvas", {
+    tabIndex: 0,
+    role: "img",
+    "aria-label":
+      "Map and paths in three dimensions. Drag to turn, right-drag or arrow keys to move, wheel to zoom.",
+  });
+  holder.append(canvas);
+  let scene;
+  try {
+    scene = new Scene3d(canvas, context);
+  } catch (error) {
+    holder.replaceChildren(
+      el(
+        "p.failure",
+        {},
+        `The 3-D view needs WebGL, which is not to be had here: ${error.message}`,
+      ),
+    );
+    return;
+  }
+  const { store, run } = context;
+  store.watch(["run"], () => {
+    scene.setRun();
+    scene.setCursor();
+  });
+  store.watch(["theme"], () => scene.setTheme());
+  store.watch(["run", "theme"], () =>
+    controls.replaceChildren(...mapControls(scene, store, run, legend)),
+  );
+  store.watch(["cursor", "playing"], () => scene.setCursor());
+}
+
+function addPlan(holder, context, vertical, label, onStretch) {
+  const canvas = el("canvas", { role: "img", "aria-label": label });
+  holder.append(canvas);
+  const view = new PlanView(canvas, context, vertical, onStretch);
+  context.store.watch(["run", "theme"], () => view.setRun());
+  context.store.watch(["cursor"], () => view.draw());
+}
+
+export function addViews(page, context) {
+  const note = el("p.note");
+  const legend = el("ul.legend");
+  const colours = el("div.colours");
+  const controls = el("div.controls", { role: "group", "aria-label": "3-D view" });
+  const scene = el("div.canvas.scene");
+  const top = el("div.canvas.top");
+  const side = el("div.canvas.side");
+  const stretch = el("p.note");
+  page.append(
+    el(
+      "section.views",
+      { "aria-labelledby": "views-title" },
+      el("div.heading", {}, el("h2", { id: "views-title" }, "Path and map"), legend),
+      el(
+        "div.grid",
+        {},
+        el(
+          "figure.card.wide",
+          {},
+          el("figcaption", {}, el("h3", {}, "In space"), note),
+          scene,
+          el("div.below", {}, controls, colours),
+        ),
+        card("From above", null, top),
+        card("From the side", stretch, side),
+      ),
+    ),
+  );
+  context.store.watch(["run"], () => (note.textContent = mapNote(context.run().map)));
+  context.store.watch(["run", "theme"], () => legend.replaceChildren(...pathLegend(context)));
+  addScene(scene, controls, colours, context);
+  addPlan(top, context, 1, "Paths seen from above, x to the right, y upwards, in metres");
+  addPlan(
+    side,
+    context,
+    2,
+    "Paths seen from the side, x to the right, z upwards, in metres",
+    (factor) => {
+      stretch.textContent =
+        factor > 1.05 ? `Heights stretched ${significant(factor, 2)} times.` : "";
+    },
+  );
+}

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A report as a reader meets it. Environment: SUREFOOT_TEST_REPORT, the page of one run with truth
+// and map; SUREFOOT_TEST_EVALUATION, what `surefoot eval --json` says of that run;
+// SUREFOOT_TEST_COMPARISON, the page of two runs of one recording; SUREFOOT_TEST_BARE, the page of
+// a run without map and truth; SUREFOOT_TEST_BROWSER, a Chromium.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+
+import { colorsOf, hover, launch, open, settle } from "./browser.mjs";
+
+const report = process.env.SUREFOOT_TEST_REPORT;
+const kViews = [".scene canvas", ".top canvas", ".side canvas"];
+let browser;
+let page; // the report, light; a test goes on where the last one ended
+let complaints;
+let requests;
+before(async () => {
+  browser = await launch(process.env.SUREFOOT_TEST_BROWSER);
+  ({ page, complaints, requests } = await open(browser, report));
+});
+after(() => browser?.close());
+
+const stored = (key) => page.evaluate((name) => window.surefootReport.store.get(name), key);
+const times = () =>
+  page.evaluate(() => Array.from(window.surefootReport.report.runs[0].scans.times));
+const pictures = (views = kViews) => Promise.all(views.map((view) => colorsOf(page, view)));
+
+function assertQuiet(said, asked) {
+  assert.deepEqual(said, []);
+  assert.deepEqual(
+    asked.filter((url) => !/^(file|data):/.test(url)),
+    [],
+  );
+  assert.equal(asked.filter((url) => url.startsWith("file:")).length, 1);
+}
+
+test("draws every view and chart", async () => {
+  for (const { distinct } of await pictures()) assert.ok(distinct >= 20, `${distinct} colours`);
+  assert.equal((await page.$$(".chart:not([hidden]) canvas")).length, 10);
+});
+
+test("colours the map by height, intensity and time", async () => {
+  const seen = new Set();
+  for (const mode of ["height", "intensity", "time"]) {
+    await page.click(`.controls label:has(input[value="${mode}"])`);
+    await settle(page);
+    seen.add((await colorsOf(page, ".scene canvas")).text);
+  }
+  assert.equal(seen.size, 3);
+});
+
+test("shows the figures of surefoot eval", async () => {
+  const [expected] = JSON.parse(await readFile(process.env.SUREFOOT_TEST_EVALUATION, "utf8"));
+  const shown = await page.$$eval("#errors td[data-statistic]", (cells) =>
+    cells.map(({ dataset, textContent }) => [
+      dataset.error,
+      dataset.statistic,
+      dataset.value,
+      textContent,
+    ]),
+  );
+  assert.equal(shown.length, 7 * Object.keys(expected.errors).length);
+  for (const [error, statistic, value, text] of shown) {
+    const figure = expected.errors[error][statistic];
+    assert.equal(Number(value), figure, `${error} ${statistic}`);
+    const rounded = Number(text.replaceAll("−", "-"));
+    assert.ok(Math.abs(rounded - figure) <= 5.1e-4 * Math.abs(figure), `${text} for ${figure}`);
+  }
+});
+
+test("marks the instant under the pointer everywhere", async () => {
+  const earlier = await pictures();
+  await hover(page, await page.$(".chart .u-over"), 0.5, 0.5);
+  const end = (await times()).at(-1);
+  const cursor = await stored("cursor");
+  assert.ok(Math.abs(cursor - end / 2) < 0.1 * end, `${cursor} of ${end} s`);
+  (await pictures()).forEach(({ text }, i) => assert.notEqual(text, earlier[i].text, kViews[i]));
+  const lines = await page.$$eval(".chart:not([hidden]) .u-cursor-x", (cursors) =>
+    cursors.map(
+      (line) => line.getBoundingClientRect().left - line.parentElement.getBoundingClientRect().left,
+    ),
+  );
+  assert.equal(lines.length, 10);
+  for (const left of lines) assert.ok(left > 20, `a cursor at ${left} px`);
+  assert.match(await page.$eval(".scrubber .place", (place) => place.textContent), /^\d+\.\d\d s/);
+});
+
+test("takes hold of a path", async () => {
+  await page.evaluate(() => window.surefootReport.store.set("cursor", null));
+  const top = await page.$(".top canvas");
+  for (let y = 0.1; y < 0.95 && (await stored("cursor")) === null; y += 0.06)
+    await hover(page, top, 0.5, y);
+  assert.notEqual(await stored("cursor"), null);
+});
+
+test("obeys the keys", async () => {
+  await page.focus(".scrubber input");
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await stored("cursor"), (await times())[1]);
+});
+
+test("replays the run", async () => {
+  await page.click(".play");
+  await settle(page);
+  const early = await stored("cursor");
+  await page.waitForFunction((time) => window.surefootReport.store.get("cursor") > time, {}, early);
+  if (await stored("playing")) await page.click(".play");
+  assert.equal(await stored("playing"), false);
+});
+
+test("charts can go along the path, and be looked at closely", async () => {
+  await page.click('.controls label:has(input[value="distance"])');
+  const plot = await page.$(".chart .u-over");
+  await hover(page, plot, 0.3, 0.5);
+  const from = await plot.boundingBox();
+  await page.mouse.down();
+  await page.mouse.move(from.x + 0.7 * from.width, from.y + 0.5 * from.height, { steps: 4 });
+  await page.mouse.up();
+  await settle(page);
+  const [low, high] = await stored("range");
+  const length = await page.evaluate(() => window.surefootReport.report.runs[0].lengths.at(-1));
+  assert.ok(
+    Math.abs(low / length - 0.3) < 0.05 && Math.abs(high / length - 0.7) < 0.05,
+    `${low} to ${high} m`,
+  );
+});
+
+test("is dark where it is asked to be", async () => {
+  assert.equal(await page.$eval("html", (html) => html.dataset.theme), "light");
+  assert.equal((await colorsOf(page, ".scene canvas")).dark, false);
+  await page.focus('header .choice input[value="auto"]');
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  await settle(page);
+  assert.equal(await page.$eval("html", (html) => html.dataset.theme), "dark");
+  assert.equal((await colorsOf(page, ".scene canvas")).dark, true);
+});
+
+test("fits a telephone", async () => {
+  await page.setViewport({ width: 390, height: 800 });
+  await settle(page);
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 390, `${width} px wide`);
+});
+
+test("has not complained, and asked for nothing", () => assertQuiet(complaints, requests));
+
+test("shows several runs beside each other, dark where the system is", async () => {
+  const opened = await open(browser, process.env.SUREFOOT_TEST_COMPARISON, { theme: "dark" });
+  const comparison = opened.page;
+  assert.equal(await comparison.$eval("html", (html) => html.dataset.theme), "dark");
+  assert.equal((await comparison.$$(".chosen .choice label")).length, 2);
+  await comparison.click(".chosen .choice label:nth-child(2)");
+  await settle(comparison);
+  assert.equal(await comparison.evaluate(() => window.surefootReport.store.get("run")), 1);
+  assert.ok(await comparison.$('td[data-place="1"]'));
+  assertQuiet(opened.complaints, opened.requests);
+});
+
+test("does without map and truth", async () => {
+  const opened = await open(browser, process.env.SUREFOOT_TEST_BARE);
+  assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 8);
+  assert.equal(await opened.page.$("#errors"), null);
+  assertQuiet(opened.complaints, opened.requests);
+});
