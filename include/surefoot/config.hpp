@@ -29,7 +29,8 @@ enum class RegistrationMode {
 
 /// Which front-end registers the scans; each reads its own parameters. See method_config().
 enum class Method {
-  paper  ///< the paper's Algorithm 1 and its variants
+  surefoot,  ///< poses within the scan estimated by registration, docs/method.md
+  paper      ///< the paper's Algorithm 1 and its variants
 };
 
 /// What of the map a source point is matched with: q_i.
@@ -127,6 +128,31 @@ struct Config {
     double min_information;  // share of the average below which a direction is degenerate
     int restart_after;       // scans lost in a row before the map is begun anew
   } health;
+
+  /// Method::surefoot.
+  struct Knots {
+    int segments;             // K: of a scan
+    int points;               // to be registered
+    double map_voxel;         // [m] thinning of what enters the map
+    double finest_voxel;      // [m] of the map's finest grid
+    int levels;               // grids, each twice as coarse as the last
+    int points_per_voxel;     // a full voxel takes no more
+    int min_points;           // that a surfel needs
+    double breadth;           // least standard deviation of a surfel's points, in voxels
+    double flatness;          // largest variance across a plane, of that along it
+    double slenderness;       // largest variance across a pole, of that along it
+    double min_match_ratio;   // of the registered points
+    double noise;             // [m] of a residual
+    double independence;      // share of the residuals that count as independent
+    double correlation_time;  // [s] of the velocity's fluctuation
+    double learning_rate;     // of mean velocity and fluctuation, per scan
+    double memory;            // share of the last knots' information that the next scan keeps
+    double kernel_start;      // [m] robust kernel of the first iteration
+    double kernel_end;        // [m] and at the end
+    double kernel_decay;      // per iteration
+    int max_iterations;
+    double convergence;  // [m, rad]
+  } knots;
 
   /// The defaults of the parameter table.
   Config();

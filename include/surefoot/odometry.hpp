@@ -14,7 +14,18 @@
 namespace surefoot {
 
 /// The steps of one scan, for whoever measures their time.
-enum class Step { preprocess, deskew, downsample, search, horizontal, vertical, assess, map, idle };
+enum class Step {
+  preprocess,
+  deskew,
+  downsample,
+  search,
+  horizontal,
+  vertical,
+  solve,
+  assess,
+  map,
+  idle
+};
 /// Told when a step begins.
 using StepObserver = std::function<void(Step)>;
 

@@ -195,13 +195,16 @@ Pose mount_pose(const Config::Level& level) {
 }
 
 const std::vector<std::string>& methods() {
-  static const std::vector<std::string> names = {"paper", "paper-cv", "paper-no-deskew",
+  static const std::vector<std::string> names = {"surefoot", "paper", "paper-cv", "paper-no-deskew",
                                                  "paper-coupled"};
   return names;
 }
 
 Config method_config(std::string_view method) {
   Config config;
+  config.method = Method::surefoot;
+  if (method == "surefoot") return config;
+  config.method = Method::paper;
   if (method == "paper") return config;
   if (method == "paper-cv") {
     config.deskew.mode = DeskewMode::constant_velocity;

@@ -5,54 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/so3.hpp"
+#include "odometry/segment_motion.hpp"
 
 namespace surefoot {
-
-namespace {
-
-/// x -> T_mid^-1 T_k exp(u xi_k) x for one segment. The rotation axis is the same for the whole
-/// segment, so a point costs one sine and one cosine.
-class SegmentMotion {
- public:
-  SegmentMotion(const Pose& T_mid_segment, const Twist& twist)
-      : rotation_(T_mid_segment.rotation.toRotationMatrix()),
-        translation_(T_mid_segment.translation),
-        velocity_(twist.head<3>()),
-        angle_(twist.tail<3>().norm()) {
-    if (angle_ < kNoRotation) return;
-    const Eigen::Vector3d axis = twist.tail<3>() / angle_;
-    turn_ = hat(axis);
-    turn2_ = turn_ * turn_;
-    turn_velocity_ = turn_ * velocity_ / angle_;
-    turn2_velocity_ = turn2_ * velocity_ / angle_;
-  }
-
-  [[nodiscard]] Eigen::Vector3d operator()(double u, const Eigen::Vector3d& point) const {
-    Eigen::Vector3d moved = point + u * velocity_;
-    if (angle_ >= kNoRotation) {  // Rodrigues' formula, and the left Jacobian for the translation
-      const double sine = std::sin(u * angle_);
-      const double versine = 1.0 - std::cos(u * angle_);
-      moved += sine * (turn_ * point) + versine * (turn2_ * point) + versine * turn_velocity_ +
-               (u * angle_ - sine) * turn2_velocity_;
-    }
-    return rotation_ * moved + translation_;
-  }
-
- private:
-  static constexpr double kNoRotation = 1e-9;  // [rad] 0.1 um at 100 m
-
-  Eigen::Matrix3d rotation_;
-  Eigen::Vector3d translation_;
-  Eigen::Vector3d velocity_;
-  double angle_;
-  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d turn2_ = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d turn_velocity_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d turn2_velocity_ = Eigen::Vector3d::Zero();
-};
-
-}  // namespace
 
 Twist clamp_twist(const Twist& twist, const Config::Deskew& config) {
   Twist clamped = twist;  // [Eq 6]

@@ -16,6 +16,7 @@ struct Candidate {
   std::uint64_t key;
   float to_centre2;
   Eigen::Vector3f point;
+  std::uint32_t index;  // of the point
 
   /// Total order, so that equally near points do not make the result depend on their order.
   [[nodiscard]] bool better_than(const Candidate& other) const {
@@ -26,19 +27,22 @@ struct Candidate {
   }
 };
 
-Candidate make_candidate(const Eigen::Vector3f& point, double voxel) {
+Candidate make_candidate(const std::vector<Eigen::Vector3f>& points, std::uint32_t at,
+                         double voxel) {
+  const Eigen::Vector3f& point = points[at];
   const VoxelIndex index = voxel_index(point.cast<double>(), 1.0 / voxel);
   const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * voxel;
-  return {voxel_key(index), (point - centre.cast<float>()).squaredNorm(), point};
+  return {voxel_key(index), (point - centre.cast<float>()).squaredNorm(), point, at};
 }
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points, double voxel) {
+std::vector<std::uint32_t> downsample_indices(const std::vector<Eigen::Vector3f>& points,
+                                              double voxel) {
   VoxelTable table;
   std::vector<Candidate> kept;
-  for (const Eigen::Vector3f& point : points) {
-    const Candidate candidate = make_candidate(point, voxel);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Candidate candidate = make_candidate(points, i, voxel);
     const auto next = static_cast<std::uint32_t>(kept.size());
     const auto [slot, inserted] = table.find_or_insert(candidate.key, next);
     if (inserted) {
@@ -52,9 +56,15 @@ std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& poin
   std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
     return hash_key(a.key) < hash_key(b.key);
   });
+  std::vector<std::uint32_t> indices;
+  indices.reserve(kept.size());
+  for (const Candidate& candidate : kept) indices.push_back(candidate.index);
+  return indices;
+}
+
+std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points, double voxel) {
   std::vector<Eigen::Vector3f> thinned;
-  thinned.reserve(kept.size());
-  for (const Candidate& candidate : kept) thinned.push_back(candidate.point);
+  for (const std::uint32_t i : downsample_indices(points, voxel)) thinned.push_back(points[i]);
   return thinned;
 }
 

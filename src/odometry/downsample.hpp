@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "surefoot/config.hpp"
@@ -14,6 +15,10 @@ namespace surefoot {
 /// one.
 [[nodiscard]] std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points,
                                                       double voxel);
+
+/// Likewise, but tells which points are kept.
+[[nodiscard]] std::vector<std::uint32_t> downsample_indices(
+    const std::vector<Eigen::Vector3f>& points, double voxel);
 
 /// A scan thinned for its two uses.
 struct ThinnedScan {

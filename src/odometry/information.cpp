@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "odometry/normal_equations.hpp"
 #include "odometry/robust_weight.hpp"
 
 namespace surefoot {
@@ -74,14 +73,15 @@ std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
   return names[largest];
 }
 
-std::vector<DegenerateDirection> weak_directions(const PlaneSum& sum, const Pose& T_map_lidar,
+std::vector<DegenerateDirection> weak_directions(const NormalEquations<6>& equations,
+                                                 double squared_distance, const Pose& T_map_lidar,
                                                  double min_information) {
   // Rotations in metres at the matches' RMS distance, so that all six compare.
-  const double weight = std::max(sum.equations.weight, 1e-12);
-  const double lever = std::max(std::sqrt(sum.squared_distance / weight), 1e-3);
+  const double weight = std::max(equations.weight, 1e-12);
+  const double lever = std::max(std::sqrt(squared_distance / weight), 1e-3);
   Twist scale = Twist::Ones();
   scale.tail<3>().setConstant(1.0 / lever);
-  const Matrix6 H = scale.asDiagonal() * sum.equations.H * scale.asDiagonal();
+  const Matrix6 H = scale.asDiagonal() * equations.H * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
   std::vector<DegenerateDirection> weak;
   for (int i = 0; i < 6; ++i) {
@@ -124,7 +124,14 @@ void assess(Source& source, const LocalMap& map, const Pose& T_map_lidar, const 
             const Workers& workers, Estimate& estimate) {
   const PlaneSum sum = sum_planes(source, map, T_map_lidar, config, workers);
   estimate.covariance = pose_covariance(sum, config.health);
-  estimate.degenerate = weak_directions(sum, T_map_lidar, config.health.min_information);
+  report_weak_directions(sum.equations, sum.squared_distance, T_map_lidar, config.health, estimate);
+}
+
+void report_weak_directions(const NormalEquations<6>& equations, double squared_distance,
+                            const Pose& T_map_lidar, const Config::Health& config,
+                            Estimate& estimate) {
+  estimate.degenerate =
+      weak_directions(equations, squared_distance, T_map_lidar, config.min_information);
   if (estimate.degenerate.empty()) return;
   estimate.status = Status::degenerate;
   estimate.message = "the scan hardly constrains:";

@@ -35,6 +35,16 @@ class Workers {
     }
   }
 
+  /// body(i) for every i below `count`: few bodies with much work each.
+  template <typename Body>
+  void for_each(std::size_t count, const Body& body) const {
+    if (!pool_ || count < 2) {
+      for (std::size_t i = 0; i < count; ++i) body(i);
+    } else {
+      run_in_pool(count, body);
+    }
+  }
+
   /// Sum of body(begin, end) over the chunks, in their order. `Sum` starts as Sum{} and has +=.
   template <typename Sum, typename Body>
   [[nodiscard]] Sum sum(std::size_t size, const Body& body) const {

@@ -168,14 +168,6 @@ void Canvas::triangle(const Pixel& center, double radius, const Color& fill, con
   stroke_path(page_->cairo, edge);
 }
 
-void Canvas::polygon(std::span<const Pixel> corners, const Color& fill, const Stroke& edge) {
-  for (const Pixel& corner : corners) cairo_line_to(page_->cairo, corner.x(), corner.y());
-  cairo_close_path(page_->cairo);
-  set_source(page_->cairo, fill);
-  cairo_fill_preserve(page_->cairo);
-  stroke_path(page_->cairo, edge);
-}
-
 void Canvas::image(const Raster& raster, const Rect& rect, double opacity) {
   cairo_surface_t* picture =
       cairo_image_surface_create(CAIRO_FORMAT_ARGB32, raster.width, raster.height);

@@ -69,7 +69,6 @@ class Canvas {
   void circle(const Pixel& center, double radius, const Color& fill, const Stroke& edge);
   /// A triangle that points up, its circumcircle of the given radius.
   void triangle(const Pixel& center, double radius, const Color& fill, const Stroke& edge);
-  void polygon(std::span<const Pixel> corners, const Color& fill, const Stroke& edge);
   /// The raster scaled into `rect`; `opacity` in [0, 1].
   void image(const Raster& raster, const Rect& rect, double opacity = 1.0);
   /// Text on the base line `at`. Bytes that are not UTF-8, and control characters, become '?'.

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
+//
+// The one place that knows every method.
+#include "knots/knot_front_end.hpp"
 #include "odometry/front_end.hpp"
-
 #include "odometry/paper_front_end.hpp"
 
 namespace surefoot {
 
 std::unique_ptr<FrontEnd> make_front_end(const Session& session) {
   switch (session.config.method) {
+    case Method::surefoot:
+      return std::make_unique<KnotFrontEnd>(session);
     case Method::paper:
       break;
   }

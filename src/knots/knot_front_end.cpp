@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// One scan through Surefoot's own method, in add: predict the knots, register them, learn from
+// them, map what they deskewed.
+#include "knots/knot_front_end.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "odometry/deskew.hpp"
+#include "odometry/downsample.hpp"
+#include "odometry/information.hpp"
+#include "odometry/level.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kSecond = 1e-9;  // [s/ns]
+
+// Standard deviations of the velocity at the beginning: it may be walking already.
+const Twist kUnknownVelocity = (Twist() << 1.0, 1.0, 0.3, 0.5, 0.5, 0.7).finished();
+constexpr double kFixed = 1e-3;  // [m, rad] of the first pose, which defines the map's frame
+
+// Limits of the cubes that the registered points are thinned to [m].
+constexpr double kFinestSource = 0.05, kCoarsestSource = 3.0;
+
+Config::Deskew along_trajectory() {
+  Config::Deskew deskew{};
+  deskew.mode = DeskewMode::piecewise;
+  return deskew;
+}
+
+/// The part of a motion that lies in [start_ns, end_ns].
+ScanTrajectory within(const ScanTrajectory& motion, std::int64_t start_ns, std::int64_t end_ns) {
+  std::vector<Pose> poses;
+  const auto segments = static_cast<double>(motion.segments());
+  for (std::size_t k = 0; k <= motion.segments(); ++k) {
+    const double tau = static_cast<double>(k) / segments;
+    const double from_start = tau * static_cast<double>(end_ns - start_ns);
+    poses.push_back(motion.at_time(start_ns + static_cast<std::int64_t>(std::llround(from_start))));
+  }
+  return ScanTrajectory(std::move(poses), start_ns, end_ns);
+}
+
+/// Two knots at one pose, `step` apart, whose velocity is not known.
+KnotPrior at_rest(const Pose& pose, double step) {
+  KnotPrior prior{{pose, pose}, Eigen::Matrix<double, 12, 12>::Zero()};
+  const Matrix6 velocity = (kUnknownVelocity * step).cwiseAbs2().cwiseInverse().asDiagonal();
+  prior.information << velocity, -velocity, -velocity, velocity;
+  prior.information.topLeftCorner<6, 6>().diagonal().array() += 1.0 / (kFixed * kFixed);
+  return prior;
+}
+
+/// Covariance of the pose at mid-scan, between two knots.
+Matrix6 mid_covariance(const KnotRegistration& found) {
+  const double middle = 0.5 * static_cast<double>(found.window.segments());
+  const auto segment = std::min(static_cast<std::size_t>(middle), found.window.segments() - 1);
+  const double u = middle - static_cast<double>(segment);
+  const std::size_t a = segment + 1, b = segment + 2;
+  const Matrix6 between = found.covariance(a, b);
+  return (1.0 - u) * (1.0 - u) * found.covariance(a, a) + u * u * found.covariance(b, b) +
+         u * (1.0 - u) * (between + between.transpose());
+}
+
+/// What is known of the window's last two knots: the rest is integrated out.
+Eigen::Matrix<double, 12, 12> last_two(const KnotRegistration& found) {
+  const std::size_t b = found.window.knots.size() - 1, a = b - 1;
+  Eigen::Matrix<double, 12, 12> covariance;
+  covariance << found.covariance(a, a), found.covariance(a, b), found.covariance(b, a),
+      found.covariance(b, b);
+  const Eigen::Matrix<double, 12, 12> information = covariance.inverse();
+  return 0.5 * (information + information.transpose());
+}
+
+}  // namespace
+
+KnotFrontEnd::KnotFrontEnd(const Session& session)
+    : session_(session),
+      config_(session.config),
+      map_(config_.knots, config_.map.radius),
+      model_(config_.knots) {}
+
+Estimate KnotFrontEnd::add(const PreparedScan& scan) {
+  session_.begin_step(Step::downsample);
+  const auto thinned = downsample_indices(scan.points, config_.knots.map_voxel);
+  if (map_.empty()) return begin_map(scan, thinned);
+
+  const KnotWindow predicted = predict(scan);
+  KnotPoints points = choose_points(scan, thinned, predicted);
+  const KnotRegistration found =
+      register_knots(points, map_, predicted, end_.prior, model_, config_.knots, session_.workers,
+                     session_.begin_step);
+  session_.begin_step(Step::assess);
+  const ScanTrajectory trajectory = within(found.window.trajectory(), scan.start_ns, scan.end_ns);
+  const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
+  Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
+  if (!estimate.trusted()) return lose(scan, thinned, predicted, std::move(estimate));
+
+  lost_in_a_row_ = 0;
+  model_.learn(found.window, found.covariance, end_.prior.means[1].rotation);
+  finish(found.window, config_.knots.memory * last_two(found));
+  session_.begin_step(Step::map);
+  if (first_scan_) deskew_first_scan(found.window.mean_velocity());
+  integrate(scan, thinned, trajectory);
+  last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
+  return publish(trajectory, std::move(estimate));
+}
+
+/// The knots of a scan, as the velocity model expects them.
+KnotWindow KnotFrontEnd::predict(const PreparedScan& scan) {
+  const double segment =
+      static_cast<double>(scan.end_ns - scan.start_ns) * kSecond / config_.knots.segments;
+  const double until_start = static_cast<double>(scan.start_ns - end_.stamp_ns) * kSecond;
+  const double until_end = static_cast<double>(scan.end_ns - end_.stamp_ns) * kSecond;
+  // After a long gap, or where scans overlap, a velocity of then says nothing: as if at rest.
+  if (until_start > config_.motion_prior.max_extrapolation || until_end < segment) {
+    end_.step = std::max(segment, 1e-3);
+    end_.prior = at_rest(end_.prior.means[1], end_.step);
+    end_.prior.information *= config_.knots.memory;
+    end_.stamp_ns = std::min(scan.start_ns, scan.end_ns - static_cast<std::int64_t>(1'000'000));
+  }
+  const double span = static_cast<double>(scan.end_ns - end_.stamp_ns) * kSecond;
+  const int usual = config_.knots.segments;
+  const int segments = segment > 0.0
+                           ? std::clamp(static_cast<int>(std::lround(span / segment)), 1, 3 * usual)
+                           : usual;
+  KnotWindow window{{end_.prior.means[0], end_.prior.means[1]},
+                    end_.step,
+                    span / segments,
+                    end_.stamp_ns,
+                    scan.end_ns};
+  Twist velocity = window.velocity(0);
+  const Eigen::Quaterniond heading = end_.prior.means[1].rotation;
+  for (int s = 0; s < segments; ++s) {
+    velocity = model_.next(velocity, heading, window.step);
+    window.knots.push_back(displaced(window.knots.back(), window.step * velocity));
+  }
+  return window;
+}
+
+/// Some `knots.points` of a scan's points, evenly spread over what it sees, by segment. The cubes
+/// follow the scene's scale from scan to scan.
+KnotPoints KnotFrontEnd::choose_points(const PreparedScan& scan,
+                                       const std::vector<std::uint32_t>& thinned,
+                                       const KnotWindow& window) {
+  std::vector<Eigen::Vector3f> candidates;
+  candidates.reserve(thinned.size());
+  for (const std::uint32_t i : thinned) candidates.push_back(scan.points[i]);
+  const auto chosen = downsample_indices(candidates, source_voxel_);
+  const double excess = static_cast<double>(chosen.size()) / config_.knots.points;
+  source_voxel_ = std::clamp(source_voxel_ * std::sqrt(excess), kFinestSource, kCoarsestSource);
+
+  const auto segments = window.segments();
+  const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
+  const double offset = static_cast<double>(scan.start_ns - window.begin_ns) * kSecond;
+  std::vector<std::vector<KnotPoints::Point>> sorted(segments);
+  for (const std::uint32_t c : chosen) {
+    const std::uint32_t i = thinned[c];
+    const double tau = scan.taus.empty() ? 0.5 : static_cast<double>(scan.taus[i]);
+    const double scaled = (offset + tau * duration) / window.step;
+    const double last = static_cast<double>(segments - 1);
+    const auto segment = static_cast<std::size_t>(std::clamp(scaled, 0.0, last));
+    sorted[segment].push_back(
+        {scan.points[i].cast<double>(), scaled - static_cast<double>(segment), {}});
+  }
+  KnotPoints points;
+  for (const auto& part : sorted) {
+    points.begins.push_back(points.points.size());
+    points.points.insert(points.points.end(), part.begin(), part.end());
+  }
+  points.begins.push_back(points.points.size());
+  return points;
+}
+
+Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
+                                const Pose& T_0, std::size_t points) const {
+  Estimate estimate;
+  estimate.converged = found.converged;
+  estimate.horizontal = {found.iterations, found.matches, found.rigid.rms(), 0.0};
+  estimate.registered_points = static_cast<int>(points);
+  Registration rigid;
+  rigid.T_map_lidar = trajectory.at(0.5);
+  rigid.matches = found.matches;
+  Config::Health health = config_.health;
+  health.min_match_ratio = config_.knots.min_match_ratio;
+  Verdict verdict = judge_registration(rigid, T_0, points, health);
+  if (!found.solved && verdict.status == Status::ok) {
+    verdict = {Status::diverged, "the knots' normal equations gave no finite solution"};
+  }
+  estimate.status = verdict.status;
+  estimate.message = std::move(verdict.message);
+  if (verdict.status != Status::ok) return estimate;
+  estimate.covariance = mid_covariance(found);
+  report_weak_directions(found.rigid, found.squared_distance, rigid.T_map_lidar, config_.health,
+                         estimate);
+  return estimate;
+}
+
+/// The first scan, or the first after too many lost ones: the map begins with it.
+Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
+                                 const std::vector<std::uint32_t>& thinned) {
+  session_.begin_step(Step::map);
+  Estimate estimate;
+  estimate.status = Status::first_scan;
+  const Pose T_map_lidar =
+      last_pose_ ? end_.prior.means[1] : level_pose(scan.points, config_.level, level_);
+  estimate.message = last_pose_ ? "the map begins anew at the predicted pose" : level_.message;
+  const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
+  const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
+  end_.step = std::max(duration, 1e-3) / config_.knots.segments;
+  end_.stamp_ns = scan.end_ns;
+  end_.prior = at_rest(T_map_lidar, end_.step);
+  velocity_ = Twist::Zero();
+  lost_in_a_row_ = 0;
+  first_scan_ = scan;
+  integrate(scan, thinned, trajectory);
+  last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
+  return publish(trajectory, std::move(estimate));
+}
+
+/// The map of the first scan alone was made as if the sensor had stood. Its motion is taken to be
+/// the second scan's.
+void KnotFrontEnd::deskew_first_scan(const Twist& velocity) {
+  const double half = 0.5e-9 * static_cast<double>(first_scan_->end_ns - first_scan_->start_ns);
+  const Pose middle = last_pose_->pose;
+  const ScanTrajectory moving(
+      {displaced(middle, -half * velocity), displaced(middle, half * velocity)},
+      first_scan_->start_ns, first_scan_->end_ns);
+  map_.clear();
+  integrate(*first_scan_, downsample_indices(first_scan_->points, config_.knots.map_voxel), moving);
+  first_scan_.reset();
+}
+
+/// A scan that could not be registered: the pose is the prediction and the map stays, until too
+/// many in a row show that the map is no longer what the sensor sees.
+Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                            const KnotWindow& predicted, Estimate estimate) {
+  finish(predicted, config_.knots.memory * end_.prior.information);
+  if (++lost_in_a_row_ > config_.health.restart_after) {
+    map_.clear();
+    return begin_map(scan, thinned);
+  }
+  estimate.covariance = unregistered_covariance(config_.health);
+  const ScanTrajectory trajectory = within(predicted.trajectory(), scan.start_ns, scan.end_ns);
+  last_scan_ = {deskew(scan, trajectory, along_trajectory(), session_.workers), scan.intensities};
+  return publish(trajectory, std::move(estimate));
+}
+
+/// The last two knots are where the next scan begins.
+void KnotFrontEnd::finish(const KnotWindow& window,
+                          const Eigen::Matrix<double, 12, 12>& information) {
+  const std::size_t last = window.knots.size() - 1;
+  end_ = {{{window.knots[last - 1], window.knots[last]}, information},
+          window.end_ns,
+          window.duration(last - 1)};
+  const Eigen::Quaterniond to_lidar = window.knots[last].rotation.conjugate();
+  const Twist mean = window.mean_velocity();
+  velocity_ << to_lidar * mean.head<3>(), to_lidar * mean.tail<3>();
+}
+
+void KnotFrontEnd::integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                             const ScanTrajectory& trajectory) {
+  const Pose middle = trajectory.at(0.5);
+  last_scan_ = {deskew(scan, trajectory, along_trajectory(), session_.workers), scan.intensities};
+  map_.remove_far(middle.translation);
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(thinned.size());
+  for (const std::uint32_t i : thinned) {
+    points.push_back(middle * last_scan_.points[i].cast<double>());
+  }
+  map_.insert(points);
+}
+
+Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {
+  estimate.trajectory = trajectory;
+  estimate.twist = velocity_;
+  return estimate;
+}
+
+}  // namespace surefoot

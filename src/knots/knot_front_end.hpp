@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "knots/knot_registration.hpp"
+#include "knots/surfel_map.hpp"
+#include "knots/velocity_model.hpp"
+#include "odometry/front_end.hpp"
+#include "odometry/health.hpp"
+
+namespace surefoot {
+
+/// Surefoot's own method: the poses within the scan are estimated, not predicted. docs/method.md.
+class KnotFrontEnd : public FrontEnd {
+ public:
+  explicit KnotFrontEnd(const Session& session);
+
+  Estimate add(const PreparedScan& scan) override;
+
+  [[nodiscard]] std::optional<StampedPose> last_pose() const override { return last_pose_; }
+  [[nodiscard]] Twist velocity() const override { return velocity_; }
+  [[nodiscard]] const LevelReport& level() const override { return level_; }
+  [[nodiscard]] const DeskewedScan& deskewed_scan() const override { return last_scan_; }
+  [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override { return map_.points(); }
+
+ private:
+  /// The last two knots, with what is known of them.
+  struct End {
+    KnotPrior prior;
+    std::int64_t stamp_ns = 0;  // of the last
+    double step = 0.0;          // [s] between the two
+  };
+
+  Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] KnotWindow predict(const PreparedScan& scan);
+  [[nodiscard]] KnotPoints choose_points(const PreparedScan& scan,
+                                         const std::vector<std::uint32_t>& thinned,
+                                         const KnotWindow& window);
+  [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
+                                  const Pose& T_0, std::size_t points) const;
+  Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                const KnotWindow& predicted, Estimate estimate);
+  void deskew_first_scan(const Twist& velocity);
+  void integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                 const ScanTrajectory& trajectory);
+  void finish(const KnotWindow& window, const Eigen::Matrix<double, 12, 12>& information);
+  [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
+
+  const Session& session_;
+  const Config& config_;
+
+  // Everything that outlives a scan.
+  SurfelMap map_;
+  VelocityModel model_;
+  End end_;
+  std::optional<StampedPose> last_pose_;
+  Twist velocity_ = Twist::Zero();
+  double source_voxel_ = 1.0;               // [m]
+  std::optional<PreparedScan> first_scan_;  // until its motion is known
+  LevelReport level_;
+  DeskewedScan last_scan_;
+  int lost_in_a_row_ = 0;
+};
+
+}  // namespace surefoot

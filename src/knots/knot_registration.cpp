@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "knots/knot_registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "odometry/segment_motion.hpp"
+
+namespace surefoot {
+
+namespace {
+
+/// Sums over one segment's points, whose pose is (1 - u) of one knot's and u of the next one's.
+struct SegmentSum {
+  Matrix6 first = Matrix6::Zero();    // sum (1 - u)^2 w J^T J
+  Matrix6 between = Matrix6::Zero();  // sum u (1 - u) w J^T J
+  Matrix6 last = Matrix6::Zero();     // sum u^2 w J^T J
+  Twist first_gradient = Twist::Zero();
+  Twist last_gradient = Twist::Zero();
+  double weight = 0.0;
+  double weighted_squares = 0.0;
+  double squared_distance = 0.0;
+  int matches = 0;
+
+  void add(const Twist& J, double residual, double u, double w) {
+    const Matrix6 JJ = w * J * J.transpose();
+    first += (1.0 - u) * (1.0 - u) * JJ;
+    between += u * (1.0 - u) * JJ;
+    last += u * u * JJ;
+    first_gradient += (1.0 - u) * w * residual * J;
+    last_gradient += u * w * residual * J;
+    weight += w;
+    weighted_squares += w * residual * residual;
+  }
+};
+
+/// How much residuals count in an iteration.
+struct Trust {
+  double inflation;  // of the noise variance
+  int finest;        // grid of the map
+};
+
+/// Weight of a residual [m] across a surfel of some variance [m^2]: of the Geman-McClure kernel at
+/// three standard deviations. `independence`: neighbouring points share the error of their surfel
+/// and of their instant, so that many count as few.
+double weight_of(double residual, double surfel_variance, const Trust& trust,
+                 const Config::Knots& config) {
+  const double variance = trust.inflation * (config.noise * config.noise + surfel_variance);
+  const double cauchy = 1.0 / (1.0 + residual * residual / (9.0 * variance));
+  return config.independence * cauchy * cauchy / variance;
+}
+
+SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap& map,
+                       const KnotWindow& window, const Trust& trust, const Config::Knots& config) {
+  SegmentSum sum;
+  const Pose& T_first = window.knots[segment + 1];
+  const Pose& T_last = window.knots[segment + 2];
+  const SegmentMotion motion(T_first, se3_log(T_first.inverse() * T_last));
+  for (std::size_t i = points.begins[segment]; i < points.begins[segment + 1]; ++i) {
+    KnotPoints::Point& point = points.points[i];
+    const double u = point.share;
+    const Eigen::Vector3d place = motion(u, point.position);
+    const Surfel* const surfel = map.find(place, trust.finest, point.place);
+    if (surfel == nullptr) continue;
+    const Eigen::Vector3d sensor =
+        T_first.translation + u * (T_last.translation - T_first.translation);
+    const Eigen::Vector3d s = place - sensor;
+    for (int d = 0; d < surfel->directions; ++d) {
+      const Eigen::Vector3d& n = surfel->across[d];
+      const double residual = n.dot(place - surfel->mean);
+      Twist J;
+      J << n, s.cross(n);
+      const double w = weight_of(residual, surfel->variance[d], trust, config);
+      sum.add(J, residual, u, w);
+      sum.squared_distance += w * s.squaredNorm();
+    }
+    ++sum.matches;
+  }
+  return sum;
+}
+
+void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
+                 KnotRegistration& result) {
+  result.matches = 0;
+  result.rigid = {};
+  result.squared_distance = 0.0;
+  for (std::size_t s = 0; s < sums.size(); ++s) {
+    const SegmentSum& sum = sums[s];
+    system.add(s + 1, s + 1, sum.first);
+    system.add(s + 2, s + 1, sum.between);
+    system.add(s + 2, s + 2, sum.last);
+    system.add(s + 1, sum.first_gradient);
+    system.add(s + 2, sum.last_gradient);
+    result.matches += sum.matches;
+    result.rigid.H += sum.first + 2.0 * sum.between + sum.last;
+    result.rigid.g += sum.first_gradient + sum.last_gradient;
+    result.rigid.weight += sum.weight;
+    result.rigid.weighted_squares += sum.weighted_squares;
+    result.rigid.count += sum.matches;
+    result.squared_distance += sum.squared_distance;
+  }
+}
+
+void add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& prior) {
+  Eigen::Matrix<double, 12, 1> e;
+  e << difference(window.knots[0], prior.means[0]), difference(window.knots[1], prior.means[1]);
+  const Eigen::Matrix<double, 12, 1> gradient = prior.information * e;
+  system.add(0, 0, prior.information.topLeftCorner<6, 6>());
+  system.add(1, 0, prior.information.bottomLeftCorner<6, 6>());
+  system.add(1, 1, prior.information.bottomRightCorner<6, 6>());
+  system.add(0, gradient.head<6>());
+  system.add(1, gradient.tail<6>());
+}
+
+/// Moves the knots; returns the largest change of one of the new scan's.
+double move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    window.knots[k] = displaced(window.knots[k], steps[k]);
+    if (k >= 2) largest = std::max(largest, steps[k].cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+}  // namespace
+
+KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
+                                const KnotWindow& predicted, const KnotPrior& prior,
+                                const VelocityModel& model, const Config::Knots& config,
+                                const Workers& workers, const StepObserver& begin_step) {
+  KnotRegistration result;
+  result.window = predicted;
+  const Eigen::Quaterniond& heading = prior.means[1].rotation;
+  std::vector<SegmentSum> sums(predicted.segments());
+  double kernel = config.kernel_start;
+  for (int t = 1; t <= config.max_iterations; ++t) {
+    begin_step(Step::search);
+    const double ratio = std::max(kernel / config.kernel_end, 1.0);
+    const Trust trust{ratio * ratio, ratio > 1.0 ? map.level_of(kernel) : 0};
+    workers.for_each(sums.size(), [&](std::size_t s) {
+      sums[s] = sum_segment(points, s, map, result.window, trust, config);
+    });
+    begin_step(Step::solve);
+    BandedSystem system(predicted.knots.size());
+    add_surfels(system, sums, result);
+    add_prior(system, result.window, prior);
+    model.add_to(system, result.window, heading);
+    result.iterations = t;
+    result.solved = system.factorise();
+    if (!result.solved) return result;
+    const double change = move_knots(system.solve(), result.window);
+    result.solved = std::isfinite(change);
+    result.converged = ratio <= 1.0 && change < config.convergence;
+    if (!result.solved) return result;
+    if (result.converged || t == config.max_iterations) {
+      result.covariance = system.covariance();
+      return result;
+    }
+    kernel *= config.kernel_decay;
+  }
+  return result;
+}
+
+}  // namespace surefoot

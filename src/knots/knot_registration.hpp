@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "knots/knot_window.hpp"
+#include "knots/surfel_map.hpp"
+#include "knots/velocity_model.hpp"
+#include "odometry/normal_equations.hpp"
+#include "odometry/parallel.hpp"
+#include "surefoot/config.hpp"
+#include "surefoot/odometry.hpp"
+
+namespace surefoot {
+
+/// A scan's points to be registered, sorted by the segment of the window that they fall into.
+struct KnotPoints {
+  struct Point {
+    Eigen::Vector3d position;  ///< LiDAR frame, as measured [m]
+    double share;              ///< u: 0 at the segment's first knot, 1 at its last
+    SurfelMap::Place place;    ///< where its surfel was last
+  };
+  std::vector<Point> points;
+  std::vector<std::size_t> begins;  ///< per segment its first point; then the number of points
+};
+
+/// What is known of the last scan's last two knots when the next scan begins: they are the means
+/// of a Gaussian.
+struct KnotPrior {
+  Pose means[2];
+  Eigen::Matrix<double, 12, 12> information;
+};
+
+/// Where the registration of a window ended.
+struct KnotRegistration {
+  KnotWindow window;
+  BandedSystem::Covariance covariance;  ///< of the knots; valid if solved
+  bool solved = false;                  ///< every step had a finite solution
+  bool converged = false;
+  int iterations = 0;
+  int matches = 0;
+  NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
+  double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches
+};
+
+/// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first
+/// two knots, and the velocity model. Starts at `predicted`.
+///
+/// The problem is far from convex, since a point changes its surfel as it moves. So the first
+/// iterations trust neither far residuals' smallness nor the surfels much: the kernel is wide, the
+/// noise as large, and both narrow from step to step; the velocity model, and not the surfels,
+/// shapes the motion at first.
+[[nodiscard]] KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
+                                              const KnotWindow& predicted, const KnotPrior& prior,
+                                              const VelocityModel& model,
+                                              const Config::Knots& config, const Workers& workers,
+                                              const StepObserver& begin_step);
+
+}  // namespace surefoot

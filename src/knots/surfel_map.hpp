@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "odometry/voxel_key.hpp"
+#include "odometry/voxel_table.hpp"
+#include "surefoot/config.hpp"
+
+namespace surefoot {
+
+/// What a voxel's points lie on: a plane (one direction across it) or a pole (two).
+struct Surfel {
+  int directions = 0;                              ///< 0: neither plane nor pole
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
+  Eigen::Vector3d across[2];                       ///< unit vectors
+  double variance[2] = {0.0, 0.0};                 ///< of the points along them [m^2]
+};
+
+/// The map around the sensor at several scales: grids of voxels, each twice as coarse as the one
+/// before, each voxel with its points' moments and the surfel fitted to them.
+///
+/// Where points are dense (a staircase, a corridor) the finest grid answers; far away, or between
+/// the LiDAR's rings, a coarser one. So one set of parameters serves every scale of scene.
+class SurfelMap {
+ public:
+  explicit SurfelMap(const Config::Knots& config, double radius);
+
+  /// Where a surfel was found, so that it can be known again without a search.
+  struct Place {
+    int level = -1;                         ///< -1: no surfel
+    int asked = -1;                         ///< the finest level that was asked for
+    VoxelIndex voxel = VoxelIndex::Zero();  ///< of the finest level asked
+    std::uint32_t index = 0;
+  };
+
+  /// The surfel of the finest grid, from `finest` on, whose voxel about a place has one; null if
+  /// none has. `last` is what the last call for this point left, and is brought up to date: the
+  /// map must not change in between.
+  [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, int finest, Place& last) const;
+
+  /// Adds points [m, map frame], then fits the voxels that changed.
+  void insert(const std::vector<Eigen::Vector3d>& points);
+  /// Drops the voxels that lie farther than the radius from the sensor.
+  void remove_far(const Eigen::Vector3d& sensor);
+  void clear();
+
+  [[nodiscard]] bool empty() const { return grids_.front().voxels.empty(); }
+  /// The finest grid whose voxels are at least so large [m], or the coarsest.
+  [[nodiscard]] int level_of(double size) const;
+  /// The means of the finest grid's voxels [m].
+  [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
+
+ private:
+  struct Voxel {
+    VoxelIndex index;
+    int count = 0;
+    int fitted_at = 0;  // count when the surfel was fitted
+    bool stale = false;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of the points, from the voxel's corner
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    Surfel surfel;
+  };
+  struct Grid {
+    double size;
+    double inverse_size;
+    VoxelTable table;
+    std::vector<Voxel> voxels;
+    std::vector<std::uint32_t> stale;  // voxels to fit anew
+  };
+
+  void add(Grid& grid, const Eigen::Vector3d& point) const;
+  void fit(Voxel& voxel, double size) const;
+
+  Config::Knots config_;
+  double radius_;
+  std::vector<Grid> grids_;
+  std::optional<Eigen::Vector3d> cleaned_at_;
+};
+
+}  // namespace surefoot
