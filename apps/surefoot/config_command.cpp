@@ -15,7 +15,7 @@ namespace surefoot::app {
 namespace {
 
 struct Options {
-  std::string method = "paper";
+  std::string method = "surefoot";
   bool markdown = false;
   bool yaml = false;
 };

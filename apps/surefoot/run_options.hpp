@@ -20,7 +20,7 @@ struct RunOptions {
   std::filesystem::path input;
   dataset::OpenOptions reader;
 
-  std::string method = "paper";
+  std::string method = "surefoot";
   std::filesystem::path config_file;
   std::vector<std::string> settings;
   std::vector<double> extrinsic;  // x y z [m] roll pitch yaw [deg]

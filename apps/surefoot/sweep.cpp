@@ -34,7 +34,7 @@ namespace {
 
 struct SweepOptions {
   std::vector<fs::path> recordings;
-  std::string method = "paper";
+  std::string method = "surefoot";
   std::vector<std::string> settings;
   std::vector<std::string> variations;
   std::size_t count = 0;

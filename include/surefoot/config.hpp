@@ -51,7 +51,7 @@ enum class LevelMode {
 
 /// Parameters of the odometry; constant once an Odometry was made from them.
 struct Config {
-  Method method = Method::paper;
+  Method method = Method::surefoot;
 
   struct Preprocess {
     double min_range;   // [m]

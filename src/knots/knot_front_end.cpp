@@ -25,6 +25,13 @@ constexpr double kSecond = 1e-9;  // [s/ns]
 const Twist kUnknownVelocity = (Twist() << 1.0, 1.0, 0.3, 0.5, 0.5, 0.7).finished();
 constexpr double kFixed = 1e-3;  // [m, rad] of the first pose, which defines the map's frame
 
+// A registration whose misfit is so many times the usual is tried again.
+constexpr double kSuspicious = 1.25;
+// Beyond twice the usual and this, it is wrong.
+constexpr double kMisfitMargin = 0.15;
+// The usual misfit is a fading mean over about ten scans.
+constexpr double kMisfitRate = 0.1;
+
 // Limits of the cubes that the registered points are thinned to [m].
 constexpr double kFinestSource = 0.05, kCoarsestSource = 3.0;
 
@@ -91,13 +98,12 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
   const KnotWindow predicted = predict(scan);
   KnotPoints points = choose_points(scan, thinned, predicted);
-  const KnotRegistration found =
-      register_knots(points, map_, predicted, end_.prior, model_, config_.knots, session_.workers,
-                     session_.begin_step);
+  const KnotRegistration found = register_scan_knots(points, predicted);
   session_.begin_step(Step::assess);
   const ScanTrajectory trajectory = within(found.window.trajectory(), scan.start_ns, scan.end_ns);
   const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
   Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
+  usual_misfit_ += (first_scan_ ? 1.0 : kMisfitRate) * (found.misfit - usual_misfit_);
   if (!estimate.trusted()) return lose(scan, thinned, predicted, std::move(estimate));
 
   lost_in_a_row_ = 0;
@@ -108,6 +114,31 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   integrate(scan, thinned, trajectory);
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   return publish(trajectory, std::move(estimate));
+}
+
+/// Most scans need one registration. One that ends worse than usual is tried again, more slowly and
+/// also from the mean velocity: after a stumble the last velocity foretells nothing.
+KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
+                                                   const KnotWindow& predicted) const {
+  const Config::Knots& knots = config_.knots;
+  const auto attempt = [&](const KnotWindow& start, const Annealing& annealing) {
+    for (KnotPoints::Point& point : points.points) point.place = {};
+    return register_knots(points, map_, start, end_.prior, model_, annealing, knots,
+                          session_.workers, session_.begin_step);
+  };
+  KnotRegistration best = attempt(predicted, {knots.kernel_decay, knots.max_iterations});
+  if (best.converged && best.misfit < kSuspicious * usual_misfit_) return best;
+  const Annealing slower{std::sqrt(knots.kernel_decay), 2 * knots.max_iterations};
+  KnotWindow steady = predicted;
+  const Twist mean = model_.mean(end_.prior.means[1].rotation);
+  for (std::size_t k = 2; k < steady.knots.size(); ++k) {
+    steady.knots[k] = displaced(steady.knots[k - 1], steady.step * mean);
+  }
+  for (const KnotWindow& start : {predicted, steady}) {
+    KnotRegistration other = attempt(start, slower);
+    if (other.solved && (!best.solved || other.misfit < best.misfit)) best = std::move(other);
+  }
+  return best;
 }
 
 /// The knots of a scan, as the velocity model expects them.
@@ -191,6 +222,12 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   if (!found.solved && verdict.status == Status::ok) {
     verdict = {Status::diverged, "the knots' normal equations gave no finite solution"};
   }
+  const double most = 2.0 * usual_misfit_ + kMisfitMargin;
+  if (found.misfit > most && verdict.status == Status::ok) {
+    verdict = {Status::diverged, "the misfit to the map is " + std::to_string(found.misfit) +
+                                     "; expected at most " + std::to_string(most) +
+                                     ", from the last scans"};
+  }
   estimate.status = verdict.status;
   estimate.message = std::move(verdict.message);
   if (verdict.status != Status::ok) return estimate;
@@ -217,6 +254,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   velocity_ = Twist::Zero();
   lost_in_a_row_ = 0;
   first_scan_ = scan;
+  usual_misfit_ = 1.0;
   integrate(scan, thinned, trajectory);
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
   return publish(trajectory, std::move(estimate));

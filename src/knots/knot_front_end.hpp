@@ -39,6 +39,8 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] KnotPoints choose_points(const PreparedScan& scan,
                                          const std::vector<std::uint32_t>& thinned,
                                          const KnotWindow& window);
+  [[nodiscard]] KnotRegistration register_scan_knots(KnotPoints& points,
+                                                     const KnotWindow& predicted) const;
   [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
                                   const Pose& T_0, std::size_t points) const;
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
@@ -58,7 +60,8 @@ class KnotFrontEnd : public FrontEnd {
   End end_;
   std::optional<StampedPose> last_pose_;
   Twist velocity_ = Twist::Zero();
-  double source_voxel_ = 1.0;               // [m]
+  double source_voxel_ = 1.0;  // [m]
+  double usual_misfit_ = 1.0;
   std::optional<PreparedScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;

@@ -21,6 +21,7 @@ struct SegmentSum {
   double weight = 0.0;
   double weighted_squares = 0.0;
   double squared_distance = 0.0;
+  double misfit = 0.0;  // sum over points, each 0 to 1
   int matches = 0;
 
   void add(const Twist& J, double residual, double u, double w) {
@@ -41,14 +42,20 @@ struct Trust {
   int finest;        // grid of the map
 };
 
-/// Weight of a residual [m] across a surfel of some variance [m^2]: of the Geman-McClure kernel at
-/// three standard deviations. `independence`: neighbouring points share the error of their surfel
-/// and of their instant, so that many count as few.
-double weight_of(double residual, double surfel_variance, const Trust& trust,
+/// A residual [m] across a surfel of some variance [m^2], under the Geman-McClure kernel at three
+/// standard deviations.
+struct Kernel {
+  double weight;
+  double misfit;  // 0 at a residual of zero, 1 far away
+};
+
+/// `independence`: neighbouring points share the error of their surfel and of their instant, so
+/// that many count as few.
+Kernel kernel_of(double residual, double surfel_variance, const Trust& trust,
                  const Config::Knots& config) {
   const double variance = trust.inflation * (config.noise * config.noise + surfel_variance);
   const double cauchy = 1.0 / (1.0 + residual * residual / (9.0 * variance));
-  return config.independence * cauchy * cauchy / variance;
+  return {config.independence * cauchy * cauchy / variance, 1.0 - cauchy};
 }
 
 SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap& map,
@@ -62,7 +69,10 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap&
     const double u = point.share;
     const Eigen::Vector3d place = motion(u, point.position);
     const Surfel* const surfel = map.find(place, trust.finest, point.place);
-    if (surfel == nullptr) continue;
+    if (surfel == nullptr) {
+      sum.misfit += 1.0;
+      continue;
+    }
     const Eigen::Vector3d sensor =
         T_first.translation + u * (T_last.translation - T_first.translation);
     const Eigen::Vector3d s = place - sensor;
@@ -71,9 +81,10 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap&
       const double residual = n.dot(place - surfel->mean);
       Twist J;
       J << n, s.cross(n);
-      const double w = weight_of(residual, surfel->variance[d], trust, config);
-      sum.add(J, residual, u, w);
-      sum.squared_distance += w * s.squaredNorm();
+      const Kernel kernel = kernel_of(residual, surfel->variance[d], trust, config);
+      sum.add(J, residual, u, kernel.weight);
+      sum.squared_distance += kernel.weight * s.squaredNorm();
+      sum.misfit += kernel.misfit / surfel->directions;
     }
     ++sum.matches;
   }
@@ -83,6 +94,7 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap&
 void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
                  KnotRegistration& result) {
   result.matches = 0;
+  result.misfit = 0.0;
   result.rigid = {};
   result.squared_distance = 0.0;
   for (std::size_t s = 0; s < sums.size(); ++s) {
@@ -93,6 +105,7 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
     system.add(s + 1, sum.first_gradient);
     system.add(s + 2, sum.last_gradient);
     result.matches += sum.matches;
+    result.misfit += sum.misfit;
     result.rigid.H += sum.first + 2.0 * sum.between + sum.last;
     result.rigid.g += sum.first_gradient + sum.last_gradient;
     result.rigid.weight += sum.weight;
@@ -127,14 +140,15 @@ double move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
 
 KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
                                 const KnotWindow& predicted, const KnotPrior& prior,
-                                const VelocityModel& model, const Config::Knots& config,
-                                const Workers& workers, const StepObserver& begin_step) {
+                                const VelocityModel& model, const Annealing& annealing,
+                                const Config::Knots& config, const Workers& workers,
+                                const StepObserver& begin_step) {
   KnotRegistration result;
   result.window = predicted;
   const Eigen::Quaterniond& heading = prior.means[1].rotation;
   std::vector<SegmentSum> sums(predicted.segments());
   double kernel = config.kernel_start;
-  for (int t = 1; t <= config.max_iterations; ++t) {
+  for (int t = 1; t <= annealing.max_iterations; ++t) {
     begin_step(Step::search);
     const double ratio = std::max(kernel / config.kernel_end, 1.0);
     const Trust trust{ratio * ratio, ratio > 1.0 ? map.level_of(kernel) : 0};
@@ -144,6 +158,7 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     begin_step(Step::solve);
     BandedSystem system(predicted.knots.size());
     add_surfels(system, sums, result);
+    result.misfit /= static_cast<double>(std::max<std::size_t>(points.points.size(), 1));
     add_prior(system, result.window, prior);
     model.add_to(system, result.window, heading);
     result.iterations = t;
@@ -153,11 +168,11 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     result.solved = std::isfinite(change);
     result.converged = ratio <= 1.0 && change < config.convergence;
     if (!result.solved) return result;
-    if (result.converged || t == config.max_iterations) {
+    if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
       return result;
     }
-    kernel *= config.kernel_decay;
+    kernel *= annealing.decay;
   }
   return result;
 }

@@ -33,6 +33,12 @@ struct KnotPrior {
   Eigen::Matrix<double, 12, 12> information;
 };
 
+/// How the robust kernel narrows.
+struct Annealing {
+  double decay;  ///< factor on its scale per iteration
+  int max_iterations;
+};
+
 /// Where the registration of a window ended.
 struct KnotRegistration {
   KnotWindow window;
@@ -41,6 +47,7 @@ struct KnotRegistration {
   bool converged = false;
   int iterations = 0;
   int matches = 0;
+  double misfit = 1.0;            ///< 0: every point lies on its surfel; 1: no point near any
   NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
   double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches
 };
@@ -55,6 +62,7 @@ struct KnotRegistration {
 [[nodiscard]] KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
                                               const KnotWindow& predicted, const KnotPrior& prior,
                                               const VelocityModel& model,
+                                              const Annealing& annealing,
                                               const Config::Knots& config, const Workers& workers,
                                               const StepObserver& begin_step);
 

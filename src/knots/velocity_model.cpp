@@ -36,18 +36,18 @@ Twist alike(const Twist& v) {
 VelocityModel::VelocityModel(const Config::Knots& config)
     : config_(config), variance_(kFirstFluctuation.cwiseAbs2()) {}
 
-Twist VelocityModel::mean_in_map(const Eigen::Quaterniond& rotation) const {
-  Twist mean;
-  mean << rotation * mean_.head<3>(), rotation * mean_.tail<3>();
-  return mean;
+Twist VelocityModel::mean(const Eigen::Quaterniond& rotation) const {
+  Twist turned;
+  turned << rotation * mean_.head<3>(), rotation * mean_.tail<3>();
+  return turned;
 }
 
 double VelocityModel::pull(double step) const { return std::exp(-step / config_.correlation_time); }
 
 Twist VelocityModel::next(const Twist& velocity, const Eigen::Quaterniond& rotation,
                           double step) const {
-  const Twist mean = mean_in_map(rotation);
-  return mean + pull(step) * (velocity - mean);
+  const Twist m = mean(rotation);
+  return m + pull(step) * (velocity - m);
 }
 
 void VelocityModel::add_to(BandedSystem& system, const KnotWindow& window,

@@ -33,11 +33,13 @@ class VelocityModel {
   void learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
              const Eigen::Quaterniond& rotation);
 
+  /// The mean velocity, in the map's axes for a sensor turned by `rotation`.
+  [[nodiscard]] Twist mean(const Eigen::Quaterniond& rotation) const;
+
   /// s: [m/s] along x, y, z, [rad/s] about them, map axes.
   [[nodiscard]] Twist fluctuation() const { return variance_.cwiseSqrt(); }
 
  private:
-  [[nodiscard]] Twist mean_in_map(const Eigen::Quaterniond& rotation) const;
   [[nodiscard]] double pull(double step) const;
 
   Config::Knots config_;

@@ -202,7 +202,6 @@ const std::vector<std::string>& methods() {
 
 Config method_config(std::string_view method) {
   Config config;
-  config.method = Method::surefoot;
   if (method == "surefoot") return config;
   config.method = Method::paper;
   if (method == "paper") return config;
