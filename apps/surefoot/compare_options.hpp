@@ -25,7 +25,7 @@ struct CompareOptions {
   std::vector<std::filesystem::path> recordings;
   std::vector<std::filesystem::path> truths;  ///< empty, or one for each of `recordings`
   std::string suite;                          ///< tuning, reporting, a folder, or empty
-  std::vector<std::string> methods = {"paper"};
+  std::vector<std::string> methods = {"surefoot", "paper"};
   std::vector<std::string> settings;  ///< "key=value" for every method
 
   int repeats = 1;

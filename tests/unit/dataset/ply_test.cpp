@@ -162,11 +162,20 @@ TEST(PlyWriter, ReadsBackToTheBit) {
     EXPECT_EQ(column(table, "y"), (std::vector<double>{-2.2F, 1e20F}));
     EXPECT_EQ(column(table, "z"), (std::vector<double>{3e-20F, 0}));
     EXPECT_EQ(column(table, "intensity"), (std::vector<double>{0.3F, 255}));
-    const std::string bare = format_ply(points, {}, flavour);
+    const std::string bare = format_ply(points, std::span<const float>(), flavour);
     EXPECT_EQ(parse_ply(bytes_of(bare)).columns.size(), 3U);
   }
   EXPECT_THROW((void)format_ply(points, std::span(intensities).first(1), PlyFlavour::kAscii),
                std::invalid_argument);
+}
+
+TEST(PlyWriter, WritesAnyColumns) {
+  const std::vector<Eigen::Vector3f> points = {{1, 2, 3}, {4, 5, 6}};
+  const std::vector<float> seen = {0.5F, 7.0F};
+  const std::vector<PlyColumn> columns = {{"first_seen", seen}};
+  const PointTable table = parse_ply(bytes_of(format_ply(points, columns, PlyFlavour::kBinary)));
+  EXPECT_EQ(column(table, "first_seen"), (std::vector<double>{0.5, 7.0}));
+  EXPECT_EQ(column(table, "y"), (std::vector<double>{2, 5}));
 }
 
 TEST(PlyWriter, LeavesNoPartialFileBehind) {
