@@ -23,7 +23,10 @@ constexpr double kSecond = 1e-9;  // [s/ns]
 
 // Standard deviations of the velocity at the beginning: it may be walking already.
 const Twist kUnknownVelocity = (Twist() << 1.0, 1.0, 0.3, 0.5, 0.5, 0.7).finished();
-constexpr double kFixed = 1e-3;  // [m, rad] of the first pose, which defines the map's frame
+// And the fluctuation that lets the second scan's velocity be anything, up to a car's.
+const Twist kAnyFluctuation = (Twist() << 10.0, 10.0, 2.0, 0.5, 0.5, 2.0).finished();
+constexpr double kWalking = 2.0;  // [m/s] what is slower is within the unknown velocity
+constexpr double kFixed = 1e-3;   // [m, rad] of the first pose, which defines the map's frame
 
 // A registration whose misfit is so many times the usual is tried again.
 constexpr double kSuspicious = 1.25;
@@ -96,8 +99,9 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const auto thinned = downsample_indices(scan.points, config_.knots.map_voxel);
   if (map_.empty()) return begin_map(scan, thinned);
 
+  if (first_scan_) begin_motion(scan, thinned);
   const KnotWindow predicted = predict(scan);
-  KnotPoints points = choose_points(scan, thinned, predicted);
+  KnotPoints points = sort_points(scan, choose_points(scan, thinned), predicted);
   const KnotRegistration found = register_scan_knots(points, predicted);
   session_.begin_step(Step::assess);
   const ScanTrajectory trajectory = within(found.window.trajectory(), scan.start_ns, scan.end_ns);
@@ -110,7 +114,8 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   model_.learn(found.window, found.covariance, end_.prior.means[1].rotation);
   finish(found.window, config_.knots.memory * last_two(found));
   session_.begin_step(Step::map);
-  if (first_scan_) deskew_first_scan(found.window.mean_velocity());
+  if (first_scan_) map_first_scan(found.window.mean_velocity());
+  first_scan_.reset();
   integrate(scan, thinned, trajectory);
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   return publish(trajectory, std::move(estimate));
@@ -173,24 +178,29 @@ KnotWindow KnotFrontEnd::predict(const PreparedScan& scan) {
   return window;
 }
 
-/// Some `knots.points` of a scan's points, evenly spread over what it sees, by segment. The cubes
-/// follow the scene's scale from scan to scan.
-KnotPoints KnotFrontEnd::choose_points(const PreparedScan& scan,
-                                       const std::vector<std::uint32_t>& thinned,
-                                       const KnotWindow& window) {
+/// Some `knots.points` of a scan's points, evenly spread over what it sees. The cubes follow the
+/// scene's scale from scan to scan.
+std::vector<std::uint32_t> KnotFrontEnd::choose_points(const PreparedScan& scan,
+                                                       const std::vector<std::uint32_t>& thinned) {
   std::vector<Eigen::Vector3f> candidates;
   candidates.reserve(thinned.size());
   for (const std::uint32_t i : thinned) candidates.push_back(scan.points[i]);
-  const auto chosen = downsample_indices(candidates, source_voxel_);
+  std::vector<std::uint32_t> chosen = downsample_indices(candidates, source_voxel_);
   const double excess = static_cast<double>(chosen.size()) / config_.knots.points;
   source_voxel_ = std::clamp(source_voxel_ * std::sqrt(excess), kFinestSource, kCoarsestSource);
+  for (std::uint32_t& i : chosen) i = thinned[i];
+  return chosen;
+}
 
+/// By the segment that each point's instant falls into.
+KnotPoints KnotFrontEnd::sort_points(const PreparedScan& scan,
+                                     const std::vector<std::uint32_t>& chosen,
+                                     const KnotWindow& window) {
   const auto segments = window.segments();
   const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
   const double offset = static_cast<double>(scan.start_ns - window.begin_ns) * kSecond;
   std::vector<std::vector<KnotPoints::Point>> sorted(segments);
-  for (const std::uint32_t c : chosen) {
-    const std::uint32_t i = thinned[c];
+  for (const std::uint32_t i : chosen) {
     const double tau = scan.taus.empty() ? 0.5 : static_cast<double>(scan.taus[i]);
     const double scaled = (offset + tau * duration) / window.step;
     const double last = static_cast<double>(segments - 1);
@@ -260,17 +270,51 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   return publish(trajectory, std::move(estimate));
 }
 
-/// The map of the first scan alone was made as if the sensor had stood. Its motion is taken to be
-/// the second scan's.
-void KnotFrontEnd::deskew_first_scan(const Twist& velocity) {
-  const double half = 0.5e-9 * static_cast<double>(first_scan_->end_ns - first_scan_->start_ns);
+/// The velocity that the second scan of a map shows: both scans as measured, distorted alike, as
+/// rigid bodies, from standstill to a car's speed. Zero where that cannot be told. Map axes.
+Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
+                                   const std::vector<std::uint32_t>& thinned) {
+  const Pose& middle = last_pose_->pose;
+  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  const double elapsed = static_cast<double>(mid_ns - last_pose_->stamp_ns) * kSecond;
+  const KnotWindow standing{
+      {middle, middle, middle}, elapsed, elapsed, last_pose_->stamp_ns, mid_ns};
+  KnotPoints points;
+  for (const std::uint32_t i : choose_points(scan, thinned)) {
+    points.points.push_back({scan.points[i].cast<double>(), 1.0, {}});
+  }
+  points.begins = {0, points.points.size()};
+  const Config::Knots& knots = config_.knots;
+  const KnotRegistration found = register_knots(
+      points, map_, standing, at_rest(middle, elapsed), VelocityModel(knots, kAnyFluctuation),
+      {std::sqrt(knots.kernel_decay), 2 * knots.max_iterations}, knots, session_.workers,
+      session_.begin_step);
+  if (!found.solved || found.matches < config_.health.min_matches) return Twist::Zero();
+  return found.window.mean_velocity();
+}
+
+/// At the second scan of a map. A walker's velocity is found by the registration from rest; what is
+/// faster has to be known before, and so has the first scan's distortion by it.
+void KnotFrontEnd::begin_motion(const PreparedScan& scan,
+                                const std::vector<std::uint32_t>& thinned) {
+  const Twist velocity = first_velocity(scan, thinned);
+  if (velocity.head<3>().norm() < kWalking) return;
   const Pose middle = last_pose_->pose;
+  const double half = 0.5e-9 * static_cast<double>(first_scan_->end_ns - first_scan_->start_ns);
+  end_.prior.means[0] = displaced(middle, (half - end_.step) * velocity);
+  end_.prior.means[1] = displaced(middle, half * velocity);
+  model_.begin(velocity, middle.rotation);
+  map_first_scan(velocity);
+}
+
+/// The map of the first scan alone, which was made as if the sensor had stood.
+void KnotFrontEnd::map_first_scan(const Twist& velocity) {
+  const double half = 0.5e-9 * static_cast<double>(first_scan_->end_ns - first_scan_->start_ns);
   const ScanTrajectory moving(
-      {displaced(middle, -half * velocity), displaced(middle, half * velocity)},
+      {displaced(last_pose_->pose, -half * velocity), displaced(last_pose_->pose, half * velocity)},
       first_scan_->start_ns, first_scan_->end_ns);
   map_.clear();
   integrate(*first_scan_, downsample_indices(first_scan_->points, config_.knots.map_voxel), moving);
-  first_scan_.reset();
 }
 
 /// A scan that could not be registered: the pose is the prediction and the map stays, until too

@@ -36,16 +36,21 @@ class KnotFrontEnd : public FrontEnd {
 
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotWindow predict(const PreparedScan& scan);
-  [[nodiscard]] KnotPoints choose_points(const PreparedScan& scan,
-                                         const std::vector<std::uint32_t>& thinned,
-                                         const KnotWindow& window);
+  [[nodiscard]] std::vector<std::uint32_t> choose_points(const PreparedScan& scan,
+                                                         const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] KnotPoints sort_points(const PreparedScan& scan,
+                                       const std::vector<std::uint32_t>& thinned,
+                                       const KnotWindow& window);
   [[nodiscard]] KnotRegistration register_scan_knots(KnotPoints& points,
                                                      const KnotWindow& predicted) const;
   [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
                                   const Pose& T_0, std::size_t points) const;
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 const KnotWindow& predicted, Estimate estimate);
-  void deskew_first_scan(const Twist& velocity);
+  void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  void map_first_scan(const Twist& velocity);
+  [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
+                                     const std::vector<std::uint32_t>& thinned);
   void integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                  const ScanTrajectory& trajectory);
   void finish(const KnotWindow& window, const Eigen::Matrix<double, 12, 12>& information);

@@ -115,7 +115,8 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
   }
 }
 
-void add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& prior) {
+/// Returns the prior's cost.
+double add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& prior) {
   Eigen::Matrix<double, 12, 1> e;
   e << difference(window.knots[0], prior.means[0]), difference(window.knots[1], prior.means[1]);
   const Eigen::Matrix<double, 12, 1> gradient = prior.information * e;
@@ -124,6 +125,7 @@ void add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& 
   system.add(1, 1, prior.information.bottomRightCorner<6, 6>());
   system.add(0, gradient.head<6>());
   system.add(1, gradient.tail<6>());
+  return 0.5 * e.dot(gradient);
 }
 
 /// Moves the knots; returns the largest change of one of the new scan's.
@@ -159,9 +161,10 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     BandedSystem system(predicted.knots.size());
     add_surfels(system, sums, result);
     result.misfit /= static_cast<double>(std::max<std::size_t>(points.points.size(), 1));
-    add_prior(system, result.window, prior);
+    const double prior_cost = add_prior(system, result.window, prior);
     model.add_to(system, result.window, heading);
     result.iterations = t;
+    const KnotWindow before = result.window;
     result.solved = system.factorise();
     if (!result.solved) return result;
     const double change = move_knots(system.solve(), result.window);
@@ -169,6 +172,10 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     result.converged = ratio <= 1.0 && change < config.convergence;
     if (!result.solved) return result;
     if (result.converged || t == annealing.max_iterations) {
+      // A misfit of 1 is the kernel's limit: half of three standard deviations squared.
+      result.cost =
+          4.5 * config.independence * result.misfit * static_cast<double>(points.points.size()) +
+          prior_cost + model.cost(before, heading);
       result.covariance = system.covariance();
       return result;
     }

@@ -46,6 +46,7 @@ struct KnotRegistration {
   bool solved = false;                  ///< every step had a finite solution
   bool converged = false;
   int iterations = 0;
+  double cost = 0.0;  ///< what was minimised, before the last step
   int matches = 0;
   double misfit = 1.0;            ///< 0: every point lies on its surfel; 1: no point near any
   NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration

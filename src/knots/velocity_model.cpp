@@ -33,8 +33,16 @@ Twist alike(const Twist& v) {
 
 }  // namespace
 
+VelocityModel::VelocityModel(const Config::Knots& config, const Twist& fluctuation)
+    : config_(config), variance_(fluctuation.cwiseAbs2()) {}
+
 VelocityModel::VelocityModel(const Config::Knots& config)
-    : config_(config), variance_(kFirstFluctuation.cwiseAbs2()) {}
+    : VelocityModel(config, kFirstFluctuation) {}
+
+void VelocityModel::begin(const Twist& velocity, const Eigen::Quaterniond& rotation) {
+  mean_ << rotation.conjugate() * velocity.head<3>(), rotation.conjugate() * velocity.tail<3>();
+  learnt_ = 1;
+}
 
 Twist VelocityModel::mean(const Eigen::Quaterniond& rotation) const {
   Twist turned;
@@ -65,6 +73,16 @@ void VelocityModel::add_to(BandedSystem& system, const KnotWindow& window,
       }
     }
   }
+}
+
+double VelocityModel::cost(const KnotWindow& window, const Eigen::Quaterniond& rotation) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 2 < window.knots.size(); ++k) {
+    const double step = window.duration(k + 1), phi = pull(step);
+    const Twist e = window.velocity(k + 1) - next(window.velocity(k), rotation, step);
+    sum += 0.5 * e.cwiseAbs2().cwiseQuotient(variance_).sum() / (1.0 - phi * phi);
+  }
+  return sum;
 }
 
 void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,

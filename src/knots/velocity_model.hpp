@@ -18,7 +18,13 @@ namespace surefoot {
 /// data, per axis (horizontal, vertical, tilt, heading).
 class VelocityModel {
  public:
+  /// `fluctuation`: s before anything was learnt, as fluctuation().
+  VelocityModel(const Config::Knots& config, const Twist& fluctuation);
+  /// With an ordinary trot's fluctuation.
   explicit VelocityModel(const Config::Knots& config);
+
+  /// The first velocity that was seen, in the map's axes, of a sensor turned by `rotation`.
+  void begin(const Twist& velocity, const Eigen::Quaterniond& rotation);
 
   /// The velocity one step after `velocity` (map axes), as expected of a sensor turned by
   /// `rotation`.
@@ -28,6 +34,8 @@ class VelocityModel {
   /// knots' present values, and the rotation that next() was given when they were predicted.
   void add_to(BandedSystem& system, const KnotWindow& window,
               const Eigen::Quaterniond& rotation) const;
+  /// The sum that add_to() is the derivative of: half of each term's square over its variance.
+  [[nodiscard]] double cost(const KnotWindow& window, const Eigen::Quaterniond& rotation) const;
   /// Learns from a registered window: mean velocity and, by a step of expectation maximisation,
   /// the fluctuation s.
   void learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,

@@ -140,7 +140,7 @@ const ConfigField kFields[] = {
      "share of the residuals that count as independent", kMethod},
     {"knots.correlation_time", SLOT(knots.correlation_time), "0.1", "s", 1e-3, 10.0,
      "time after which the velocity's fluctuation is forgotten", kMethod},
-    {"knots.learning_rate", SLOT(knots.learning_rate), "0.1", "", 0.0, 1.0,
+    {"knots.learning_rate", SLOT(knots.learning_rate), "0.05", "", 0.0, 1.0,
      "how fast mean velocity and fluctuation are learnt, per scan", kMethod},
     {"knots.memory", SLOT(knots.memory), "0.3", "", 0.0, 1.0,
      "share of what is known of the last knots that the next scan relies on", kMethod},
