@@ -9,8 +9,9 @@
 
 namespace surefoot::app {
 
-inline constexpr std::array<const char*, 9> kStepNames = {
-    "preprocess", "deskew", "downsample", "search", "horizontal", "vertical", "solve", "assess", "map"};
+inline constexpr std::array<const char*, 9> kStepNames = {"preprocess", "deskew",     "downsample",
+                                                          "search",     "horizontal", "vertical",
+                                                          "solve",      "assess",     "map"};
 
 /// Milliseconds that each step of one scan took; the clock that the library does not read.
 class StepTimes {

@@ -177,7 +177,8 @@ TEST_F(Compare, TheFiguresAreThoseOfEval) {
 }
 
 TEST_F(Compare, WhatIsDoneIsNotDoneAgain) {
-  const std::vector<std::string> command = {"left", "-o", "out", "--no-figures"};
+  const std::vector<std::string> command = {"left", "--methods", "paper",
+                                            "-o",   "out",       "--no-figures"};
   ASSERT_EQ(compare(command).exit_code, 0);
   const std::string first = content("out/compare.json");
   const auto before = times("out/runs");
@@ -207,7 +208,8 @@ TEST_F(Compare, CtrlCKeepsWhatIsDone) {
   }
   fs::remove(endless / "times.txt");
   fs::copy_file(scratch_.path() / "left/gt.tum", endless / "gt.tum");
-  const std::vector<std::string> rest = {"--delta", "0.5", "-o", "out", "--pass=--rate=10"};
+  const std::vector<std::string> rest = {"--methods", "paper", "--delta",         "0.5",
+                                         "-o",        "out",   "--pass=--rate=10"};
   std::vector<std::string> both = {"compare", "left", "very_long"}, left = {"compare", "left"};
   both.insert(both.end(), rest.begin(), rest.end());
   left.insert(left.end(), rest.begin(), rest.end());
@@ -234,7 +236,8 @@ TEST_F(Compare, AFailureTakesNothingAlong) {
   fs::copy_file(scratch_.path() / "left/gt.tum", scratch_.path() / "broken/gt.tum");
   fs::copy(scratch_.path() / "left", scratch_.path() / "no_truth");
   fs::remove(scratch_.path() / "no_truth/gt.tum");
-  const ProcessResult printed = compare({"broken", "no_truth", "left", "-o", "out"});
+  const ProcessResult printed =
+      compare({"broken", "no_truth", "left", "--methods", "paper", "-o", "out"});
   EXPECT_EQ(printed.exit_code, 1) << printed;
   const json all = results("out");
   for (const char* recording : {"broken", "no_truth"}) {
@@ -249,9 +252,11 @@ TEST_F(Compare, AFailureTakesNothingAlong) {
   EXPECT_NE(printed.output.find("gt.tum"), std::string::npos) << printed;
   EXPECT_EQ(result(all, "left", "paper")["outcome"], "whole");
   // Failures are kept, too, unless they are to be tried again.
-  EXPECT_NE(compare({"broken", "left", "-o", "out"}).errors.find("2 done before"),
-            std::string::npos);
-  EXPECT_NE(compare({"broken", "left", "-o", "out", "--retry-failed"}).errors.find("1 done before"),
+  EXPECT_NE(
+      compare({"broken", "left", "--methods", "paper", "-o", "out"}).errors.find("2 done before"),
+      std::string::npos);
+  EXPECT_NE(compare({"broken", "left", "--methods", "paper", "-o", "out", "--retry-failed"})
+                .errors.find("1 done before"),
             std::string::npos);
 }
 
