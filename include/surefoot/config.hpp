@@ -30,7 +30,17 @@ enum class RegistrationMode {
 /// Which front-end registers the scans; each reads its own parameters. See method_config().
 enum class Method {
   surefoot,  ///< poses within the scan estimated by registration, docs/method.md
-  paper      ///< the paper's Algorithm 1 and its variants
+  paper,     ///< the paper's Algorithm 1 and its variants
+  kiss_icp,  ///< KISS-ICP; these are the systems to compare with, see docs/baselines.md
+  icp,       ///< classical point-to-point ICP
+  genz_icp,  ///< GenZ-ICP
+  floam      ///< F-LOAM
+};
+
+/// What the classical ICP aligns a scan with.
+enum class IcpTarget {
+  scan,  ///< the scan before
+  map    ///< all scans before, thinned in a voxel map
 };
 
 /// What of the map a source point is matched with: q_i.
@@ -153,6 +163,54 @@ struct Config {
     int max_iterations;
     double convergence;  // [m, rad]
   } knots;
+  // The baselines' parameters, under their originals' names.
+
+  struct KissIcp {
+    double max_range, min_range;  // [m] of the deskewed points
+    bool deskew;
+    double voxel_size;  // [m] of the map; half of it thins what enters, 1.5 of it what is matched
+    int max_points_per_voxel;
+    double initial_threshold;  // [m] of the adaptive threshold
+    double min_motion_th;      // [m] smaller deviations from the prediction do not count
+    int max_num_iterations;
+    double convergence_criterion;  // [m, rad]
+  } kiss_icp;
+
+  struct Icp {
+    IcpTarget target;
+    bool constant_velocity;              // begins where the last motion leads
+    double max_correspondence_distance;  // [m]
+    int max_iteration;
+    double relative_fitness;
+    double relative_rmse;
+    double voxel_size;  // [m] of the map
+    int max_points_per_voxel;
+  } icp;
+
+  struct GenzIcp {
+    double max_range, min_range;  // [m]
+    double map_cleanup_radius;    // [m]
+    int max_points_per_voxel;
+    double voxel_size;  // [m] of the map, and thinning to begin with
+    int desired_num_voxelized_points;
+    double min_motion_th;      // [m]
+    double initial_threshold;  // [m]
+    double planarity_threshold;
+    bool deskew;
+    int max_num_iterations;
+    double convergence_criterion;  // [m, rad]
+    bool floor_voxels;             // cells of equal size also at zero
+  } genz_icp;
+
+  struct Floam {
+    int scan_line;            // lasers
+    double max_dis, min_dis;  // [m] horizontal distance
+    double map_resolution;    // [m] thinning of edges; of surfaces twice that
+    bool use_rings;           // lines from the scan's ring numbers
+    bool whole_sectors;
+    bool centred_planes;
+    bool distortion_compensation;  // the paper's two steps
+  } floam;
 
   /// The defaults of the parameter table.
   Config();

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The one place that knows every method.
+#include "baselines/floam_front_end.hpp"
+#include "baselines/genz_icp_front_end.hpp"
+#include "baselines/icp_front_end.hpp"
+#include "baselines/kiss_icp_front_end.hpp"
 #include "knots/knot_front_end.hpp"
 #include "odometry/front_end.hpp"
 #include "odometry/paper_front_end.hpp"
@@ -12,6 +16,14 @@ std::unique_ptr<FrontEnd> make_front_end(const Session& session) {
   switch (session.config.method) {
     case Method::surefoot:
       return std::make_unique<KnotFrontEnd>(session);
+    case Method::kiss_icp:
+      return std::make_unique<KissIcpFrontEnd>(session);
+    case Method::icp:
+      return std::make_unique<IcpFrontEnd>(session);
+    case Method::genz_icp:
+      return std::make_unique<GenzIcpFrontEnd>(session);
+    case Method::floam:
+      return std::make_unique<FloamFrontEnd>(session);
     case Method::paper:
       break;
   }

@@ -50,6 +50,19 @@ EnumNames<LevelMode> enum_names(LevelMode) {
   return names;
 }
 
+EnumNames<IcpTarget> enum_names(IcpTarget) {
+  static constexpr std::pair<IcpTarget, const char*> names[] = {{IcpTarget::scan, "scan"},
+                                                                {IcpTarget::map, "map"}};
+  return names;
+}
+EnumNames<bool> enum_names(bool) {
+  static constexpr std::pair<bool, const char*> names[] = {{true, "true"}, {false, "false"}};
+  return names;
+}
+/// Whether values of a type are words rather than numbers.
+template <typename Value>
+constexpr bool kHasNames = std::is_enum_v<Value> || std::is_same_v<Value, bool>;
+
 /// The shortest text that reads back to the same number.
 template <typename Number>
 std::string number_text(Number value) {
@@ -62,7 +75,7 @@ std::string range_text(const ConfigField& field, Config& config) {
   return std::visit(
       [&](auto* slot) -> std::string {
         using Value = std::remove_pointer_t<decltype(slot)>;
-        if constexpr (std::is_enum_v<Value>) {
+        if constexpr (kHasNames<Value>) {
           std::string text;
           for (const auto& [value, name] : enum_names(Value{})) {
             text += (text.empty() ? "" : " | ") + std::string(name);
@@ -93,7 +106,7 @@ void assign(const ConfigField& field, Config& config, std::string_view text) {
       [&](auto* slot) {
         using Value = std::remove_pointer_t<decltype(slot)>;
         Value parsed{};
-        if constexpr (std::is_enum_v<Value>) {
+        if constexpr (kHasNames<Value>) {
           for (const auto& [value, name] : enum_names(Value{})) {
             if (text == name) {
               *slot = value;
@@ -125,7 +138,7 @@ std::string text_of(const ConfigField& field, Config& config) {
   return std::visit(
       [](auto* slot) -> std::string {
         using Value = std::remove_pointer_t<decltype(slot)>;
-        if constexpr (std::is_enum_v<Value>) {
+        if constexpr (kHasNames<Value>) {
           for (const auto& [value, name] : enum_names(Value{})) {
             if (value == *slot) return name;
           }
@@ -185,6 +198,15 @@ void validate(const Config& config) {
                       " m) must not be more than " + number_text(kMaxSearchVoxels) +
                       " times map.voxel_size (" + number_text(config.map.voxel_size) + " m)");
   }
+  if (config.icp.max_correspondence_distance > config.icp.voxel_size) {
+    throw ConfigError("icp.voxel_size (" + number_text(config.icp.voxel_size) +
+                      " m) must not be less than icp.max_correspondence_distance (" +
+                      number_text(config.icp.max_correspondence_distance) + " m)");
+  }
+  const int lines = config.floam.scan_line;
+  if (lines != 16 && lines != 32 && lines != 64) {
+    throw ConfigError("floam.scan_line: got " + number_text(lines) + ", expected 16, 32 or 64");
+  }
 }
 
 Pose mount_pose(const Config::Level& level) {
@@ -192,34 +214,6 @@ Pose mount_pose(const Config::Level& level) {
                                    level.mount_yaw_deg);
   return {from_roll_pitch_yaw(angles_deg * (std::numbers::pi / 180.0)),
           {level.mount_x, level.mount_y, level.mount_z}};
-}
-
-const std::vector<std::string>& methods() {
-  static const std::vector<std::string> names = {"surefoot", "paper", "paper-cv", "paper-no-deskew",
-                                                 "paper-coupled"};
-  return names;
-}
-
-Config method_config(std::string_view method) {
-  Config config;
-  if (method == "surefoot") return config;
-  config.method = Method::paper;
-  if (method == "paper") return config;
-  if (method == "paper-cv") {
-    config.deskew.mode = DeskewMode::constant_velocity;
-    return config;
-  }
-  if (method == "paper-no-deskew") {
-    config.deskew.mode = DeskewMode::none;
-    return config;
-  }
-  if (method == "paper-coupled") {
-    config.registration.mode = RegistrationMode::coupled;
-    return config;
-  }
-  std::string known;
-  for (const std::string& name : methods()) known += (known.empty() ? "" : ", ") + name;
-  throw ConfigError("there is no method '" + std::string(method) + "'; there are: " + known);
 }
 
 }  // namespace surefoot

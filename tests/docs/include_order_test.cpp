@@ -47,7 +47,8 @@ TEST(IncludeOrder, TheLibrarySeesNoneOfTheProgramsComponents) {
   expect_only("src/geometry", {"surefoot", "geometry"});
   expect_only("src/odometry", {"surefoot", "geometry", "odometry"});
   expect_only("src/knots", {"surefoot", "geometry", "odometry", "knots"});
-  expect_only("src/methods", {"odometry", "knots"});
+  expect_only("src/baselines", {"surefoot", "geometry", "odometry", "baselines"});
+  expect_only("src/methods", {"odometry", "knots", "baselines"});
   expect_only("src/sensor", {"sensor"});
 }
 
@@ -104,7 +105,7 @@ TEST(IncludeOrder, TheLibraryPrintsNothingAndReadsNoClock) {
       "<iostream>|<chrono>|<ctime>|std::(cout|cerr|clog|abort|exit|terminate)\\b"
       "|\\b(printf|fprintf|puts|getenv)\\(");
   for (const char* folder :
-       {"src/geometry", "src/odometry", "src/knots", "src/methods", "include"}) {
+       {"src/geometry", "src/odometry", "src/knots", "src/baselines", "src/methods", "include"}) {
     for (const auto& [path, text] : test::source_files(folder)) {
       std::smatch found;
       EXPECT_FALSE(std::regex_search(text, found, forbidden)) << path << ": " << found.str();

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "baselines/floam_solver.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// What the original hides in its code.
+constexpr double kHuber = 0.1;           // [m] where the loss turns linear
+constexpr int kMaxSteps = 4;             // of Levenberg-Marquardt
+constexpr double kLineRatio = 3.0;       // largest eigenvalue against the second, of a line
+constexpr double kPlaneTolerance = 0.2;  // [m] of a plane's neighbours
+
+// Ceres' defaults.
+constexpr double kFirstRadius = 1e4;
+constexpr double kMaxRadius = 1e16;
+constexpr double kMinDiagonal = 1e-6;
+constexpr double kMaxDiagonal = 1e32;
+constexpr double kMinDecrease = 1e-3;         // of the predicted decrease, to accept a step
+constexpr double kFunctionTolerance = 1e-6;   // of the cost
+constexpr double kParameterTolerance = 1e-8;  // of the parameters' norm
+constexpr double kGradientTolerance = 1e-10;
+
+/// Ceres' Huber loss rho(r^2) and its derivative.
+struct Loss {
+  double value, slope;
+};
+Loss huber(double squared) {
+  if (squared <= kHuber * kHuber) return {squared, 1.0};
+  const double norm = std::sqrt(squared);
+  return {2.0 * kHuber * norm - kHuber * kHuber, kHuber / norm};
+}
+
+struct Linearisation {
+  NormalEquations<6> equations;
+  double cost = 0.0;  // half the sum of losses
+  Linearisation& operator+=(const Linearisation& other) {
+    equations += other.equations;
+    cost += other.cost;
+    return *this;
+  }
+};
+
+Linearisation linearise(const std::vector<FloamResidual>& residuals, const Pose& T,
+                        const Workers& workers) {
+  const Eigen::Matrix3d R = T.rotation.toRotationMatrix();
+  return workers.sum<Linearisation>(residuals.size(), [&](std::size_t begin, std::size_t end) {
+    Linearisation sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d placed = R * residuals[i].point + T.translation;
+      const Eigen::Matrix<double, 1, 1> r(floam_residual(residuals[i], placed));
+      const Loss loss = huber(r.squaredNorm());
+      sum.equations.add<1>(floam_jacobian(residuals[i], placed), r, loss.slope);
+      sum.cost += 0.5 * loss.value;
+    }
+    return sum;
+  });
+}
+
+/// One Levenberg-Marquardt step: columns are scaled once and for all, then damped by their own
+/// diagonal over the trust region's radius.
+Twist damped_step(const NormalEquations<6>& equations, const Twist& scale, double radius) {
+  Matrix6 H = scale.asDiagonal() * equations.H * scale.asDiagonal();
+  H.diagonal() += H.diagonal().cwiseMax(kMinDiagonal).cwiseMin(kMaxDiagonal) / radius;
+  const Twist scaled_g = scale.cwiseProduct(equations.g);
+  return -scale.cwiseProduct(H.ldlt().solve(scaled_g));
+}
+
+struct Scatter {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+};
+Scatter scatter_of(std::span<const Eigen::Vector3d, 5> neighbours) {
+  Scatter scatter;
+  for (const Eigen::Vector3d& point : neighbours) scatter.centre += point / 5.0;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& point : neighbours) {
+    sum += (point - scatter.centre) * (point - scatter.centre).transpose();
+  }
+  scatter.eigen.compute(sum);
+  return scatter;
+}
+
+/// Norm of the seven parameters: unit quaternion and translation.
+double parameter_norm(const Pose& T) { return std::sqrt(1.0 + T.translation.squaredNorm()); }
+
+}  // namespace
+
+double floam_residual(const FloamResidual& residual, const Eigen::Vector3d& placed) {
+  if (residual.kind == FloamResidual::Kind::surface) {
+    return residual.direction.dot(placed) + residual.offset;
+  }
+  return residual.direction.cross(placed - residual.anchor).norm();
+}
+
+Eigen::Matrix<double, 1, 6> floam_jacobian(const FloamResidual& residual,
+                                           const Eigen::Vector3d& placed) {
+  Eigen::Vector3d gradient = residual.direction;  // by the placed point
+  if (residual.kind == FloamResidual::Kind::edge) {
+    const Eigen::Vector3d apart = placed - residual.anchor;
+    gradient = apart - residual.direction * residual.direction.dot(apart);
+    const double norm = gradient.norm();
+    gradient = norm > 0.0 ? Eigen::Vector3d(gradient / norm) : Eigen::Vector3d::Zero();
+  }
+  Eigen::Matrix<double, 1, 6> J;
+  J << gradient.transpose(), placed.cross(gradient).transpose();
+  return J;
+}
+
+bool fit_line(std::span<const Eigen::Vector3d, 5> neighbours, FloamResidual& residual) {
+  const Scatter scatter = scatter_of(neighbours);
+  residual.kind = FloamResidual::Kind::edge;
+  residual.anchor = scatter.centre;
+  residual.direction = scatter.eigen.eigenvectors().col(2);
+  return scatter.eigen.eigenvalues()[2] > kLineRatio * scatter.eigen.eigenvalues()[1];
+}
+
+bool fit_plane(std::span<const Eigen::Vector3d, 5> neighbours, bool centred,
+               FloamResidual& residual) {
+  residual.kind = FloamResidual::Kind::surface;
+  if (centred) {
+    const Scatter scatter = scatter_of(neighbours);
+    residual.direction = scatter.eigen.eigenvectors().col(0);
+    residual.offset = -residual.direction.dot(scatter.centre);
+  } else {
+    Eigen::Matrix<double, 5, 3> A;
+    for (Eigen::Index i = 0; i < 5; ++i) {
+      A.row(i) = neighbours[static_cast<std::size_t>(i)].transpose();
+    }
+    const Eigen::Matrix<double, 5, 1> b = -Eigen::Matrix<double, 5, 1>::Ones();
+    const Eigen::Vector3d n = A.colPivHouseholderQr().solve(b);
+    const double norm = n.norm();
+    if (!(norm > 0.0) || !std::isfinite(norm)) return false;
+    residual.direction = n / norm;
+    residual.offset = 1.0 / norm;
+  }
+  return std::all_of(neighbours.begin(), neighbours.end(), [&](const Eigen::Vector3d& point) {
+    return std::abs(residual.direction.dot(point) + residual.offset) <= kPlaneTolerance;
+  });
+}
+
+FloamSolution solve_floam(const std::vector<FloamResidual>& residuals, const Pose& T_map_lidar,
+                          const Workers& workers) {
+  FloamSolution solution;
+  solution.T_map_lidar = T_map_lidar;
+  Linearisation here = linearise(residuals, T_map_lidar, workers);
+  const Twist scale = (1.0 + here.equations.H.diagonal().array().sqrt()).inverse();
+  double radius = kFirstRadius;
+  double shrink = 2.0;
+  for (int step = 0; step < kMaxSteps && !solution.converged; ++step) {
+    const Twist delta = damped_step(here.equations, scale, radius);
+    if (!delta.allFinite()) break;
+    const double predicted =
+        -delta.dot(here.equations.g) - 0.5 * delta.dot(here.equations.H * delta);
+    const Pose candidate = se3_exp(delta) * solution.T_map_lidar;
+    const Linearisation there = linearise(residuals, candidate, workers);
+    const double decrease = here.cost - there.cost;
+    const bool still = delta.norm() <= kParameterTolerance * (parameter_norm(solution.T_map_lidar) +
+                                                              kParameterTolerance);
+    solution.converged = still || std::abs(decrease) <= kFunctionTolerance * here.cost;
+    if (solution.converged) break;  // as Ceres: that step is not taken any more
+    if (predicted > 0.0 && decrease > kMinDecrease * predicted) {
+      const double ratio = decrease / predicted;
+      radius =
+          std::min(kMaxRadius, radius / std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * ratio - 1.0, 3)));
+      shrink = 2.0;
+      solution.T_map_lidar = candidate;
+      here = there;
+      ++solution.steps;
+      solution.converged = here.equations.g.lpNorm<Eigen::Infinity>() <= kGradientTolerance;
+    } else {
+      radius /= shrink;
+      shrink *= 2.0;
+    }
+  }
+  solution.equations = here.equations;
+  return solution;
+}
+
+}  // namespace surefoot
