@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <functional>
+
 namespace surefoot::app {
 
 namespace {
@@ -27,13 +29,12 @@ void apply_node(const YAML::Node& node, const std::string& prefix, Config& confi
   }
 }
 
-}  // namespace
-
-void load_config_file(const std::filesystem::path& path, Config& config) {
+/// What `read` and yaml-cpp throw, as a ConfigError that names the file.
+void read_file(const std::filesystem::path& path,
+               const std::function<void(const YAML::Node&)>& read) {
   try {
     const YAML::Node root = YAML::LoadFile(path.string());
-    if (root.IsNull()) return;  // an empty file sets nothing
-    apply_node(root.IsMap() && root["parameters"] ? root["parameters"] : root, "", config);
+    if (!root.IsNull()) read(root);  // an empty file sets nothing
   } catch (const YAML::BadFile&) {
     throw ConfigError(path.string() + ": cannot be read; expected a YAML file of parameters");
   } catch (const YAML::Exception& error) {
@@ -41,6 +42,23 @@ void load_config_file(const std::filesystem::path& path, Config& config) {
   } catch (const ConfigError& error) {
     throw ConfigError(path.string() + ": " + error.what());
   }
+}
+
+}  // namespace
+
+std::string method_of_file(const std::filesystem::path& path) {
+  std::string method;
+  read_file(path, [&](const YAML::Node& root) {
+    if (root.IsMap() && root["method"]) method = root["method"].as<std::string>();
+  });
+  return method;
+}
+
+void load_config_file(const std::filesystem::path& path, Config& config) {
+  read_file(path, [&](YAML::Node root) {
+    if (root.IsMap()) root.remove("method");
+    apply_node(root.IsMap() && root["parameters"] ? root["parameters"] : root, "", config);
+  });
 }
 
 void apply_settings(const std::vector<std::string>& settings, Config& config) {

@@ -16,8 +16,13 @@ class Emitter;
 
 namespace surefoot::app {
 
+/// The `method` that a file of parameters or a run.yaml names; empty if it names none. Throws
+/// ConfigError naming the file.
+[[nodiscard]] std::string method_of_file(const std::filesystem::path& path);
+
 /// Sets the parameters that a YAML file names: nested maps (deskew: {segments: 4}) or dotted keys.
-/// Of a run.yaml only its `parameters` are read. Throws ConfigError naming the file and the key.
+/// Of a run.yaml only its `parameters` are read; `method` is left to method_of_file(). Throws
+/// ConfigError naming the file and the key.
 void load_config_file(const std::filesystem::path& path, Config& config);
 
 /// Sets parameters from "key=value" texts. Throws ConfigError.

@@ -36,7 +36,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       "folder for the results (default: results/<input>-<time>, linked as results/latest)");
   command
       .add_option("--method", options.method, fmt::format("one of: {}", fmt::join(methods(), ", ")))
-      ->capture_default_str();
+      ->default_str(fmt::format("that of --config, else {}", kDefaultMethod));
   command.add_option("--config", options.config_file, "YAML file of parameters, or a run.yaml");
   command.add_option("--set", options.settings, "a parameter: key=value; may be repeated")
       ->allow_extra_args(false);
@@ -65,6 +65,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--map-voxel", options.map_voxel, "one point per cube in map.ply [m]")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();
+  command
+      .add_option("--pose-rate", options.pose_rate,
+                  "also write trajectory_dense.tum with so many poses a second, within scans [Hz]")
+      ->check(CLI::Range(0.1, 100000.0));
   command.add_flag("--no-map", options.no_map, "do not write map.ply");
   command.add_flag("--no-picture", options.no_picture, "do not draw the picture");
   command.add_flag("--no-report", options.no_report, "do not write report.html");
@@ -72,8 +76,14 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_reader_options(command, options.reader);
 }
 
+std::string method_of(const RunOptions& options) {
+  if (!options.method.empty()) return options.method;
+  const std::string named = options.config_file.empty() ? "" : method_of_file(options.config_file);
+  return named.empty() ? kDefaultMethod : named;
+}
+
 Config make_config(const RunOptions& options) {
-  Config config = method_config(options.method);
+  Config config = method_config(method_of(options));
   if (!options.config_file.empty()) load_config_file(options.config_file, config);
   if (!options.extrinsic.empty()) set_mount(options.extrinsic, config);
   if (!options.level.empty()) set_parameter(config, "level.mode", options.level);

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
 
@@ -73,7 +75,7 @@ void write_run_yaml(const fs::path& path, const RunOptions& options, const Confi
   YAML::Emitter out;
   out << YAML::BeginMap;
   out << YAML::Key << "surefoot" << YAML::Value << SUREFOOT_VERSION;
-  out << YAML::Key << "method" << YAML::Value << options.method;
+  out << YAML::Key << "method" << YAML::Value << method_of(options);
   out << YAML::Key << "input" << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "path" << YAML::Value << fs::absolute(options.input).string();
   out << YAML::Key << "content" << YAML::Value << summary.input_description;
@@ -128,6 +130,12 @@ RunOutput::RunOutput(const RunOptions& options)
   tum_ << "# stamp [s] at mid-scan, x y z [m], qx qy qz qw: T_map_" << options.pose_of
        << ", measured poses only\n";
   csv_ << csv_header() << std::flush;
+  if (options.pose_rate > 0.0) {
+    pose_period_ns_ = std::max<std::int64_t>(std::llround(1e9 / options.pose_rate), 1);
+    dense_ = open("trajectory_dense.tum");
+    dense_ << "# stamp [s], x y z [m], qx qy qz qw: T_map_" << options.pose_of
+           << " within the measured scans\n";
+  }
 }
 
 std::ofstream RunOutput::open(const char* name) {
@@ -140,15 +148,28 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
                     const StepTimes& times) {
   const StampedPose pose{estimate.stamp_ns, estimate.T_map_lidar * T_lidar_written};
   if (estimate.trusted()) tum_ << dataset::format_tum({pose}) << std::flush;
+  if (estimate.trusted() && dense_.is_open()) add_dense(estimate, T_lidar_written);
   if (estimate.status != Status::rejected) {
     trajectory_.push_back(pose);
     untrusted_.push_back(!estimate.trusted());
   }
   kitti_ << dataset::format_kitti_poses({pose}) << std::flush;
   csv_ << csv_line(lines_++, name, estimate, times) << std::flush;
-  if (!tum_ || !kitti_ || !csv_) {
+  if (!tum_ || !kitti_ || !csv_ || !dense_) {
     throw std::runtime_error(folder_.string() + ": cannot be written any more (disk full?)");
   }
+}
+
+/// Poses at multiples of the period, each once: of two scans that overlap, the first one's.
+void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written) {
+  const std::int64_t from = std::max(estimate.trajectory.start_ns(), dense_until_ns_);
+  const std::int64_t to = estimate.trajectory.end_ns();
+  for (std::int64_t t = (from / pose_period_ns_ + 1) * pose_period_ns_; t <= to;
+       t += pose_period_ns_) {
+    dense_ << dataset::format_tum({{t, estimate.pose_at(t) * T_lidar_written}});
+  }
+  dense_ << std::flush;
+  dense_until_ns_ = std::max(dense_until_ns_, to);
 }
 
 void RunOutput::finish(const RunOptions& options, const Config& config, const RunSummary& summary,
@@ -163,7 +184,7 @@ void RunOutput::finish(const RunOptions& options, const Config& config, const Ru
   if (!options.no_picture) {
     const fs::path input = fs::absolute(options.input).lexically_normal();
     const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
-    const std::string title = fmt::format("{}, method {}", name.string(), options.method);
+    const std::string title = fmt::format("{}, method {}", name.string(), method_of(options));
     report::draw_run_picture({title, trajectory_, map.points(), {}, untrusted_},
                              folder_ / "picture.png");
   }

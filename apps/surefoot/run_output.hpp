@@ -4,8 +4,10 @@
 // The folder that a run leaves behind.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "map_builder.hpp"
@@ -46,9 +48,12 @@ class RunOutput {
 
  private:
   std::ofstream open(const char* name);
+  void add_dense(const Estimate& estimate, const Pose& T_lidar_written);
 
   std::filesystem::path folder_;
-  std::ofstream tum_, kitti_, csv_;
+  std::ofstream tum_, kitti_, csv_, dense_;
+  std::int64_t pose_period_ns_ = 0;  // of dense_
+  std::int64_t dense_until_ns_ = std::numeric_limits<std::int64_t>::min() / 2;
   Trajectory trajectory_;
   std::vector<bool> untrusted_;
   std::size_t lines_ = 0;
