@@ -76,6 +76,11 @@ Matrix6 mid_covariance(const KnotRegistration& found) {
          u * (1.0 - u) * (between + between.transpose());
 }
 
+/// The residuals' variance as a share of the one that was assumed (reduced chi squared).
+double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
+  return found.rigid.weighted_squares / (config.independence * std::max(found.matches, 1));
+}
+
 /// What is known of the window's last two knots: the rest is integrated out.
 Eigen::Matrix<double, 12, 12> last_two(const KnotRegistration& found) {
   const std::size_t b = found.window.knots.size() - 1, a = b - 1;
@@ -241,7 +246,7 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   estimate.status = verdict.status;
   estimate.message = std::move(verdict.message);
   if (verdict.status != Status::ok) return estimate;
-  estimate.covariance = mid_covariance(found);
+  estimate.covariance = residual_variance(found, config_.knots) * mid_covariance(found);
   report_weak_directions(found.rigid, found.squared_distance, rigid.T_map_lidar, config_.health,
                          estimate);
   return estimate;
