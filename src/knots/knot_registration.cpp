@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "odometry/segment_motion.hpp"
 
@@ -128,10 +129,12 @@ double add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior
   return 0.5 * e.dot(gradient);
 }
 
-/// Moves the knots; returns the largest change of one of the new scan's.
+/// Moves the knots; returns the largest change of one of the new scan's, infinite if a step is not
+/// finite.
 double move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
   double largest = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (!steps[k].allFinite()) return std::numeric_limits<double>::infinity();
     window.knots[k] = displaced(window.knots[k], steps[k]);
     if (k >= 2) largest = std::max(largest, steps[k].cwiseAbs().maxCoeff());
   }

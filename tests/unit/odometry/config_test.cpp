@@ -193,8 +193,8 @@ TEST(Config, MethodsAreValidAndDifferFromThePapersWhereTheirNameSays) {
   EXPECT_THROW((void)method_config("magic"), ConfigError);
 }
 
-TEST(Config, ThePapersOwnValuesAreTheDefaults) {
-  const Config config;  // section 3.2 states these; they are not up to a sweep
+TEST(Config, ThePapersMethodHasItsOwnValues) {
+  const Config config = method_config("paper");  // section 3.2 states these; not up to a sweep
   EXPECT_EQ(config.deskew.segments, 4);
   EXPECT_EQ(config.deskew.clamp_z, 0.5);
   EXPECT_EQ(config.deskew.clamp_roll, 0.2);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// Runs that begin while the sensor moves: the first step has no last motion to predict from. A
-// smooth straight walk on a level floor is the hard case: rings on the floor and walls along the
-// way look the same from everywhere, and what sways in a trot would tell.
+// The paper's method in runs that begin while the sensor moves: the first step has no last motion
+// to predict from. A smooth straight walk on a level floor is the hard case: rings on the floor and
+// walls along the way look the same from everywhere, and what sways in a trot would tell.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -32,7 +32,7 @@ struct Walk {
 };
 
 Walk walk(const std::string& name, const Scene& scene, const MotionFunction& motion,
-          int scans = kScans, const Config& config = {}) {
+          int scans = kScans, const Config& config = method_config("paper")) {
   Odometry odometry(config);
   const auto estimates = add_scans(odometry, take_scans(scene, motion, scans));
   Walk result{error_against(estimates, motion)};
@@ -74,7 +74,7 @@ TEST(OdometryFirstSteps, AStraightWalkWithAPitchedMountIsFollowed) {
 
 TEST(OdometryFirstSteps, NearestSamplesHoldTheSensorBack) {
   // Why the targets lie on the surface: docs/equations.md.
-  Config config;
+  Config config = method_config("paper");
   config.registration.target = TargetKind::point;
   const auto motion = pitched(straight_walk(1.0));
   const Walk way = walk("nearest samples, pitched, bare", bare_hall(), motion, kScans, config);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "support/every_method.hpp"
 #include "support/synthetic_run.hpp"
 
 namespace surefoot {
@@ -24,6 +25,9 @@ const std::vector<Scan>& walk() {
       take_scans(furnished_hall(), constant_velocity(kStart, kWalk), 16);
   return scans;
 }
+
+class OdometryStatus : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, OdometryStatus, each_method(), method_name);
 
 using Spoil = std::function<void(Scan&)>;
 const std::pair<const char*, Spoil> kSpoilers[] = {
@@ -62,12 +66,12 @@ const std::pair<const char*, Spoil> kSpoilers[] = {
     {"a stamp backwards", [](Scan& s) { s.stamp_ns -= 1'000'000'000; }},
 };
 
-TEST(OdometryStatus, ARejectedScanSaysWhyAndLeavesNoTrace) {
-  Odometry clean;
+TEST_P(OdometryStatus, ARejectedScanSaysWhyAndLeavesNoTrace) {
+  Odometry clean(config());
   const auto expected = add_scans(clean, walk());
   for (const auto& [name, spoil] : kSpoilers) {
     for (const std::size_t at : {std::size_t{1}, std::size_t{8}}) {
-      Odometry odometry;
+      Odometry odometry(config());
       std::vector<Estimate> estimates;
       for (std::size_t i = 0; i < walk().size(); ++i) {
         if (i == at) {
@@ -89,12 +93,12 @@ TEST(OdometryStatus, ARejectedScanSaysWhyAndLeavesNoTrace) {
   }
 }
 
-TEST(OdometryStatus, ABadFirstScanDoesNotBeginTheMap) {
-  Odometry clean;
+TEST_P(OdometryStatus, ABadFirstScanDoesNotBeginTheMap) {
+  Odometry clean(config());
   const auto expected = add_scans(clean, walk());
   for (const auto& [name, spoil] : kSpoilers) {
     if (std::string(name).find("stamp") != std::string::npos) continue;  // nothing to precede
-    Odometry odometry;
+    Odometry odometry(config());
     Scan bad = walk().front();
     spoil(bad);
     EXPECT_EQ(odometry.add_scan(bad).status, Status::rejected) << name;
@@ -103,8 +107,8 @@ TEST(OdometryStatus, ABadFirstScanDoesNotBeginTheMap) {
   }
 }
 
-TEST(OdometryStatus, TheFirstScanBeginsTheMap) {
-  Odometry odometry;
+TEST_P(OdometryStatus, TheFirstScanBeginsTheMap) {
+  Odometry odometry(config());
   const Estimate first = odometry.add_scan(walk().front());
   EXPECT_EQ(first.status, Status::first_scan);
   EXPECT_TRUE(first.trusted());
@@ -127,10 +131,10 @@ std::vector<Scan> elsewhere(int count, int first) {
                     {}, first);
 }
 
-TEST(OdometryStatus, AKidnappedRobotIsToldAndTheMapBeginsAnew) {
-  Config config;
-  config.health.restart_after = 3;
-  Odometry odometry(config);
+TEST_P(OdometryStatus, AKidnappedRobotIsToldAndTheMapBeginsAnew) {
+  Config changed = config();
+  changed.health.restart_after = 3;
+  Odometry odometry(changed);
   const auto before = add_scans(odometry, walk());
   const auto after = add_scans(odometry, elsewhere(10, 16));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -143,10 +147,10 @@ TEST(OdometryStatus, AKidnappedRobotIsToldAndTheMapBeginsAnew) {
   for (std::size_t i = 4; i < after.size(); ++i) EXPECT_TRUE(after[i].trusted()) << statuses(after);
 }
 
-TEST(OdometryStatus, LostScansLeaveTheMapAndTheWayBackIn) {
-  Config config;
-  config.health.restart_after = 10;
-  Odometry odometry(config);
+TEST_P(OdometryStatus, LostScansLeaveTheMapAndTheWayBackIn) {
+  Config changed = config();
+  changed.health.restart_after = 10;
+  Odometry odometry(changed);
   std::vector<Scan> scans = walk();
   std::vector<Estimate> estimates;
   for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -165,10 +169,10 @@ TEST(OdometryStatus, LostScansLeaveTheMapAndTheWayBackIn) {
   EXPECT_LT(error.translation, 0.08);  // measured: 0.038
 }
 
-TEST(OdometryStatus, ACorrectionBeyondTheLimitIsDiverged) {
-  Config config;
-  config.health.max_correction = 0.01;
-  Odometry odometry(config);
+TEST_P(OdometryStatus, ACorrectionBeyondTheLimitIsDiverged) {
+  Config changed = config();
+  changed.health.max_correction = 0.01;
+  Odometry odometry(changed);
   // The second scan lies 8 cm from the prediction, which is to stand still.
   const auto estimates = add_scans(odometry, {walk()[0], walk()[1]});
   EXPECT_EQ(estimates[1].status, Status::diverged);
@@ -176,8 +180,8 @@ TEST(OdometryStatus, ACorrectionBeyondTheLimitIsDiverged) {
   EXPECT_EQ(estimates[1].T_map_lidar.translation, estimates[0].T_map_lidar.translation);
 }
 
-TEST(OdometryStatus, AGapIsBridgedByTheLastVelocity) {
-  Odometry odometry;
+TEST_P(OdometryStatus, AGapIsBridgedByTheLastVelocity) {
+  Odometry odometry(config());
   std::vector<Estimate> estimates;
   for (std::size_t i = 0; i < walk().size(); ++i) {
     if (i >= 8 && i < 11) continue;
@@ -189,17 +193,17 @@ TEST(OdometryStatus, AGapIsBridgedByTheLastVelocity) {
   EXPECT_LT(error.translation, 0.08);  // measured: 0.038
 }
 
-TEST(OdometryStatus, EqualPointTimesAreLegal) {
+TEST_P(OdometryStatus, EqualPointTimesAreLegal) {
   std::vector<Scan> scans = take_scans(furnished_hall(), standing(kStart), 5);
   for (Scan& scan : scans) std::fill(scan.times_ns.begin(), scan.times_ns.end(), 5);
-  Odometry odometry;
+  Odometry odometry(config());
   for (const Estimate& estimate : add_scans(odometry, scans)) EXPECT_TRUE(estimate.trusted());
 }
 
-TEST(OdometryStatus, StampsAtTheEndsOfTheirTypeDoNotCrash) {
+TEST_P(OdometryStatus, StampsAtTheEndsOfTheirTypeDoNotCrash) {
   for (const std::int64_t stamp : {std::numeric_limits<std::int64_t>::max() - 200'000'000,
                                    std::numeric_limits<std::int64_t>::min() + 200'000'000}) {
-    Odometry odometry;
+    Odometry odometry(config());
     Scan scan = walk().front();
     scan.stamp_ns = stamp;
     EXPECT_EQ(odometry.add_scan(scan).status, Status::first_scan);
@@ -207,18 +211,18 @@ TEST(OdometryStatus, StampsAtTheEndsOfTheirTypeDoNotCrash) {
   }
 }
 
-TEST(OdometryStatus, PartsOfAScanMayBeNonsense) {
+TEST_P(OdometryStatus, PartsOfAScanMayBeNonsense) {
   std::vector<Scan> scans = walk();
   for (Scan& scan : scans) {
     for (std::size_t i = 0; i < scan.points.size(); i += 11) {
       scan.points[i].setConstant(i % 2 ? std::numeric_limits<float>::quiet_NaN() : 1e30F);
     }
   }
-  Odometry odometry;
+  Odometry odometry(config());
   for (const Estimate& estimate : add_scans(odometry, scans)) EXPECT_TRUE(estimate.trusted());
 }
 
-TEST(OdometryStatus, AnInvalidConfigurationIsRefused) {
+TEST(OdometryConfiguration, AnInvalidConfigurationIsRefused) {
   Config config;
   config.deskew.segments = 0;
   EXPECT_THROW(Odometry{config}, ConfigError);

@@ -42,7 +42,7 @@ double seconds(const Estimate& estimate) {
 
 /// Mean over scans of e^T C^-1 e / 6, with e the error of a scan's motion.
 double normalised_error_squared(const MotionFunction& motion) {
-  Odometry odometry;
+  Odometry odometry(method_config("paper"));
   const auto estimates = add_scans(odometry, take_scans(furnished_hall(), motion, 60));
   double sum = 0.0;
   int count = 0;

@@ -16,7 +16,7 @@ namespace surefoot::test {
 
 /// Parameters that the steps' tests rely on; the table's defaults do not matter to them.
 inline Config step_config() {
-  Config config;
+  Config config = method_config("paper");
   config.map.voxel_size = 1.0;
   config.map.points_per_voxel = 40;
   config.map.min_spacing = 0.05;

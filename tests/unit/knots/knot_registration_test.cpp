@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// One scan of a swaying sensor against a map made with the true motion.
+#include "knots/knot_registration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "support/random.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scenes and motions of the test support
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kScanStart = 0.7;  // [s]
+constexpr int kSegments = 8;
+constexpr double kStep = 0.1 / kSegments;  // [s]
+const Pose kStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
+const StepObserver kNobody = [](Step) {};
+
+/// Rolls and pitches by up to 3.5 deg at 2.5 Hz while it walks: 0.5 rad/s.
+Pose swaying(double t) {
+  const double phase = 2.0 * std::numbers::pi * 2.5 * t;
+  const Eigen::Vector3d angles(3.5 * kDegree * std::sin(phase), 2.5 * kDegree * std::cos(phase),
+                               1.0 * kDegree * std::sin(phase + 1.0));
+  return kStart * Pose{from_roll_pitch_yaw(angles), {0.8 * t, 0.0, 0.02 * std::sin(2.0 * phase)}};
+}
+
+double seconds(const Scan& scan, std::size_t point) {
+  return 1e-9 * static_cast<double>(scan.stamp_ns + scan.times_ns[point]);
+}
+
+/// Six scans of the same walk, every point where it was seen.
+const SurfelMap& true_map() {
+  static const SurfelMap map = [] {
+    SurfelMap made(Config().knots, 100.0);
+    for (const Scan& scan : take_scans(furnished_hall(), swaying, 6)) {
+      std::vector<Eigen::Vector3d> points;
+      for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        if (scan.points[i].isZero()) continue;
+        points.emplace_back(swaying(seconds(scan, i)) * scan.points[i].cast<double>());
+      }
+      made.insert(points);
+    }
+    return made;
+  }();
+  return map;
+}
+
+/// Every third point of the scan that begins at kScanStart.
+KnotPoints take_points() {
+  const Scan scan = take_scan(furnished_hall(), swaying, kScanStart, {});
+  KnotPoints points;
+  for (int segment = 0; segment < kSegments; ++segment) {
+    points.begins.push_back(points.points.size());
+    for (std::size_t i = 0; i < scan.points.size(); i += 3) {
+      const double share = (seconds(scan, i) - kScanStart) / kStep;
+      if (scan.points[i].isZero() || std::min(static_cast<int>(share), kSegments - 1) != segment) {
+        continue;
+      }
+      points.points.push_back({scan.points[i].cast<double>(), share - segment, {}});
+    }
+  }
+  points.begins.push_back(points.points.size());
+  return points;
+}
+
+const KnotPoints& scan_points() {
+  static const KnotPoints points = take_points();
+  return points;
+}
+
+double knot_time(std::size_t k) { return kScanStart + (static_cast<double>(k) - 1.0) * kStep; }
+
+KnotWindow window_along(const std::function<Pose(double)>& motion) {
+  KnotWindow window{{}, kStep, kStep, 700'000'000, 800'000'000};
+  for (std::size_t k = 0; k < kSegments + 2; ++k) window.knots.push_back(motion(knot_time(k)));
+  return window;
+}
+
+/// The first two knots, known to `sigma` [m, rad].
+KnotPrior prior_at(const KnotWindow& window, double sigma) {
+  return {{window.knots[0], window.knots[1]},
+          Eigen::Matrix<double, 12, 12>::Identity() / (sigma * sigma)};
+}
+
+KnotRegistration register_from(const KnotWindow& start, const KnotPrior& prior,
+                               const Config::Knots& config = Config().knots, int threads = 1) {
+  KnotPoints points = scan_points();
+  return register_knots(points, true_map(), start, prior, VelocityModel(config),
+                        {config.kernel_decay, config.max_iterations}, config, Workers(threads),
+                        kNobody);
+}
+
+struct KnotError {
+  double translation = 0.0, rotation_deg = 0.0;  ///< largest of the scan's knots
+};
+
+KnotError error_of(const KnotWindow& window) {
+  KnotError error;
+  for (std::size_t k = 1; k < window.knots.size(); ++k) {
+    const Twist miss = difference(window.knots[k], swaying(knot_time(k)));
+    error.translation = std::max(error.translation, miss.head<3>().norm());
+    error.rotation_deg = std::max(error.rotation_deg, miss.tail<3>().norm() / kDegree);
+  }
+  return error;
+}
+
+TEST(KnotRegistration, AtTheTruthItStays) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotRegistration found = register_from(truth, prior_at(truth, 0.01));
+  EXPECT_TRUE(found.solved);
+  EXPECT_TRUE(found.converged);
+  EXPECT_LT(found.misfit, 0.17);  // measured: 0.113
+  EXPECT_GT(found.matches, 1500);
+  const KnotError error = error_of(found.window);
+  std::printf("from the truth: %.4f m, %.3f deg, misfit %.3f, %d iterations\n", error.translation,
+              error.rotation_deg, found.misfit, found.iterations);
+  EXPECT_LT(error.translation, 0.02);  // measured: 0.0135
+  EXPECT_LT(error.rotation_deg, 0.7);  // measured: 0.46
+}
+
+TEST(KnotRegistration, FromFiveCentimetresAndDegreesOffItConverges) {
+  Random random(1);
+  const KnotWindow truth = window_along(swaying);
+  for (int i = 0; i < 8; ++i) {
+    Twist off;
+    off << 0.05 * random.unit_vector(), 1.5 * kDegree * random.unit_vector();
+    KnotWindow start = truth;
+    for (Pose& knot : start.knots) knot = displaced(knot, off);
+    const KnotRegistration found = register_from(start, prior_at(start, 0.05));
+    EXPECT_TRUE(found.converged);
+    const KnotError error = error_of(found.window);
+    std::printf("from 5 cm, 1.5 deg off: %.4f m, %.3f deg\n", error.translation,
+                error.rotation_deg);
+    EXPECT_LT(error.translation, 0.023);  // measured: 0.011 .. 0.015
+    EXPECT_LT(error.rotation_deg, 1.0);   // measured: 0.49 .. 0.73
+  }
+}
+
+TEST(KnotRegistration, TheSwayWithinTheScanIsFound) {
+  // Predicted as if the sensor went on without turning.
+  const KnotWindow truth = window_along(swaying);
+  KnotWindow steady = window_along([](double t) {
+    return Pose{swaying(kScanStart).rotation,
+                swaying(kScanStart).translation + Eigen::Vector3d(0.8 * (t - kScanStart), 0, 0)};
+  });
+  steady.knots[0] = truth.knots[0];
+  const KnotError predicted = error_of(steady);
+  const KnotRegistration found = register_from(steady, prior_at(truth, 0.01));
+  const KnotError error = error_of(found.window);
+  std::printf("sway: %.3f deg predicted, %.3f deg found; %.4f m\n", predicted.rotation_deg,
+              error.rotation_deg, error.translation);
+  EXPECT_GT(predicted.rotation_deg, 2.0);
+  EXPECT_LT(error.rotation_deg, 0.15 * predicted.rotation_deg);  // measured: 0.46 of 4.49
+  EXPECT_LT(error.translation, 0.02);                            // measured: 0.0135
+}
+
+/// What the registration minimises once its kernel is narrow, written down anew.
+double cost(const KnotWindow& window, const KnotPrior& prior, const Config::Knots& config) {
+  const VelocityModel model(config);
+  double sum = 0.0;
+  const KnotPoints& points = scan_points();
+  for (std::size_t s = 0; s < window.segments(); ++s) {
+    const Twist turn = se3_log(window.knots[s + 1].inverse() * window.knots[s + 2]);
+    for (std::size_t i = points.begins[s]; i < points.begins[s + 1]; ++i) {
+      const KnotPoints::Point& point = points.points[i];
+      const Eigen::Vector3d place =
+          window.knots[s + 1] * se3_exp(point.share * turn) * point.position;
+      SurfelMap::Place unknown;
+      const Surfel* const surfel = true_map().find(place, 0, unknown);
+      for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+        const double r = surfel->across[d].dot(place - surfel->mean);
+        const double variance = config.noise * config.noise + surfel->variance[d];
+        sum += 0.5 * config.independence * r * r / (variance + r * r / 9.0);  // Geman-McClure
+      }
+    }
+  }
+  for (std::size_t k = 0; k + 2 < window.knots.size(); ++k) {
+    const double phi = std::exp(-kStep / config.correlation_time);
+    const Twist e = window.velocity(k + 1) - phi * window.velocity(k);
+    const Twist s = model.fluctuation();
+    sum += 0.5 * e.cwiseQuotient(s).squaredNorm() / (1.0 - phi * phi);
+  }
+  Eigen::Matrix<double, 12, 1> e;
+  e << difference(window.knots[0], prior.means[0]), difference(window.knots[1], prior.means[1]);
+  return sum + 0.5 * e.dot(prior.information * e);
+}
+
+Twist gradient(KnotWindow window, std::size_t knot, const KnotPrior& prior,
+               const Config::Knots& config) {
+  constexpr double kSmall = 1e-6;
+  Twist result;
+  const Pose at = window.knots[knot];
+  for (int axis = 0; axis < 6; ++axis) {
+    double values[2];
+    for (const int side : {0, 1}) {
+      Twist by = Twist::Zero();
+      by[axis] = side ? kSmall : -kSmall;
+      window.knots[knot] = displaced(at, by);
+      values[side] = cost(window, prior, config);
+    }
+    result[axis] = (values[1] - values[0]) / (2.0 * kSmall);
+  }
+  return result;
+}
+
+TEST(KnotRegistration, ItEndsWhereTheCostsGradientVanishes) {
+  // For every knot, so the shares of a residual between a segment's two knots are right.
+  Config::Knots config = Config().knots;
+  config.convergence = 1e-7;
+  config.max_iterations = 200;
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration found = register_from(truth, prior, config);
+  ASSERT_TRUE(found.converged);
+  for (std::size_t k = 0; k < truth.knots.size(); ++k) {
+    const Twist rest = gradient(found.window, k, prior, config);
+    for (const int axis : {0, 2, 3, 5}) {
+      KnotWindow away = found.window;
+      Twist by = Twist::Zero();
+      by[axis] = 1e-3;
+      away.knots[k] = displaced(away.knots[k], by);
+      const double slope = gradient(away, k, prior, config)[axis];
+      EXPECT_LT(std::abs(rest[axis]), 0.05 * std::abs(slope)) << "knot " << k << " axis " << axis;
+    }
+  }
+}
+
+TEST(KnotRegistration, ThreadsDoNotChangeABit) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  for (const int threads : {2, 5}) {
+    const KnotRegistration many = register_from(truth, prior, Config().knots, threads);
+    EXPECT_EQ(one.iterations, many.iterations);
+    EXPECT_EQ(one.misfit, many.misfit);
+    EXPECT_EQ(one.rigid.H, many.rigid.H);
+    for (std::size_t k = 0; k < truth.knots.size(); ++k) {
+      EXPECT_EQ(one.window.knots[k].matrix(), many.window.knots[k].matrix());
+      EXPECT_EQ(one.covariance(k, k), many.covariance(k, k));
+    }
+  }
+}
+
+TEST(KnotRegistration, WithoutAMapThePredictionStays) {
+  const SurfelMap empty(Config().knots, 100.0);
+  const Config::Knots config = Config().knots;
+  KnotWindow start = window_along([](double t) {
+    return Pose{Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.45 + 0.0 * t}};
+  });
+  KnotPoints points = scan_points();
+  const KnotRegistration found =
+      register_knots(points, empty, start, prior_at(start, 0.01), VelocityModel(config),
+                     {config.kernel_decay, config.max_iterations}, config, Workers(1), kNobody);
+  EXPECT_TRUE(found.solved);
+  EXPECT_EQ(found.matches, 0);
+  EXPECT_EQ(found.misfit, 1.0);
+  for (std::size_t k = 0; k < start.knots.size(); ++k) {
+    EXPECT_LT(difference(found.window.knots[k], start.knots[k]).norm(), 1e-9);
+  }
+}
+
+TEST(KnotRegistration, WhatIsNotFiniteIsNotSolved) {
+  const KnotWindow truth = window_along(swaying);
+  KnotPrior unknown_place = prior_at(truth, 0.01), unknown_weight = unknown_place;
+  unknown_place.means[1].translation.x() = std::numeric_limits<double>::quiet_NaN();
+  unknown_weight.information(7, 7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(register_from(truth, unknown_place).solved);
+  EXPECT_FALSE(register_from(truth, unknown_weight).solved);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Whole runs of Surefoot's own method through scenes with exact truth, beside the paper's where
+// the two are to be compared. Bounds are about 1.5 times what was measured (in the comment beside
+// each).
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <numbers>
+
+#include "support/synthetic_run.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scenes and motions of the test support
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr int kScans = 40;
+const Pose kStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+
+MotionFunction straight_walk(double speed) {
+  return constant_velocity(kStart, (Twist() << speed, 0, 0, 0, 0, 0).finished());
+}
+
+/// Up a ramp with a trot's sway on top.
+MotionFunction trotting_up(double slope_deg) {
+  const auto smooth = climbing(-4.0, 1.0, slope_deg);
+  const auto sway = trotting(Pose{}, 0.0, 2.5);
+  return [=](double t) { return smooth(t) * sway(t); };
+}
+
+MotionFunction pitched(const MotionFunction& motion) {
+  return mounted(motion, {from_roll_pitch_yaw({0.0, 15.0 * kDegree, 0.0}), {0.0, 0.0, 0.0}});
+}
+
+Error run(const char* name, const char* method, const std::vector<Scan>& scans,
+          const MotionFunction& motion) {
+  Odometry odometry(method_config(method));
+  const auto estimates = add_scans(odometry, scans);
+  const Error error = error_against(estimates, motion);
+  for (const Estimate& estimate : estimates) {
+    EXPECT_TRUE(estimate.trusted()) << name << ": " << estimate.message;
+  }
+  std::printf("%-24s %-9s %.4f m (z %.4f), %.3f deg\n", name, method, error.translation,
+              error.vertical, error.rotation_deg);
+  return error;
+}
+
+struct Both {
+  Error surefoot, paper;
+};
+
+Both run_both(const char* name, const Scene& scene, const MotionFunction& motion, int scans) {
+  const auto taken = take_scans(scene, motion, scans);
+  return {run(name, "surefoot", taken, motion), run(name, "paper", taken, motion)};
+}
+
+void expect_far_better(const Both& both) {
+  EXPECT_LT(both.surefoot.translation, 0.5 * both.paper.translation);
+  EXPECT_LT(both.surefoot.rotation_deg, 0.5 * both.paper.rotation_deg);
+}
+
+TEST(KnotRuns, ATrotThroughAHallIsFollowed) {
+  for (const double hertz : {2.0, 3.0}) {
+    const Both both =
+        run_both("trot, hall", furnished_hall(), trotting(kStart, 0.8, hertz), kScans);
+    EXPECT_LT(both.surefoot.translation, 0.05) << hertz;
+    EXPECT_LT(both.surefoot.rotation_deg, 0.5) << hertz;
+    expect_far_better(both);
+  }
+}
+
+TEST(KnotRuns, ATrotUpARampIsFollowed) {
+  for (const double slope_deg : {8.0, 15.0}) {
+    const Both both = run_both("trot, ramp", ramp_yard(slope_deg), trotting_up(slope_deg), 80);
+    EXPECT_LT(both.surefoot.translation, 0.05) << slope_deg;
+    EXPECT_LT(both.surefoot.rotation_deg, 0.5) << slope_deg;
+    expect_far_better(both);
+  }
+}
+
+TEST(KnotRuns, AStraightWalkThroughABareHallIsFollowed) {
+  for (const double speed : {1.0, 0.5}) {
+    const auto motion = straight_walk(speed);
+    const auto scans = take_scans(bare_hall(), motion, kScans);
+    const Error error = run("straight, bare hall", "surefoot", scans, motion);
+    EXPECT_LT(error.translation, 0.05) << speed;
+    EXPECT_LT(error.rotation_deg, 0.3) << speed;
+  }
+}
+
+TEST(KnotRuns, APitchedMountIsAsGoodAsALevelOne) {
+  const auto level = trotting(kStart, 0.8, 2.5);
+  const auto turned = pitched(level);
+  const Error of_level =
+      run("level", "surefoot", take_scans(furnished_hall(), level, kScans), level);
+  const Error of_pitched =
+      run("pitched", "surefoot", take_scans(furnished_hall(), turned, kScans), turned);
+  EXPECT_LT(of_pitched.translation, of_level.translation + 0.02);
+  EXPECT_LT(of_pitched.rotation_deg, of_level.rotation_deg + 0.2);
+}
+
+TEST(KnotRuns, AStandingSensorStays) {
+  const auto motion = standing(kStart);
+  const Error error =
+      run("standing", "surefoot", take_scans(furnished_hall(), motion, kScans), motion);
+  EXPECT_LT(error.translation, 0.01);
+  EXPECT_LT(error.rotation_deg, 0.1);
+}
+
+TEST(KnotRuns, ASmoothRunIsNoWorseThanThePapers) {
+  const auto motion =
+      constant_velocity(kStart, (Twist() << 1.5, 0.0, 0.0, 0.0, 0.0, 0.3).finished());
+  const Both both = run_both("smooth", furnished_hall(), motion, kScans);
+  EXPECT_LT(both.surefoot.translation, 1.5 * both.paper.translation);
+  EXPECT_LT(both.surefoot.rotation_deg, 1.5 * both.paper.rotation_deg);
+  EXPECT_LT(both.surefoot.translation, 0.05);
+}
+
+/// Scans of a place that has nothing in common with the hall.
+Scene slope_with_pillars() {
+  Scene scene;
+  scene.add({{from_roll_pitch_yaw({0.3, -0.2, 0.0}), {0.0, 0.0, -3.0}}, {60.0, 60.0, 1.0}});
+  for (int i = -4; i <= 4; ++i) {
+    scene.add({{so3_exp({0.0, 0.0, 0.7 * i}), {7.0 * i, 25.0 + 3.0 * i, 10.0}}, {2.0, 1.0, 30.0}});
+    scene.add({{so3_exp({0.0, 0.0, 0.3 * i}), {6.0 * i, -28.0, 10.0}}, {1.0, 3.0, 30.0}});
+  }
+  return scene;
+}
+
+TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
+  const auto motion = straight_walk(0.5);
+  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans);
+  for (const int blinded : {1, 3, 8}) {  // the map begins anew after ten
+    Odometry odometry;
+    std::vector<Estimate> seeing;
+    for (int i = 0; i < kScans; ++i) {
+      if (i < 15 || i >= 15 + blinded) {
+        seeing.push_back(odometry.add_scan(scans[static_cast<std::size_t>(i)]));
+        continue;
+      }
+      const auto map = odometry.local_map();
+      const auto wrong =
+          take_scans(slope_with_pillars(), standing({kStart.rotation, {0.0, 0.0, 1.0}}), 1, {}, i);
+      const Estimate lost = odometry.add_scan(wrong.front());
+      EXPECT_TRUE(lost.status == Status::diverged || lost.status == Status::too_few_matches)
+          << to_string(lost.status) << " at " << i - 15 << " of " << blinded;
+      EXPECT_FALSE(lost.message.empty());
+      EXPECT_GT(lost.covariance(0, 0), seeing.back().covariance(0, 0));
+      EXPECT_EQ(odometry.local_map(), map);
+    }
+    for (const Estimate& estimate : seeing) EXPECT_TRUE(estimate.trusted()) << estimate.message;
+    const Error error = error_against(seeing, motion);
+    std::printf("blinded for %d scans: %.4f m, at the end %.4f m\n", blinded, error.translation,
+                error.final_translation);
+    EXPECT_LT(error.translation, 0.05) << blinded;
+  }
+}
+
+TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
+  // Relative to mid-scan: what deskewing needs. The sway covers up to 6 deg in half a scan.
+  const auto motion = trotting(kStart, 0.8, 2.5);
+  Odometry odometry;
+  double translation = 0.0, rotation_deg = 0.0, still_deg = 0.0;
+  const auto estimates = add_scans(odometry, take_scans(furnished_hall(), motion, kScans));
+  for (std::size_t i = 5; i < estimates.size(); ++i) {
+    const Estimate& estimate = estimates[i];
+    const ScanTrajectory& scan = estimate.trajectory;
+    const auto truth = [&](std::int64_t stamp) {
+      return motion(1e-9 * static_cast<double>(stamp));
+    };
+    for (int eighth = 0; eighth <= 8; ++eighth) {
+      const std::int64_t at = scan.start_ns() + (scan.end_ns() - scan.start_ns()) * eighth / 8;
+      const Pose moved = estimate.T_map_lidar.inverse() * estimate.pose_at(at);
+      const Pose expected = truth(estimate.stamp_ns).inverse() * truth(at);
+      translation = std::max(translation, (moved.translation - expected.translation).norm());
+      rotation_deg = std::max(rotation_deg, angle_between_deg(moved.rotation, expected.rotation));
+      still_deg = std::max(still_deg, so3_log(expected.rotation).norm() / kDegree);
+    }
+  }
+  std::printf("within a scan: %.4f m, %.3f deg of %.2f deg\n", translation, rotation_deg,
+              still_deg);
+  EXPECT_GT(still_deg, 2.0);
+  EXPECT_LT(translation, 0.02);
+  EXPECT_LT(rotation_deg, 0.5);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "knots/surfel_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// The values that the tests' geometry relies on.
+Config::Knots knots_config() {
+  Config::Knots config = Config().knots;
+  config.finest_voxel = 0.4;
+  config.levels = 4;
+  config.points_per_voxel = 200;
+  config.min_points = 6;
+  config.breadth = 0.1;
+  config.flatness = 0.06;
+  config.slenderness = 0.1;
+  return config;
+}
+
+SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config()) {
+  SurfelMap map(config, 100.0);
+  map.insert(points);
+  return map;
+}
+
+const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
+  SurfelMap::Place fresh;
+  return map.find(place, finest, fresh);
+}
+
+int level_found(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
+  SurfelMap::Place fresh;
+  (void)map.find(place, finest, fresh);
+  return fresh.level;
+}
+
+/// Points about `centre`, spread evenly by +-half along each of the columns of `axes`, with noise.
+Points cloud(Random& random, int count, const Eigen::Vector3d& centre, const Eigen::Matrix3d& axes,
+             const Eigen::Vector3d& half, double noise = 0.0) {
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d share = random.vector(1.0);
+    const Eigen::Vector3d off(random.normal(noise), random.normal(noise), random.normal(noise));
+    points.emplace_back(centre + axes * share.cwiseProduct(half) + off);
+  }
+  return points;
+}
+
+const Eigen::Vector3d kCentre(0.2, 0.2, 0.2);  // of the finest voxel at the origin
+
+TEST(SurfelMap, APlanesMeanNormalAndVarianceAreItsPoints) {
+  Random random(1);
+  for (const double noise : {0.0, 0.005}) {
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::Matrix3d axes = random.pose(0.0, 3.0).rotation.toRotationMatrix();
+      const Points points = cloud(random, 60, kCentre, axes, {0.1, 0.1, 0.0}, noise);
+      const SurfelMap map = map_of(points);
+      const Surfel* const surfel = find(map, kCentre);
+      ASSERT_NE(surfel, nullptr);
+      ASSERT_EQ(surfel->directions, 1);
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const auto& point : points) mean += point / 60.0;
+      Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+      for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / 60.0;
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
+      const Eigen::Vector3d normal = noise > 0.0 ? eigen.eigenvectors().col(0) : axes.col(2);
+      EXPECT_LT((surfel->mean - mean).norm(), 1e-12);
+      EXPECT_NEAR(surfel->across[0].norm(), 1.0, 1e-12);
+      EXPECT_LT(surfel->across[0].cross(normal).norm(), 1e-7);
+      EXPECT_NEAR(surfel->variance[0], eigen.eigenvalues()[0], 1e-12);
+    }
+  }
+}
+
+TEST(SurfelMap, AStandingPoleHasTwoDirectionsALyingLineNone) {
+  Random random(2);
+  for (const double tilt_deg : {0.0, 20.0, 40.0, 50.0, 70.0, 90.0}) {
+    const Eigen::Matrix3d axes = so3_exp({tilt_deg * kDegree, 0.0, 0.0}).toRotationMatrix();
+    const SurfelMap map = map_of(cloud(random, 60, kCentre, axes, {0.003, 0.003, 0.19}));
+    const Surfel* const surfel = find(map, kCentre);
+    if (tilt_deg > 45.0) {
+      EXPECT_EQ(surfel, nullptr) << tilt_deg;
+      continue;
+    }
+    ASSERT_NE(surfel, nullptr) << tilt_deg;
+    ASSERT_EQ(surfel->directions, 2);
+    for (const Eigen::Vector3d& across : surfel->across) {
+      EXPECT_LT(std::abs(across.dot(axes.col(2))), 0.02);
+      EXPECT_NEAR(across.norm(), 1.0, 1e-12);
+    }
+    EXPECT_LT(std::abs(surfel->across[0].dot(surfel->across[1])), 1e-9);
+    EXPECT_LE(surfel->variance[0], surfel->variance[1]);
+    EXPECT_LT(surfel->variance[1], 0.003 * 0.003);
+  }
+}
+
+TEST(SurfelMap, ABallAndAHandfulOfPointsAreNoSurfel) {
+  Random random(3);
+  Points ball;
+  for (int i = 0; i < 150; ++i) ball.emplace_back(kCentre + 0.15 * random.unit_vector());
+  EXPECT_EQ(find(map_of(ball), kCentre), nullptr);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d flat(0.18, 0.18, 0.0), tiny(0.02, 0.02, 0.0);
+  EXPECT_EQ(find(map_of(cloud(random, 5, kCentre, axes, flat)), kCentre), nullptr);
+  EXPECT_NE(find(map_of(cloud(random, 30, kCentre, axes, flat)), kCentre), nullptr);
+  // As flat, but not broad enough to tell its normal.
+  EXPECT_EQ(find(map_of(cloud(random, 30, kCentre, axes, tiny)), kCentre), nullptr);
+}
+
+TEST(SurfelMap, TheFinestLevelAskedForThatHasASurfelAnswers) {
+  Random random(4);
+  const SurfelMap map =
+      map_of(cloud(random, 40'000, {1.6, 1.6, 0.2}, Eigen::Matrix3d::Identity(), {1.6, 1.6, 0.0}));
+  for (int finest = 0; finest < 4; ++finest) {
+    EXPECT_EQ(level_found(map, {1.0, 1.0, 0.2}, finest), finest);
+  }
+  EXPECT_EQ(level_found(map, {1.0, 1.0, 0.5}, 0), 1);  // above the finest voxel of the plane
+  EXPECT_EQ(find(map, {1.0, 1.0, 3.3}), nullptr);
+}
+
+TEST(SurfelMap, BetweenRingsACoarserLevelAnswers) {
+  Random random(5);
+  Points rings;
+  for (const double y : {0.2, 1.0, 1.8, 2.6}) {
+    for (const auto& point :
+         cloud(random, 60, {1.6, y, 0.1}, Eigen::Matrix3d::Identity(), {1.6, 0.0, 0.0})) {
+      rings.push_back(point);
+    }
+  }
+  const SurfelMap map = map_of(rings);
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(0.5, 0.2, 0.1), {0.5, 0.6, 0.1}}) {
+    const int level = level_found(map, place);
+    EXPECT_EQ(level, 2) << place.transpose();  // the first whose voxels hold two rings
+    const Surfel* const surfel = find(map, place);
+    ASSERT_NE(surfel, nullptr);
+    EXPECT_EQ(surfel->directions, 1);
+    EXPECT_NEAR(std::abs(surfel->across[0].z()), 1.0, 1e-9);
+  }
+}
+
+TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
+  Random random(6);
+  Config::Knots config = knots_config();
+  config.points_per_voxel = 50;
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  SurfelMap map = map_of(cloud(random, 50, {0.2, 0.2, 0.1}, axes, {0.19, 0.19, 0.0}), config);
+  const Surfel before = *find(map, kCentre);
+  map.insert(cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0}));
+  const Surfel after = *find(map, kCentre);
+  EXPECT_EQ(after.mean, before.mean);
+  EXPECT_EQ(after.variance[0], before.variance[0]);
+  EXPECT_NEAR(after.mean.z(), 0.1, 1e-12);
+}
+
+TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
+  Random random(7);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d near(0.2, 0.2, 0.2), far(160.2, 0.2, 0.2);
+  Points points = cloud(random, 60, near, axes, {0.19, 0.19, 0.0});
+  const Points others = cloud(random, 60, far, axes, {0.19, 0.19, 0.0});
+  points.insert(points.end(), others.begin(), others.end());
+  SurfelMap map = map_of(points);  // its radius is 100 m
+  ASSERT_EQ(map.points().size(), 2U);
+  map.remove_far({80.0, 0.0, 0.0});  // where the cleaning counts from; both are within
+  map.remove_far({82.0, 0.0, 0.0});
+  EXPECT_EQ(map.points().size(), 2U);
+  map.remove_far({100.5, 0.0, 0.0});
+  ASSERT_EQ(map.points().size(), 1U);
+  EXPECT_NEAR(map.points().front().x(), 160.2, 0.1);
+  EXPECT_EQ(find(map, near), nullptr);
+  EXPECT_NE(find(map, far), nullptr);  // the table still leads to its voxel
+  map.insert(cloud(random, 60, near, axes, {0.19, 0.19, 0.0}));
+  EXPECT_NE(find(map, near), nullptr);
+  map.clear();
+  EXPECT_TRUE(map.empty());
+  EXPECT_EQ(find(map, far), nullptr);
+}
+
+/// Planes, poles and scatter over 12 m.
+Points yard(Random& random) {
+  Points points;
+  const auto add = [&](const Points& more) {
+    points.insert(points.end(), more.begin(), more.end());
+  };
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  add(cloud(random, 8000, {0.0, 0.0, 0.1}, axes, {6.0, 6.0, 0.0}, 0.01));
+  add(cloud(random, 3000, {5.1, 0.0, 1.5}, axes, {0.0, 6.0, 1.5}, 0.01));
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::Vector3d foot(random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0), 1.5);
+    add(cloud(random, 150, foot, axes, {0.02, 0.02, 1.4}, 0.005));
+  }
+  add(cloud(random, 500, {-3.0, -3.0, 1.5}, axes, {1.0, 1.0, 1.0}));
+  return points;
+}
+
+TEST(SurfelMap, ARememberedPlaceChangesNoAnswer) {
+  Random random(8);
+  const SurfelMap map = map_of(yard(random));
+  int hits = 0, misses = 0;
+  for (int walk = 0; walk < 40; ++walk) {
+    Eigen::Vector3d place = random.vector(5.0);
+    place.z() = random.uniform(-0.2, 1.5);
+    SurfelMap::Place remembered;
+    for (int step = 0; step < 200; ++step) {
+      place += random.vector(step % 3 == 0 ? 0.3 : 0.02);
+      const int finest = step / 40 % 4;
+      const Surfel* const surfel = map.find(place, finest, remembered);
+      SurfelMap::Place fresh;
+      ASSERT_EQ(surfel, map.find(place, finest, fresh));
+      EXPECT_EQ(remembered.level, fresh.level);
+      ++(surfel != nullptr ? hits : misses);
+    }
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(misses, 300);
+}
+
+TEST(SurfelMap, TheWorldMayLieKilometresAway) {
+  Random random(9);
+  const Points here = yard(random);
+  const Eigen::Vector3d shift(10'240.0, -10'240.0, 1024.0);  // whole voxels of every level
+  Points there;
+  for (const auto& point : here) there.emplace_back(point + shift);
+  const SurfelMap near = map_of(here), far = map_of(there);
+  int found = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d place(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(0, 3));
+    const Surfel* const a = find(near, place);
+    const Surfel* const b = find(far, place + shift);
+    ASSERT_EQ(a == nullptr, b == nullptr);
+    if (a == nullptr) continue;
+    ++found;
+    ASSERT_EQ(a->directions, b->directions);
+    EXPECT_LT((a->mean + shift - b->mean).norm(), 1e-10);
+    // A double at 10 km is good to 2 pm.
+    EXPECT_NEAR(a->variance[0], b->variance[0], 1e-11);
+    EXPECT_LT(a->across[0].cross(b->across[0]).norm(), 1e-6);
+  }
+  EXPECT_GT(found, 500);
+}
+
+TEST(SurfelMap, LevelsAreNamedByTheSizeOfTheirVoxels) {
+  const SurfelMap map(knots_config(), 100.0);  // 0.4, 0.8, 1.6, 3.2 m
+  EXPECT_EQ(map.level_of(0.0), 0);
+  EXPECT_EQ(map.level_of(0.4), 0);
+  EXPECT_EQ(map.level_of(0.41), 1);
+  EXPECT_EQ(map.level_of(1.5), 2);
+  EXPECT_EQ(map.level_of(3.2), 3);
+  EXPECT_EQ(map.level_of(1000.0), 3);
+}
+
+}  // namespace
+}  // namespace surefoot
