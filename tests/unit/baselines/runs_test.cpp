@@ -79,7 +79,7 @@ TEST_P(Baseline, CovariancesAreCovariances) {
 
 TEST_P(Baseline, SaysWhenAScanHardlyMatches) {
   Odometry odometry(config_of(GetParam()));
-  add_scans(odometry, {walk().begin(), walk().begin() + 3});
+  ASSERT_EQ(add_scans(odometry, {walk().begin(), walk().begin() + 3}).size(), 3U);
   Scan elsewhere = walk()[3];
   for (auto& point : elsewhere.points) point += Eigen::Vector3f(0.0F, 0.0F, 50.0F);
   const Estimate estimate = odometry.add_scan(elsewhere);
