@@ -76,6 +76,7 @@ const std::set<std::string> kConductors = {"odometry", "paper_front_end", "regis
 /// A step that takes what another one returns includes its type; levelling thins its cloud.
 const std::set<std::pair<std::string, std::string>> kHandovers = {{"deskew", "motion_prior"},
                                                                   {"deskew", "preprocess"},
+                                                                  {"front_end", "preprocess"},
                                                                   {"health", "registration"},
                                                                   {"level", "downsample"}};
 
