@@ -6,6 +6,8 @@
 // each).
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -35,21 +37,51 @@ MotionFunction pitched(const MotionFunction& motion) {
   return mounted(motion, {from_roll_pitch_yaw({0.0, 15.0 * kDegree, 0.0}), {0.0, 0.0, 0.0}});
 }
 
-Error run(const char* name, const char* method, const std::vector<Scan>& scans,
-          const MotionFunction& motion) {
+/// Root mean squares over a run. Not from the first pose on, since nobody can tell how the first
+/// scan of a trot is distorted: both methods begin with an attitude 1 deg or so off.
+struct RunError {
+  double translation = 0.0;   ///< [m] after the best rigid motion onto the truth
+  double rotation_deg = 0.0;  ///< of the turn from scan to scan
+};
+
+RunError root_mean_square(const std::vector<Estimate>& estimates, const MotionFunction& motion) {
+  const auto truth = [&](std::size_t i) {
+    return motion(1e-9 * static_cast<double>(estimates[i].stamp_ns));
+  };
+  const auto count = static_cast<Eigen::Index>(estimates.size());
+  Eigen::Matrix3Xd ours(3, count), theirs(3, count);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    ours.col(static_cast<Eigen::Index>(i)) = estimates[i].T_map_lidar.translation;
+    theirs.col(static_cast<Eigen::Index>(i)) = truth(i).translation;
+    if (i < 2) continue;
+    const auto& before = estimates[i - 1].T_map_lidar.rotation;
+    const double turn_error =
+        angle_between_deg(before.conjugate() * estimates[i].T_map_lidar.rotation,
+                          truth(i - 1).rotation.conjugate() * truth(i).rotation);
+    squares += turn_error * turn_error;
+  }
+  const Eigen::Matrix4d T = Eigen::umeyama(ours, theirs, false);
+  const Eigen::Matrix3Xd aligned =
+      (T.topLeftCorner<3, 3>() * ours).colwise() + Eigen::Vector3d(T.topRightCorner<3, 1>());
+  return {std::sqrt((aligned - theirs).squaredNorm() / static_cast<double>(count)),
+          std::sqrt(squares / static_cast<double>(count - 2))};
+}
+
+RunError run(const char* name, const char* method, const std::vector<Scan>& scans,
+             const MotionFunction& motion) {
   Odometry odometry(method_config(method));
   const auto estimates = add_scans(odometry, scans);
-  const Error error = error_against(estimates, motion);
+  const RunError error = root_mean_square(estimates, motion);
   for (const Estimate& estimate : estimates) {
     EXPECT_TRUE(estimate.trusted()) << name << ": " << estimate.message;
   }
-  std::printf("%-24s %-9s %.4f m (z %.4f), %.3f deg\n", name, method, error.translation,
-              error.vertical, error.rotation_deg);
+  std::printf("%-24s %-9s %.4f m, %.3f deg\n", name, method, error.translation, error.rotation_deg);
   return error;
 }
 
 struct Both {
-  Error surefoot, paper;
+  RunError surefoot, paper;
 };
 
 Both run_both(const char* name, const Scene& scene, const MotionFunction& motion, int scans) {
@@ -66,7 +98,8 @@ TEST(KnotRuns, ATrotThroughAHallIsFollowed) {
   for (const double hertz : {2.0, 3.0}) {
     const Both both =
         run_both("trot, hall", furnished_hall(), trotting(kStart, 0.8, hertz), kScans);
-    EXPECT_LT(both.surefoot.translation, 0.05) << hertz;
+    // Measured: 0.005, 0.008 m and 0.23, 0.33 deg; the paper's 0.050, 0.071 m and 0.71, 1.31 deg.
+    EXPECT_LT(both.surefoot.translation, 0.012) << hertz;
     EXPECT_LT(both.surefoot.rotation_deg, 0.5) << hertz;
     expect_far_better(both);
   }
@@ -74,9 +107,10 @@ TEST(KnotRuns, ATrotThroughAHallIsFollowed) {
 
 TEST(KnotRuns, ATrotUpARampIsFollowed) {
   for (const double slope_deg : {8.0, 15.0}) {
-    const Both both = run_both("trot, ramp", ramp_yard(slope_deg), trotting_up(slope_deg), 80);
-    EXPECT_LT(both.surefoot.translation, 0.05) << slope_deg;
-    EXPECT_LT(both.surefoot.rotation_deg, 0.5) << slope_deg;
+    const Both both = run_both("trot, ramp", ramp_yard(slope_deg), trotting_up(slope_deg), 60);
+    // Measured: 0.010 m and 0.13, 0.15 deg; the paper's 0.091, 0.078 m and 1.14, 1.05 deg.
+    EXPECT_LT(both.surefoot.translation, 0.015) << slope_deg;
+    EXPECT_LT(both.surefoot.rotation_deg, 0.22) << slope_deg;
     expect_far_better(both);
   }
 }
@@ -85,29 +119,30 @@ TEST(KnotRuns, AStraightWalkThroughABareHallIsFollowed) {
   for (const double speed : {1.0, 0.5}) {
     const auto motion = straight_walk(speed);
     const auto scans = take_scans(bare_hall(), motion, kScans);
-    const Error error = run("straight, bare hall", "surefoot", scans, motion);
-    EXPECT_LT(error.translation, 0.05) << speed;
-    EXPECT_LT(error.rotation_deg, 0.3) << speed;
+    const RunError error = run("straight, bare hall", "surefoot", scans, motion);
+    EXPECT_LT(error.translation, 0.01) << speed;    // measured: 0.0059, 0.0063
+    EXPECT_LT(error.rotation_deg, 0.045) << speed;  // measured: 0.028, 0.022
   }
 }
 
 TEST(KnotRuns, APitchedMountIsAsGoodAsALevelOne) {
   const auto level = trotting(kStart, 0.8, 2.5);
   const auto turned = pitched(level);
-  const Error of_level =
+  const RunError of_level =
       run("level", "surefoot", take_scans(furnished_hall(), level, kScans), level);
-  const Error of_pitched =
+  const RunError of_pitched =
       run("pitched", "surefoot", take_scans(furnished_hall(), turned, kScans), turned);
-  EXPECT_LT(of_pitched.translation, of_level.translation + 0.02);
-  EXPECT_LT(of_pitched.rotation_deg, of_level.rotation_deg + 0.2);
+  // Measured: 0.0095 against 0.0086 m, 0.10 against 0.25 deg.
+  EXPECT_LT(of_pitched.translation, of_level.translation + 0.005);
+  EXPECT_LT(of_pitched.rotation_deg, of_level.rotation_deg + 0.05);
 }
 
 TEST(KnotRuns, AStandingSensorStays) {
   const auto motion = standing(kStart);
-  const Error error =
+  const RunError error =
       run("standing", "surefoot", take_scans(furnished_hall(), motion, kScans), motion);
-  EXPECT_LT(error.translation, 0.01);
-  EXPECT_LT(error.rotation_deg, 0.1);
+  EXPECT_LT(error.translation, 0.002);  // measured: 0.0012
+  EXPECT_LT(error.rotation_deg, 0.04);  // measured: 0.025
 }
 
 TEST(KnotRuns, ASmoothRunIsNoWorseThanThePapers) {
@@ -116,7 +151,7 @@ TEST(KnotRuns, ASmoothRunIsNoWorseThanThePapers) {
   const Both both = run_both("smooth", furnished_hall(), motion, kScans);
   EXPECT_LT(both.surefoot.translation, 1.5 * both.paper.translation);
   EXPECT_LT(both.surefoot.rotation_deg, 1.5 * both.paper.rotation_deg);
-  EXPECT_LT(both.surefoot.translation, 0.05);
+  EXPECT_LT(both.surefoot.translation, 0.006);  // measured: 0.0034; the paper's 0.013
 }
 
 /// Scans of a place that has nothing in common with the hall.
@@ -155,15 +190,16 @@ TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
     const Error error = error_against(seeing, motion);
     std::printf("blinded for %d scans: %.4f m, at the end %.4f m\n", blinded, error.translation,
                 error.final_translation);
-    EXPECT_LT(error.translation, 0.05) << blinded;
+    EXPECT_LT(error.translation, 0.011) << blinded;  // measured: 0.0066 .. 0.0069
   }
 }
 
 TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
-  // Relative to mid-scan: what deskewing needs. The sway covers up to 6 deg in half a scan.
+  // Relative to mid-scan: what deskewing needs.
   const auto motion = trotting(kStart, 0.8, 2.5);
   Odometry odometry;
-  double translation = 0.0, rotation_deg = 0.0, still_deg = 0.0;
+  double translation = 0.0, rotation = 0.0, sway = 0.0;  // sums of squares
+  int count = 0;
   const auto estimates = add_scans(odometry, take_scans(furnished_hall(), motion, kScans));
   for (std::size_t i = 5; i < estimates.size(); ++i) {
     const Estimate& estimate = estimates[i];
@@ -175,16 +211,17 @@ TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
       const std::int64_t at = scan.start_ns() + (scan.end_ns() - scan.start_ns()) * eighth / 8;
       const Pose moved = estimate.T_map_lidar.inverse() * estimate.pose_at(at);
       const Pose expected = truth(estimate.stamp_ns).inverse() * truth(at);
-      translation = std::max(translation, (moved.translation - expected.translation).norm());
-      rotation_deg = std::max(rotation_deg, angle_between_deg(moved.rotation, expected.rotation));
-      still_deg = std::max(still_deg, so3_log(expected.rotation).norm() / kDegree);
+      translation += (moved.translation - expected.translation).squaredNorm();
+      rotation += so3_log(moved.rotation.conjugate() * expected.rotation).squaredNorm();
+      sway += so3_log(expected.rotation).squaredNorm();
+      ++count;
     }
   }
-  std::printf("within a scan: %.4f m, %.3f deg of %.2f deg\n", translation, rotation_deg,
-              still_deg);
-  EXPECT_GT(still_deg, 2.0);
-  EXPECT_LT(translation, 0.02);
-  EXPECT_LT(rotation_deg, 0.5);
+  const auto rms = [&](double squares) { return std::sqrt(squares / count); };
+  std::printf("within a scan: %.4f m, %.3f deg of %.3f deg\n", rms(translation),
+              rms(rotation) / kDegree, rms(sway) / kDegree);
+  EXPECT_LT(rms(translation), 0.017);         // measured: 0.011
+  EXPECT_LT(rms(rotation), 0.5 * rms(sway));  // measured: 0.41 of 1.16 deg
 }
 
 }  // namespace
