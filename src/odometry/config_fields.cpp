@@ -152,7 +152,7 @@ const ConfigField kFields[] = {
      "scale of the robust kernel in the first iteration", kMethod},
     {"knots.kernel_end", SLOT(knots.kernel_end), "0.1", "m", 1e-3, 10.0,
      "scale of the robust kernel at the end", kMethod},
-    {"knots.kernel_decay", SLOT(knots.kernel_decay), "0.8", "", 0.01, 0.99,
+    {"knots.kernel_decay", SLOT(knots.kernel_decay), "0.8", "", 0.0, 0.99,
      "factor on the kernel's scale per iteration", kMethod},
     {"knots.max_iterations", SLOT(knots.max_iterations), "25", "", 1, 1000, "iterations at most",
      kMethod},

@@ -104,7 +104,8 @@ TEST(EquationsTable, EveryRowsTestExists) {
     const auto dot = row.test.find('.');
     ASSERT_NE(dot, std::string::npos) << row.equation << ": " << row.test;
     const std::string suite = row.test.substr(0, dot), name = row.test.substr(dot + 1);
-    EXPECT_TRUE(std::regex_search(text, std::regex("TEST\\(" + suite + ",\\s+" + name + "\\)")))
+    EXPECT_TRUE(
+        std::regex_search(text, std::regex("TEST(_P|_F)?\\(" + suite + ",\\s+" + name + "\\)")))
         << row.test_file << " has no test " << row.test;
   }
 }

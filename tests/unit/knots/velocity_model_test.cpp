@@ -257,7 +257,7 @@ TEST(VelocityModel, WhatIsNotKnownOfTheKnotsCountsAsFluctuation) {
   for (std::size_t k = 0; k < kKnots; ++k) loose.add(k, k, 1e6 * Matrix6::Identity());
   ASSERT_TRUE(loose.factorise());
   VelocityModel model(Config().knots);
-  for (int scan = 0; scan < 200; ++scan) {
+  for (int scan = 0; scan < 400; ++scan) {
     model.learn(window_of(Pose{}, [] { return Twist(Twist::Zero()); }), loose.covariance(),
                 Eigen::Quaterniond::Identity());
   }
