@@ -112,6 +112,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const ScanTrajectory trajectory = within(found.window.trajectory(), scan.start_ns, scan.end_ns);
   const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
   Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
+  // Also of a lost scan: a lasting change of the scene is the usual in the end.
   usual_misfit_ += (first_scan_ ? 1.0 : kMisfitRate) * (found.misfit - usual_misfit_);
   if (!estimate.trusted()) return lose(scan, thinned, predicted, std::move(estimate));
 
