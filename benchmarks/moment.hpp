@@ -29,7 +29,7 @@ inline constexpr std::size_t kMeasured = 100;
 
 /// Scan number kWarmUp, and what the steps before each step make of it; one thread.
 struct Moment {
-  Config config;
+  Config config = method_config("paper");
   Workers workers{1};
   LocalMap map;  ///< of the scans before
   const Scan& scan;

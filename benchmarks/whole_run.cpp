@@ -38,6 +38,7 @@ namespace {
 using ScanSource = std::function<std::optional<Scan>()>;
 
 struct Arguments {
+  std::string method = "surefoot";
   std::string recording;
   std::size_t scans = 600;
   std::vector<int> threads = {1, 2};
@@ -81,7 +82,7 @@ void measure_scan(Odometry& odometry, const Scan& scan, Measured& measured) {
 
 Measured measure_run(const Arguments& arguments, int threads) {
   const ScanSource next_scan = open_source(arguments);
-  Odometry odometry({}, threads);
+  Odometry odometry(method_config(arguments.method), threads);
   Measured measured;
   while (measured.estimates.size() < arguments.scans) {
     const std::optional<Scan> scan = next_scan();
@@ -158,6 +159,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Time per scan of a whole run"};
   app.add_option("recording", arguments.recording,
                  "Folder of scans or capture; absent: a walk over the simulated campus");
+  app.add_option("--method", arguments.method, "As surefoot run's")->capture_default_str();
   app.add_option("--scans", arguments.scans, "At most this many")
       ->check(CLI::Range(2, 1'000'000))
       ->capture_default_str();

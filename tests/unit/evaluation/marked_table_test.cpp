@@ -13,7 +13,8 @@ Cell value(double number, bool competes = true) {
 
 Table table_of(std::vector<Cell> cells) {
   Table table{.title = "T", .head_names = {"Sequence", "Figure"}};
-  for (std::size_t i = 0; i < cells.size(); ++i) table.columns.push_back("m" + std::to_string(i));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    table.columns.push_back(std::string(1, 'm').append(std::to_string(i)));
   table.rows.push_back({{"hall", "error"}, std::move(cells)});
   return table;
 }
