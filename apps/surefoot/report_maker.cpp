@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "dataset/file_writer.hpp"
 #include "dataset/trajectory_files.hpp"
 #include "evaluation/ape.hpp"
 #include "evaluation/evaluate.hpp"
-#include "evaluation/tables.hpp"
+#include "evaluation/evaluation_json.hpp"
 #include "report/page.hpp"
 #include "report/report_json.hpp"
 #include "run_folder.hpp"
@@ -26,13 +27,6 @@ using evaluation::Relation;
 namespace {
 
 constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hundreds of hertz
-
-/// The object alone of what to_json() prints as an array of one.
-std::string object_of(const evaluation::Evaluation& evaluation) {
-  const std::string array = evaluation::to_json({evaluation});
-  const std::size_t first = array.find('{'), last = array.rfind('}');
-  return array.substr(first, last - first + 1);
-}
 
 report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
   report::ErrorSeries series;
@@ -69,7 +63,7 @@ void evaluate_run(const Trajectory& truth, const Trajectory& measured, report::R
   const auto figures = evaluation::evaluate("trajectory", truth, measured, options);
   AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);
   pairs.estimate = evaluation::aligned(pairs.estimate, figures.alignment);
-  run.evaluation = {object_of(figures), error_series(pairs)};
+  run.evaluation = {evaluation::json_of(figures).dump(), error_series(pairs)};
   move_run(figures.alignment.pose, run);
 }
 

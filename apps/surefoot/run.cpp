@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "quantile.hpp"
 #include "report_maker.hpp"
 #include "run_options.hpp"
 #include "run_output.hpp"
@@ -193,14 +194,10 @@ void Run::write_page(const std::filesystem::path& folder) {
 
 void Run::report(const RunOutput& output, bool interrupted) {
   if (options_.quiet) return;
-  std::vector<double> sorted = tally_.milliseconds;
-  std::sort(sorted.begin(), sorted.end());
-  const auto quantile = [&](double q) {
-    return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(q * double(sorted.size() - 1))];
-  };
   if (interrupted) fmt::print("interrupted: what was done up to here is written\n");
   fmt::print("{} scans, {:.1f} m; per scan {:.1f} ms median, {:.1f} ms p99, {} thread{}\n",
-             tally_.scans(), tally_.length, quantile(0.5), quantile(0.99), options_.threads,
+             tally_.scans(), tally_.length, quantile(tally_.milliseconds, 0.5),
+             quantile(tally_.milliseconds, 0.99), options_.threads,
              options_.threads == 1 ? "" : "s");
   for (const auto& [status, count] : tally_.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "dataset/file_writer.hpp"
+#include "quantile.hpp"
 #include "scans_csv.hpp"
 
 namespace surefoot::app {

@@ -18,14 +18,7 @@ struct ScanLines {
   std::vector<double> milliseconds;             ///< processing time of each scan
 };
 
-/// Fields of a line of CSV (RFC 4180), without their quotes.
-[[nodiscard]] std::vector<std::string> csv_fields(const std::string& line);
-
-/// Throws std::runtime_error naming file, line and column.
+/// Throws dataset::ReadError naming file, line and column.
 [[nodiscard]] ScanLines read_scans_csv(const std::filesystem::path& file);
-
-/// The value below which the share `q` of the values lies; 0 for none. The same rule as in the
-/// summary of `surefoot run`.
-[[nodiscard]] double quantile(std::vector<double> values, double q);
 
 }  // namespace surefoot::app

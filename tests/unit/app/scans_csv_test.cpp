@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scans_csv.hpp"
 
+#include "csv_table.hpp"
+#include "quantile.hpp"
 #include "scratch.hpp"
 
 namespace surefoot::app {
