@@ -151,6 +151,7 @@ struct Config {
     double breadth;           // least standard deviation of a surfel's points, in voxels
     double flatness;          // largest variance across a plane, of that along it
     double slenderness;       // largest variance across a pole, of that along it
+    double edge_on;           // least angle (sine) at which a plane's points were seen
     double min_match_ratio;   // of the registered points
     double noise;             // [m] of a residual
     double independence;      // share of the residuals that count as independent

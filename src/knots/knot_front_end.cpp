@@ -5,7 +5,6 @@
 // them, map what they deskewed.
 #include "knots/knot_front_end.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,12 +20,9 @@ namespace {
 
 constexpr double kSecond = 1e-9;  // [s/ns]
 
-// Standard deviations of the velocity at the beginning: it may be walking already.
-const Twist kUnknownVelocity = (Twist() << 1.0, 1.0, 0.3, 0.5, 0.5, 0.7).finished();
-// And the fluctuation that lets the second scan's velocity be anything, up to a car's.
+// The fluctuation that lets the second scan's velocity be anything, up to a car's.
 const Twist kAnyFluctuation = (Twist() << 10.0, 10.0, 2.0, 0.5, 0.5, 2.0).finished();
-constexpr double kWalking = 2.0;  // [m/s] what is slower is within the unknown velocity
-constexpr double kFixed = 1e-3;   // [m, rad] of the first pose, which defines the map's frame
+constexpr double kWalking = 2.0;  // [m/s] what is slower, a registration from rest finds
 
 // A registration whose misfit is so many times the usual is tried again.
 constexpr double kSuspicious = 1.25;
@@ -35,60 +31,15 @@ constexpr double kMisfitMargin = 0.15;
 // The usual misfit is a fading mean over about ten scans.
 constexpr double kMisfitRate = 0.1;
 
-// Limits of the cubes that the registered points are thinned to [m].
-constexpr double kFinestSource = 0.05, kCoarsestSource = 3.0;
-
 Config::Deskew along_trajectory() {
   Config::Deskew deskew{};
   deskew.mode = DeskewMode::piecewise;
   return deskew;
 }
 
-/// The part of a motion that lies in [start_ns, end_ns].
-ScanTrajectory within(const ScanTrajectory& motion, std::int64_t start_ns, std::int64_t end_ns) {
-  std::vector<Pose> poses;
-  const auto segments = static_cast<double>(motion.segments());
-  for (std::size_t k = 0; k <= motion.segments(); ++k) {
-    const double tau = static_cast<double>(k) / segments;
-    const double from_start = tau * static_cast<double>(end_ns - start_ns);
-    poses.push_back(motion.at_time(start_ns + static_cast<std::int64_t>(std::llround(from_start))));
-  }
-  return ScanTrajectory(std::move(poses), start_ns, end_ns);
-}
-
-/// Two knots at one pose, `step` apart, whose velocity is not known.
-KnotPrior at_rest(const Pose& pose, double step) {
-  KnotPrior prior{{pose, pose}, Eigen::Matrix<double, 12, 12>::Zero()};
-  const Matrix6 velocity = (kUnknownVelocity * step).cwiseAbs2().cwiseInverse().asDiagonal();
-  prior.information << velocity, -velocity, -velocity, velocity;
-  prior.information.topLeftCorner<6, 6>().diagonal().array() += 1.0 / (kFixed * kFixed);
-  return prior;
-}
-
-/// Covariance of the pose at mid-scan, between two knots.
-Matrix6 mid_covariance(const KnotRegistration& found) {
-  const double middle = 0.5 * static_cast<double>(found.window.segments());
-  const auto segment = std::min(static_cast<std::size_t>(middle), found.window.segments() - 1);
-  const double u = middle - static_cast<double>(segment);
-  const std::size_t a = segment + 1, b = segment + 2;
-  const Matrix6 between = found.covariance(a, b);
-  return (1.0 - u) * (1.0 - u) * found.covariance(a, a) + u * u * found.covariance(b, b) +
-         u * (1.0 - u) * (between + between.transpose());
-}
-
 /// The residuals' variance as a share of the one that was assumed (reduced chi squared).
 double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
   return found.rigid.weighted_squares / (config.independence * std::max(found.matches, 1));
-}
-
-/// What is known of the window's last two knots: the rest is integrated out.
-Eigen::Matrix<double, 12, 12> last_two(const KnotRegistration& found) {
-  const std::size_t b = found.window.knots.size() - 1, a = b - 1;
-  Eigen::Matrix<double, 12, 12> covariance;
-  covariance << found.covariance(a, a), found.covariance(a, b), found.covariance(b, a),
-      found.covariance(b, b);
-  const Eigen::Matrix<double, 12, 12> information = covariance.inverse();
-  return 0.5 * (information + information.transpose());
 }
 
 }  // namespace
@@ -97,7 +48,8 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
     : session_(session),
       config_(session.config),
       map_(config_.knots, config_.map.radius),
-      model_(config_.knots) {}
+      model_(config_.knots),
+      choice_(config_.knots.points) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   session_.begin_step(Step::downsample);
@@ -106,10 +58,10 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
   if (first_scan_) begin_motion(scan, thinned);
   const KnotWindow predicted = predict(scan);
-  KnotPoints points = sort_points(scan, choose_points(scan, thinned), predicted);
+  KnotPoints points = sort_points(scan, choice_.choose(scan, thinned), predicted);
   const KnotRegistration found = register_scan_knots(points, predicted);
   session_.begin_step(Step::assess);
-  const ScanTrajectory trajectory = within(found.window.trajectory(), scan.start_ns, scan.end_ns);
+  const ScanTrajectory trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
   const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
   Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
   // Also of a lost scan: a lasting change of the scene is the usual in the end.
@@ -118,7 +70,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
   lost_in_a_row_ = 0;
   model_.learn(found.window, found.covariance, end_.prior.means[1].rotation);
-  finish(found.window, config_.knots.memory * last_two(found));
+  finish(found.window, found.last_two().information);
   session_.begin_step(Step::map);
   if (first_scan_) map_first_scan(found.window.mean_velocity());
   first_scan_.reset();
@@ -184,45 +136,6 @@ KnotWindow KnotFrontEnd::predict(const PreparedScan& scan) {
   return window;
 }
 
-/// Some `knots.points` of a scan's points, evenly spread over what it sees. The cubes follow the
-/// scene's scale from scan to scan.
-std::vector<std::uint32_t> KnotFrontEnd::choose_points(const PreparedScan& scan,
-                                                       const std::vector<std::uint32_t>& thinned) {
-  std::vector<Eigen::Vector3f> candidates;
-  candidates.reserve(thinned.size());
-  for (const std::uint32_t i : thinned) candidates.push_back(scan.points[i]);
-  std::vector<std::uint32_t> chosen = downsample_indices(candidates, source_voxel_);
-  const double excess = static_cast<double>(chosen.size()) / config_.knots.points;
-  source_voxel_ = std::clamp(source_voxel_ * std::sqrt(excess), kFinestSource, kCoarsestSource);
-  for (std::uint32_t& i : chosen) i = thinned[i];
-  return chosen;
-}
-
-/// By the segment that each point's instant falls into.
-KnotPoints KnotFrontEnd::sort_points(const PreparedScan& scan,
-                                     const std::vector<std::uint32_t>& chosen,
-                                     const KnotWindow& window) {
-  const auto segments = window.segments();
-  const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
-  const double offset = static_cast<double>(scan.start_ns - window.begin_ns) * kSecond;
-  std::vector<std::vector<KnotPoints::Point>> sorted(segments);
-  for (const std::uint32_t i : chosen) {
-    const double tau = scan.taus.empty() ? 0.5 : static_cast<double>(scan.taus[i]);
-    const double scaled = (offset + tau * duration) / window.step;
-    const double last = static_cast<double>(segments - 1);
-    const auto segment = static_cast<std::size_t>(std::clamp(scaled, 0.0, last));
-    sorted[segment].push_back(
-        {scan.points[i].cast<double>(), scaled - static_cast<double>(segment), {}});
-  }
-  KnotPoints points;
-  for (const auto& part : sorted) {
-    points.begins.push_back(points.points.size());
-    points.points.insert(points.points.end(), part.begin(), part.end());
-  }
-  points.begins.push_back(points.points.size());
-  return points;
-}
-
 Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
                                 const Pose& T_0, std::size_t points) const {
   Estimate estimate;
@@ -247,7 +160,7 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   estimate.status = verdict.status;
   estimate.message = std::move(verdict.message);
   if (verdict.status != Status::ok) return estimate;
-  estimate.covariance = residual_variance(found, config_.knots) * mid_covariance(found);
+  estimate.covariance = residual_variance(found, config_.knots) * found.mid_covariance();
   report_weak_directions(found.rigid, found.squared_distance, rigid.T_map_lidar, config_.health,
                          estimate);
   return estimate;
@@ -286,7 +199,7 @@ Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
   const KnotWindow standing{
       {middle, middle, middle}, elapsed, elapsed, last_pose_->stamp_ns, mid_ns};
   KnotPoints points;
-  for (const std::uint32_t i : choose_points(scan, thinned)) {
+  for (const std::uint32_t i : choice_.choose(scan, thinned)) {
     points.points.push_back({scan.points[i].cast<double>(), 1.0, {}});
   }
   points.begins = {0, points.points.size()};
@@ -327,27 +240,24 @@ void KnotFrontEnd::map_first_scan(const Twist& velocity) {
 /// many in a row show that the map is no longer what the sensor sees.
 Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                             const KnotWindow& predicted, Estimate estimate) {
-  finish(predicted, config_.knots.memory * end_.prior.information);
+  finish(predicted, end_.prior.information);
   if (++lost_in_a_row_ > config_.health.restart_after) {
     map_.clear();
     return begin_map(scan, thinned);
   }
   estimate.covariance = unregistered_covariance(config_.health);
-  const ScanTrajectory trajectory = within(predicted.trajectory(), scan.start_ns, scan.end_ns);
+  const ScanTrajectory trajectory = predicted.trajectory(scan.start_ns, scan.end_ns);
   last_scan_ = {deskew(scan, trajectory, along_trajectory(), session_.workers), scan.intensities};
   return publish(trajectory, std::move(estimate));
 }
 
-/// The last two knots are where the next scan begins.
-void KnotFrontEnd::finish(const KnotWindow& window,
-                          const Eigen::Matrix<double, 12, 12>& information) {
+/// The last two knots are where the next scan begins; not all that is known of them is relied on.
+void KnotFrontEnd::finish(const KnotWindow& window, const Matrix12& information) {
   const std::size_t last = window.knots.size() - 1;
-  end_ = {{{window.knots[last - 1], window.knots[last]}, information},
+  end_ = {{{window.knots[last - 1], window.knots[last]}, config_.knots.memory * information},
           window.end_ns,
           window.duration(last - 1)};
-  const Eigen::Quaterniond to_lidar = window.knots[last].rotation.conjugate();
-  const Twist mean = window.mean_velocity();
-  velocity_ << to_lidar * mean.head<3>(), to_lidar * mean.tail<3>();
+  velocity_ = rotated(window.knots[last].rotation.conjugate(), window.mean_velocity());
 }
 
 void KnotFrontEnd::integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
@@ -360,7 +270,7 @@ void KnotFrontEnd::integrate(const PreparedScan& scan, const std::vector<std::ui
   for (const std::uint32_t i : thinned) {
     points.push_back(middle * last_scan_.points[i].cast<double>());
   }
-  map_.insert(points);
+  map_.insert(points, middle.translation);
 }
 
 Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {

@@ -36,11 +36,6 @@ class KnotFrontEnd : public FrontEnd {
 
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotWindow predict(const PreparedScan& scan);
-  [[nodiscard]] std::vector<std::uint32_t> choose_points(const PreparedScan& scan,
-                                                         const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] KnotPoints sort_points(const PreparedScan& scan,
-                                       const std::vector<std::uint32_t>& thinned,
-                                       const KnotWindow& window);
   [[nodiscard]] KnotRegistration register_scan_knots(KnotPoints& points,
                                                      const KnotWindow& predicted) const;
   [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
@@ -53,7 +48,7 @@ class KnotFrontEnd : public FrontEnd {
                                      const std::vector<std::uint32_t>& thinned);
   void integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                  const ScanTrajectory& trajectory);
-  void finish(const KnotWindow& window, const Eigen::Matrix<double, 12, 12>& information);
+  void finish(const KnotWindow& window, const Matrix12& information);
   [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
 
   const Session& session_;
@@ -62,10 +57,10 @@ class KnotFrontEnd : public FrontEnd {
   // Everything that outlives a scan.
   SurfelMap map_;
   VelocityModel model_;
+  PointChoice choice_;
   End end_;
   std::optional<StampedPose> last_pose_;
   Twist velocity_ = Twist::Zero();
-  double source_voxel_ = 1.0;  // [m]
   double usual_misfit_ = 1.0;
   std::optional<PreparedScan> first_scan_;  // until its motion is known
   LevelReport level_;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "knots/knot_registration.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "odometry/segment_motion.hpp"
 
@@ -116,8 +117,7 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
   }
 }
 
-/// Returns the prior's cost.
-double add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& prior) {
+void add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& prior) {
   Eigen::Matrix<double, 12, 1> e;
   e << difference(window.knots[0], prior.means[0]), difference(window.knots[1], prior.means[1]);
   const Eigen::Matrix<double, 12, 1> gradient = prior.information * e;
@@ -126,22 +126,41 @@ double add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior
   system.add(1, 1, prior.information.bottomRightCorner<6, 6>());
   system.add(0, gradient.head<6>());
   system.add(1, gradient.tail<6>());
-  return 0.5 * e.dot(gradient);
 }
 
-/// Moves the knots; returns the largest change of one of the new scan's, infinite if a step is not
-/// finite.
-double move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
+/// Moves the knots; returns the largest change of one of the new scan's, or none if no robot can
+/// have moved so.
+std::optional<double> move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
+  constexpr double kImpossible = 1e3;  // [m, rad]
   double largest = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (!steps[k].allFinite()) return std::numeric_limits<double>::infinity();
+    const double change = steps[k].cwiseAbs().maxCoeff();
+    if (!steps[k].allFinite() || change > kImpossible) return std::nullopt;
     window.knots[k] = displaced(window.knots[k], steps[k]);
-    if (k >= 2) largest = std::max(largest, steps[k].cwiseAbs().maxCoeff());
+    if (k >= 2) largest = std::max(largest, change);
   }
   return largest;
 }
 
 }  // namespace
+
+Matrix6 KnotRegistration::mid_covariance() const {
+  const double middle = 0.5 * static_cast<double>(window.segments());
+  const auto segment = std::min(static_cast<std::size_t>(middle), window.segments() - 1);
+  const double u = middle - static_cast<double>(segment);
+  const std::size_t a = segment + 1, b = segment + 2;
+  const Matrix6 between = covariance(a, b);
+  return (1.0 - u) * (1.0 - u) * covariance(a, a) + u * u * covariance(b, b) +
+         u * (1.0 - u) * (between + between.transpose());
+}
+
+KnotPrior KnotRegistration::last_two() const {
+  const std::size_t b = window.knots.size() - 1, a = b - 1;
+  Matrix12 joint;
+  joint << covariance(a, a), covariance(a, b), covariance(b, a), covariance(b, b);
+  const Matrix12 information = joint.inverse();
+  return {{window.knots[a], window.knots[b]}, 0.5 * (information + information.transpose())};
+}
 
 KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
                                 const KnotWindow& predicted, const KnotPrior& prior,
@@ -164,21 +183,16 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     BandedSystem system(predicted.knots.size());
     add_surfels(system, sums, result);
     result.misfit /= static_cast<double>(std::max<std::size_t>(points.points.size(), 1));
-    const double prior_cost = add_prior(system, result.window, prior);
+    add_prior(system, result.window, prior);
     model.add_to(system, result.window, heading);
     result.iterations = t;
-    const KnotWindow before = result.window;
     result.solved = system.factorise();
     if (!result.solved) return result;
-    const double change = move_knots(system.solve(), result.window);
-    result.solved = std::isfinite(change);
-    result.converged = ratio <= 1.0 && change < config.convergence;
+    const std::optional<double> change = move_knots(system.solve(), result.window);
+    result.solved = change.has_value();
     if (!result.solved) return result;
+    result.converged = ratio <= 1.0 && *change < config.convergence;
     if (result.converged || t == annealing.max_iterations) {
-      // A misfit of 1 is the kernel's limit: half of three standard deviations squared.
-      result.cost =
-          4.5 * config.independence * result.misfit * static_cast<double>(points.points.size()) +
-          prior_cost + model.cost(before, heading);
       result.covariance = system.covariance();
       return result;
     }

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
+#include "knots/knot_points.hpp"
+#include "knots/knot_prior.hpp"
 #include "knots/knot_window.hpp"
 #include "knots/surfel_map.hpp"
 #include "knots/velocity_model.hpp"
@@ -14,24 +13,6 @@
 #include "surefoot/odometry.hpp"
 
 namespace surefoot {
-
-/// A scan's points to be registered, sorted by the segment of the window that they fall into.
-struct KnotPoints {
-  struct Point {
-    Eigen::Vector3d position;  ///< LiDAR frame, as measured [m]
-    double share;              ///< u: 0 at the segment's first knot, 1 at its last
-    SurfelMap::Place place;    ///< where its surfel was last
-  };
-  std::vector<Point> points;
-  std::vector<std::size_t> begins;  ///< per segment its first point; then the number of points
-};
-
-/// What is known of the last scan's last two knots when the next scan begins: they are the means
-/// of a Gaussian.
-struct KnotPrior {
-  Pose means[2];
-  Eigen::Matrix<double, 12, 12> information;
-};
 
 /// How the robust kernel narrows.
 struct Annealing {
@@ -46,11 +27,15 @@ struct KnotRegistration {
   bool solved = false;                  ///< every step had a finite solution
   bool converged = false;
   int iterations = 0;
-  double cost = 0.0;  ///< what was minimised, before the last step
   int matches = 0;
   double misfit = 1.0;            ///< 0: every point lies on its surfel; 1: no point near any
   NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
   double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches
+
+  /// Covariance of the pose half-way through the scan.
+  [[nodiscard]] Matrix6 mid_covariance() const;
+  /// The window's last two knots, all others integrated out.
+  [[nodiscard]] KnotPrior last_two() const;
 };
 
 /// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first

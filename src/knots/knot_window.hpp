@@ -31,6 +31,8 @@ struct KnotWindow {
   [[nodiscard]] Twist mean_velocity() const;
   /// The new scan's motion.
   [[nodiscard]] ScanTrajectory trajectory() const;
+  /// The part of it between two instants, with as many segments.
+  [[nodiscard]] ScanTrajectory trajectory(std::int64_t from_ns, std::int64_t until_ns) const;
 };
 
 /// How far one pose is from another: translation in the map's axes [m], rotation about the sensor
@@ -39,5 +41,8 @@ struct KnotWindow {
 
 /// A pose moved by such a difference.
 [[nodiscard]] Pose displaced(const Pose& pose, const Twist& by);
+
+/// A velocity or difference in other axes.
+[[nodiscard]] Twist rotated(const Eigen::Quaterniond& rotation, const Twist& twist);
 
 }  // namespace surefoot

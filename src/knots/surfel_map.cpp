@@ -53,7 +53,7 @@ int SurfelMap::level_of(double size) const {
   return static_cast<int>(found - grids_.begin());
 }
 
-void SurfelMap::add(Grid& grid, const Eigen::Vector3d& point) const {
+void SurfelMap::add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const {
   const VoxelIndex index = voxel_index(point, grid.inverse_size);
   const auto next = static_cast<std::uint32_t>(grid.voxels.size());
   const auto [at, inserted] = grid.table.find_or_insert(voxel_key(index), next);
@@ -67,15 +67,16 @@ void SurfelMap::add(Grid& grid, const Eigen::Vector3d& point) const {
   ++voxel.count;
   voxel.sum += local;
   voxel.products += local * local.transpose();
+  voxel.rays += ray * ray.transpose();
   if (!voxel.stale && voxel.count >= kGrowth * voxel.fitted_at) {
     voxel.stale = true;
     grid.stale.push_back(at);
   }
 }
 
-void SurfelMap::insert(const std::vector<Eigen::Vector3d>& points) {
+void SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor) {
   for (Grid& grid : grids_) {
-    for (const Eigen::Vector3d& point : points) add(grid, point);
+    for (const Eigen::Vector3d& point : points) add(grid, point, (point - sensor).normalized());
     for (const std::uint32_t at : grid.stale) fit(grid.voxels[at], grid.size);
     grid.stale.clear();
   }
@@ -92,7 +93,12 @@ void SurfelMap::fit(Voxel& voxel, double size) const {
   eigen.computeDirect(C);
   const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0.0);
   const double broad = config_.breadth * config_.breadth * size * size;
-  const bool plane = spread[1] >= broad && spread[0] <= config_.flatness * spread[1];
+  // A ring that passes through foliage, or whose ranges are noisy, spreads along its rays: its
+  // points lie on the plane that the rays sweep, which goes with the sensor.
+  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const double facing = normal.dot(voxel.rays * normal) / voxel.count;
+  const bool plane = spread[1] >= broad && spread[0] <= config_.flatness * spread[1] &&
+                     facing >= config_.edge_on * config_.edge_on;
   const bool pole = !plane && voxel.count >= 2 * config_.min_points && spread[2] >= broad &&
                     spread[1] <= config_.slenderness * spread[2] &&
                     std::abs(eigen.eigenvectors()(2, 2)) >= kStanding;

@@ -43,8 +43,8 @@ class SurfelMap {
   /// map must not change in between.
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, int finest, Place& last) const;
 
-  /// Adds points [m, map frame], then fits the voxels that changed.
-  void insert(const std::vector<Eigen::Vector3d>& points);
+  /// Adds points [m, map frame] that were seen from `sensor`, then fits the voxels that changed.
+  void insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor);
   /// Drops the voxels that lie farther than the radius from the sensor.
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
@@ -63,6 +63,7 @@ class SurfelMap {
     bool stale = false;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of the points, from the voxel's corner
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();  // sum of d d^T, d the direction of the ray
     Surfel surfel;
   };
   struct Grid {
@@ -73,7 +74,7 @@ class SurfelMap {
     std::vector<std::uint32_t> stale;  // voxels to fit anew
   };
 
-  void add(Grid& grid, const Eigen::Vector3d& point) const;
+  void add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const;
   void fit(Voxel& voxel, double size) const;
 
   Config::Knots config_;

@@ -40,14 +40,12 @@ VelocityModel::VelocityModel(const Config::Knots& config)
     : VelocityModel(config, kFirstFluctuation) {}
 
 void VelocityModel::begin(const Twist& velocity, const Eigen::Quaterniond& rotation) {
-  mean_ << rotation.conjugate() * velocity.head<3>(), rotation.conjugate() * velocity.tail<3>();
+  mean_ = rotated(rotation.conjugate(), velocity);
   learnt_ = 1;
 }
 
 Twist VelocityModel::mean(const Eigen::Quaterniond& rotation) const {
-  Twist turned;
-  turned << rotation * mean_.head<3>(), rotation * mean_.tail<3>();
-  return turned;
+  return rotated(rotation, mean_);
 }
 
 double VelocityModel::pull(double step) const { return std::exp(-step / config_.correlation_time); }
@@ -75,16 +73,6 @@ void VelocityModel::add_to(BandedSystem& system, const KnotWindow& window,
   }
 }
 
-double VelocityModel::cost(const KnotWindow& window, const Eigen::Quaterniond& rotation) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k + 2 < window.knots.size(); ++k) {
-    const double step = window.duration(k + 1), phi = pull(step);
-    const Twist e = window.velocity(k + 1) - next(window.velocity(k), rotation, step);
-    sum += 0.5 * e.cwiseAbs2().cwiseQuotient(variance_).sum() / (1.0 - phi * phi);
-  }
-  return sum;
-}
-
 void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
                           const Eigen::Quaterniond& rotation) {
   Twist squares = Twist::Zero();  // expectation of e^2, given the scan
@@ -105,10 +93,7 @@ void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covarian
     variance_ = variance_.cwiseMax(kLeastFluctuation * kLeastFluctuation);
   }
   ++learnt_;
-  const Eigen::Quaterniond to_lidar = window.knots.back().rotation.conjugate();
-  const Twist velocity = window.mean_velocity();
-  Twist seen;
-  seen << to_lidar * velocity.head<3>(), to_lidar * velocity.tail<3>();
+  const Twist seen = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
   // The mean of all scans until they are more than the fading mean's memory.
   mean_ += std::max(config_.learning_rate, 1.0 / learnt_) * (seen - mean_);
 }

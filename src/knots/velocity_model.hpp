@@ -34,8 +34,6 @@ class VelocityModel {
   /// knots' present values, and the rotation that next() was given when they were predicted.
   void add_to(BandedSystem& system, const KnotWindow& window,
               const Eigen::Quaterniond& rotation) const;
-  /// The sum that add_to() is the derivative of: half of each term's square over its variance.
-  [[nodiscard]] double cost(const KnotWindow& window, const Eigen::Quaterniond& rotation) const;
   /// Learns from a registered window: mean velocity and, by a step of expectation maximisation,
   /// the fluctuation s.
   void learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,

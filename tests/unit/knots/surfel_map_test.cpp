@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,8 @@ namespace {
 
 using test::Random;
 using Points = std::vector<Eigen::Vector3d>;
+
+const Eigen::Vector3d kSensor(2.0, 5.0, 7.0);  // sees the tests' level and upright planes aslant
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -31,9 +34,10 @@ Config::Knots knots_config() {
   return config;
 }
 
-SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config()) {
+SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config(),
+                 const Eigen::Vector3d& sensor = kSensor) {
   SurfelMap map(config, 100.0);
-  map.insert(points);
+  map.insert(points, sensor);
   return map;
 }
 
@@ -68,7 +72,7 @@ TEST(SurfelMap, APlanesMeanNormalAndVarianceAreItsPoints) {
     for (int i = 0; i < 20; ++i) {
       const Eigen::Matrix3d axes = random.pose(0.0, 3.0).rotation.toRotationMatrix();
       const Points points = cloud(random, 60, kCentre, axes, {0.1, 0.1, 0.0}, noise);
-      const SurfelMap map = map_of(points);
+      const SurfelMap map = map_of(points, knots_config(), kCentre + 5.0 * axes.col(2));
       const Surfel* const surfel = find(map, kCentre);
       ASSERT_NE(surfel, nullptr);
       ASSERT_EQ(surfel->directions, 1);
@@ -152,6 +156,35 @@ TEST(SurfelMap, BetweenRingsACoarserLevelAnswers) {
   }
 }
 
+/// One ring of a LiDAR at the origin through foliage: a cone of rays, 10 deg up, ranges anywhere.
+Points ring_through_foliage(Random& random, const Eigen::Vector3d& sensor) {
+  const double elevation = 10.0 * kDegree;
+  Points points;
+  for (int i = 0; i < 60; ++i) {
+    const double azimuth = random.uniform(-1.0, 1.0) * kDegree, range = random.uniform(9.7, 10.3);
+    const Eigen::Vector3d ray(std::cos(elevation) * std::cos(azimuth),
+                              std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    points.emplace_back(sensor + range * ray);
+  }
+  return points;
+}
+
+TEST(SurfelMap, ThePlaneThatARingSweepsIsNoSurfel) {
+  Random random(12);
+  const Eigen::Vector3d sensor(0.5, 0.3, 0.4);
+  const Points points = ring_through_foliage(random, sensor);
+  const auto surfels = [&points](const Eigen::Vector3d& seen_from) {
+    SurfelMap map(knots_config(), 100.0);
+    map.insert(points, seen_from);
+    return std::count_if(points.begin(), points.end(), [&map](const Eigen::Vector3d& point) {
+      return find(map, point) != nullptr;
+    });
+  };
+  EXPECT_EQ(surfels(sensor), 0);
+  // The same points seen from elsewhere are a plane like any other.
+  EXPECT_GT(surfels(sensor + Eigen::Vector3d(0.0, 0.0, 2.0)), 40);
+}
+
 TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
   Random random(6);
   Config::Knots config = knots_config();
@@ -159,7 +192,7 @@ TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   SurfelMap map = map_of(cloud(random, 50, {0.2, 0.2, 0.1}, axes, {0.19, 0.19, 0.0}), config);
   const Surfel before = *find(map, kCentre);
-  map.insert(cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0}));
+  map.insert(cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0}), kSensor);
   const Surfel after = *find(map, kCentre);
   EXPECT_EQ(after.mean, before.mean);
   EXPECT_EQ(after.variance[0], before.variance[0]);
@@ -183,7 +216,7 @@ TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
   EXPECT_NEAR(map.points().front().x(), 160.2, 0.1);
   EXPECT_EQ(find(map, near), nullptr);
   EXPECT_NE(find(map, far), nullptr);  // the table still leads to its voxel
-  map.insert(cloud(random, 60, near, axes, {0.19, 0.19, 0.0}));
+  map.insert(cloud(random, 60, near, axes, {0.19, 0.19, 0.0}), kSensor);
   EXPECT_NE(find(map, near), nullptr);
   map.clear();
   EXPECT_TRUE(map.empty());
@@ -235,7 +268,7 @@ TEST(SurfelMap, TheWorldMayLieKilometresAway) {
   const Eigen::Vector3d shift(10'240.0, -10'240.0, 1024.0);  // whole voxels of every level
   Points there;
   for (const auto& point : here) there.emplace_back(point + shift);
-  const SurfelMap near = map_of(here), far = map_of(there);
+  const SurfelMap near = map_of(here), far = map_of(there, knots_config(), kSensor + shift);
   int found = 0;
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d place(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(0, 3));

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "knots/knot_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "odometry/downsample.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kSecond = 1e-9;  // [s/ns]
+
+// Limits of the cubes [m].
+constexpr double kFinest = 0.05, kCoarsest = 3.0;
+
+}  // namespace
+
+std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
+                                               const std::vector<std::uint32_t>& candidates) {
+  std::vector<Eigen::Vector3f> places;
+  places.reserve(candidates.size());
+  for (const std::uint32_t i : candidates) places.push_back(scan.points[i]);
+  std::vector<std::uint32_t> chosen = downsample_indices(places, voxel_);
+  const double excess = static_cast<double>(chosen.size()) / points_;
+  voxel_ = std::clamp(voxel_ * std::sqrt(excess), kFinest, kCoarsest);
+  for (std::uint32_t& i : chosen) i = candidates[i];
+  return chosen;
+}
+
+KnotPoints sort_points(const PreparedScan& scan, const std::vector<std::uint32_t>& chosen,
+                       const KnotWindow& window) {
+  const auto segments = window.segments();
+  const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
+  const double offset = static_cast<double>(scan.start_ns - window.begin_ns) * kSecond;
+  std::vector<std::vector<KnotPoints::Point>> sorted(segments);
+  for (const std::uint32_t i : chosen) {
+    const double tau = scan.taus.empty() ? 0.5 : static_cast<double>(scan.taus[i]);
+    const double scaled = (offset + tau * duration) / window.step;
+    const double last = static_cast<double>(segments - 1);
+    const auto segment = static_cast<std::size_t>(std::clamp(scaled, 0.0, last));
+    sorted[segment].push_back(
+        {scan.points[i].cast<double>(), scaled - static_cast<double>(segment), {}});
+  }
+  KnotPoints points;
+  for (const auto& part : sorted) {
+    points.begins.push_back(points.points.size());
+    points.points.insert(points.points.end(), part.begin(), part.end());
+  }
+  points.begins.push_back(points.points.size());
+  return points;
+}
+
+}  // namespace surefoot

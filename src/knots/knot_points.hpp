@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "knots/knot_window.hpp"
+#include "knots/surfel_map.hpp"
+#include "odometry/preprocess.hpp"
+
+namespace surefoot {
+
+/// A scan's points to be registered, sorted by the segment of the window that they fall into.
+struct KnotPoints {
+  struct Point {
+    Eigen::Vector3d position;  ///< LiDAR frame, as measured [m]
+    double share;              ///< u: 0 at the segment's first knot, 1 at its last
+    SurfelMap::Place place;    ///< where its surfel was last
+  };
+  std::vector<Point> points;
+  std::vector<std::size_t> begins;  ///< per segment its first point; then the number of points
+};
+
+/// Chooses about as many points of every scan, evenly spread over what it sees: the cubes that it
+/// thins them to follow the scene's scale from scan to scan.
+class PointChoice {
+ public:
+  explicit PointChoice(int points) : points_(points) {}
+
+  /// `candidates` and the result are indices into the scan's points.
+  [[nodiscard]] std::vector<std::uint32_t> choose(const PreparedScan& scan,
+                                                  const std::vector<std::uint32_t>& candidates);
+
+ private:
+  int points_;
+  double voxel_ = 1.0;  // [m]
+};
+
+/// By the segment that each point's instant falls into; without times, the scan's middle.
+[[nodiscard]] KnotPoints sort_points(const PreparedScan& scan,
+                                     const std::vector<std::uint32_t>& chosen,
+                                     const KnotWindow& window);
+
+}  // namespace surefoot

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surefoot/pose.hpp"
+
+namespace surefoot {
+
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+
+/// What is known of the last scan's last two knots when the next scan begins: they are the means
+/// of a Gaussian, over the differences (knot_window.hpp) of the one and the other.
+struct KnotPrior {
+  Pose means[2];
+  Matrix12 information = Matrix12::Zero();
+};
+
+/// Two knots at one pose that defines the map's frame, `step` [s] apart, of a sensor that may be
+/// walking already.
+[[nodiscard]] KnotPrior at_rest(const Pose& pose, double step);
+
+}  // namespace surefoot
