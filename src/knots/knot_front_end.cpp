@@ -53,7 +53,7 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   session_.begin_step(Step::downsample);
-  const auto thinned = downsample_indices(scan.points, config_.knots.map_voxel);
+  const auto thinned = downsample_indices(scan.points, config_.knots.map_voxel, session_.workers);
   if (map_.empty()) return begin_map(scan, thinned);
 
   if (first_scan_) begin_motion(scan, thinned);
@@ -270,7 +270,7 @@ void KnotFrontEnd::integrate(const PreparedScan& scan, const std::vector<std::ui
   for (const std::uint32_t i : thinned) {
     points.push_back(middle * last_scan_.points[i].cast<double>());
   }
-  map_.insert(points, middle.translation);
+  map_.insert(points, middle.translation, session_.workers);
 }
 
 Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {

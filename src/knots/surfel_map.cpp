@@ -20,29 +20,39 @@ constexpr double kGrowth = 1.15;
 // LiDAR on a wall or floor, whose place along that surface says nothing.
 constexpr double kStanding = 0.7;
 
+Products products_of(const Eigen::Vector3d& v) {
+  return (Products() << v.x() * v.x(), v.x() * v.y(), v.x() * v.z(), v.y() * v.y(), v.y() * v.z(),
+          v.z() * v.z())
+      .finished();
+}
+
+Eigen::Matrix3d matrix_of(const Products& p) {
+  return (Eigen::Matrix3d() << p[0], p[1], p[2], p[1], p[3], p[4], p[2], p[4], p[5]).finished();
+}
+
 }  // namespace
 
 SurfelMap::SurfelMap(const Config::Knots& config, double radius)
     : config_(config), radius_(radius) {
   double size = config.finest_voxel;
   for (int level = 0; level < config.levels; ++level, size *= 2.0) {
-    grids_.push_back({size, 1.0 / size, {}, {}, {}});
+    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}});
   }
 }
 
 const Surfel* SurfelMap::find(const Eigen::Vector3d& place, int finest, Place& last) const {
   const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
   if (last.asked == finest && last.voxel == index) {
-    return last.level < 0 ? nullptr : &grids_[last.level].voxels[last.index].surfel;
+    return last.level < 0 ? nullptr : &grids_[last.level].surfels[last.index];
   }
   last = {-1, finest, index, 0};
   for (int level = finest; level < static_cast<int>(grids_.size()); ++level) {
     const Grid& grid = grids_[level];
     const std::uint32_t found = grid.table.find(voxel_key(voxel_index(place, grid.inverse_size)));
-    if (found == VoxelTable::kNone || grid.voxels[found].surfel.directions == 0) continue;
+    if (found == VoxelTable::kNone || grid.surfels[found].directions == 0) continue;
     last.level = level;
     last.index = found;
-    return &grid.voxels[found].surfel;
+    return &grid.surfels[found];
   }
   return nullptr;
 }
@@ -55,40 +65,50 @@ int SurfelMap::level_of(double size) const {
 
 void SurfelMap::add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const {
   const VoxelIndex index = voxel_index(point, grid.inverse_size);
-  const auto next = static_cast<std::uint32_t>(grid.voxels.size());
+  const auto next = static_cast<std::uint32_t>(grid.moments.size());
   const auto [at, inserted] = grid.table.find_or_insert(voxel_key(index), next);
   if (inserted) {
-    grid.voxels.emplace_back();
-    grid.voxels.back().index = index;
+    grid.surfels.emplace_back();
+    grid.moments.emplace_back().index = index;
+    grid.full.push_back(false);
   }
-  Voxel& voxel = grid.voxels[at];
-  if (voxel.count >= config_.points_per_voxel) return;  // what was seen first is kept: no drift
+  if (grid.full[at]) return;
+  Moments& voxel = grid.moments[at];
   const Eigen::Vector3d local = point - index.cast<double>() * grid.size;
   ++voxel.count;
   voxel.sum += local;
-  voxel.products += local * local.transpose();
-  voxel.rays += ray * ray.transpose();
+  voxel.products += products_of(local);
+  voxel.rays += products_of(ray);
+  grid.full[at] = voxel.count >= config_.points_per_voxel;  // what was seen first is kept: no drift
   if (!voxel.stale && voxel.count >= kGrowth * voxel.fitted_at) {
     voxel.stale = true;
     grid.stale.push_back(at);
   }
 }
 
-void SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor) {
-  for (Grid& grid : grids_) {
-    for (const Eigen::Vector3d& point : points) add(grid, point, (point - sensor).normalized());
-    for (const std::uint32_t at : grid.stale) fit(grid.voxels[at], grid.size);
+void SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
+                       const Workers& workers) {
+  std::vector<Eigen::Vector3d> rays;
+  rays.reserve(points.size());
+  for (const Eigen::Vector3d& point : points) rays.push_back((point - sensor).normalized());
+  workers.for_each(grids_.size(), [&](std::size_t level) {
+    Grid& grid = grids_[level];
+    for (std::size_t i = 0; i < points.size(); ++i) add(grid, points[i], rays[i]);
+    for (const std::uint32_t at : grid.stale) {
+      Moments& voxel = grid.moments[at];
+      grid.surfels[at] = fit(voxel, grid.size);
+      voxel.stale = false;
+      voxel.fitted_at = voxel.count;
+    }
     grid.stale.clear();
-  }
+  });
 }
 
-void SurfelMap::fit(Voxel& voxel, double size) const {
-  voxel.stale = false;
-  voxel.fitted_at = voxel.count;
-  voxel.surfel.directions = 0;
-  if (voxel.count < config_.min_points) return;
-  const Eigen::Vector3d mean = voxel.sum / voxel.count;
-  const Eigen::Matrix3d C = voxel.products / voxel.count - mean * mean.transpose();
+Surfel SurfelMap::fit(const Moments& moments, double size) const {
+  Surfel surfel;
+  if (moments.count < config_.min_points) return surfel;
+  const Eigen::Vector3d mean = moments.sum / moments.count;
+  const Eigen::Matrix3d C = matrix_of(moments.products) / moments.count - mean * mean.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
   eigen.computeDirect(C);
   const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0.0);
@@ -96,18 +116,19 @@ void SurfelMap::fit(Voxel& voxel, double size) const {
   // A ring that passes through foliage, or whose ranges are noisy, spreads along its rays: its
   // points lie on the plane that the rays sweep, which goes with the sensor.
   const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
-  const double facing = normal.dot(voxel.rays * normal) / voxel.count;
+  const double facing = normal.dot(matrix_of(moments.rays) * normal) / moments.count;
   const bool plane = spread[1] >= broad && spread[0] <= config_.flatness * spread[1] &&
                      facing >= config_.edge_on * config_.edge_on;
-  const bool pole = !plane && voxel.count >= 2 * config_.min_points && spread[2] >= broad &&
+  const bool pole = !plane && moments.count >= 2 * config_.min_points && spread[2] >= broad &&
                     spread[1] <= config_.slenderness * spread[2] &&
                     std::abs(eigen.eigenvectors()(2, 2)) >= kStanding;
-  voxel.surfel.directions = plane ? 1 : pole ? 2 : 0;
-  voxel.surfel.mean = mean + voxel.index.cast<double>() * size;
+  surfel.directions = plane ? 1 : pole ? 2 : 0;
+  surfel.mean = mean + moments.index.cast<double>() * size;
   for (int i = 0; i < 2; ++i) {
-    voxel.surfel.across[i] = eigen.eigenvectors().col(i);
-    voxel.surfel.variance[i] = spread[i];
+    surfel.across[i] = eigen.eigenvectors().col(i);
+    surfel.variance[i] = spread[i];
   }
+  return surfel;
 }
 
 void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
@@ -115,23 +136,30 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
   if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius_) return;
   cleaned_at_ = sensor;
   for (Grid& grid : grids_) {
-    const auto far = [&](const Voxel& voxel) {
-      const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
-      return (centre - sensor).norm() > radius_;
-    };
-    grid.voxels.erase(std::remove_if(grid.voxels.begin(), grid.voxels.end(), far),
-                      grid.voxels.end());
+    std::uint32_t kept = 0;
     grid.table.clear();
-    for (std::uint32_t at = 0; at < grid.voxels.size(); ++at) {
-      grid.table.find_or_insert(voxel_key(grid.voxels[at].index), at);
+    for (std::size_t at = 0; at < grid.moments.size(); ++at) {
+      const VoxelIndex& index = grid.moments[at].index;
+      const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * grid.size;
+      if ((centre - sensor).norm() > radius_) continue;
+      grid.table.find_or_insert(voxel_key(index), kept);
+      grid.moments[kept] = grid.moments[at];
+      grid.surfels[kept] = grid.surfels[at];
+      grid.full[kept] = grid.full[at];
+      ++kept;
     }
+    grid.moments.resize(kept);
+    grid.surfels.resize(kept);
+    grid.full.resize(kept);
   }
 }
 
 void SurfelMap::clear() {
   for (Grid& grid : grids_) {
-    grid.voxels.clear();
     grid.table.clear();
+    grid.surfels.clear();
+    grid.moments.clear();
+    grid.full.clear();
     grid.stale.clear();
   }
   cleaned_at_.reset();
@@ -140,8 +168,8 @@ void SurfelMap::clear() {
 std::vector<Eigen::Vector3d> SurfelMap::points() const {
   const Grid& grid = grids_.front();
   std::vector<Eigen::Vector3d> means;
-  means.reserve(grid.voxels.size());
-  for (const Voxel& voxel : grid.voxels) {
+  means.reserve(grid.moments.size());
+  for (const Moments& voxel : grid.moments) {
     means.push_back(voxel.index.cast<double>() * grid.size + voxel.sum / voxel.count);
   }
   return means;

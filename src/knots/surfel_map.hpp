@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "odometry/parallel.hpp"
 #include "odometry/voxel_key.hpp"
 #include "odometry/voxel_table.hpp"
 #include "surefoot/config.hpp"
@@ -20,6 +21,9 @@ struct Surfel {
   Eigen::Vector3d across[2];                       ///< unit vectors
   double variance[2] = {0.0, 0.0};                 ///< of the points along them [m^2]
 };
+
+/// The upper triangle of a sum of v v^T, row by row.
+using Products = Eigen::Matrix<double, 6, 1>;
 
 /// The map around the sensor at several scales: grids of voxels, each twice as coarse as the one
 /// before, each voxel with its points' moments and the surfel fitted to them.
@@ -44,38 +48,43 @@ class SurfelMap {
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, int finest, Place& last) const;
 
   /// Adds points [m, map frame] that were seen from `sensor`, then fits the voxels that changed.
-  void insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor);
+  void insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
+              const Workers& workers = Workers(1));
   /// Drops the voxels that lie farther than the radius from the sensor.
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
 
-  [[nodiscard]] bool empty() const { return grids_.front().voxels.empty(); }
+  [[nodiscard]] bool empty() const { return grids_.front().moments.empty(); }
   /// The finest grid whose voxels are at least so large [m], or the coarsest.
   [[nodiscard]] int level_of(double size) const;
   /// The means of the finest grid's voxels [m].
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 
  private:
-  struct Voxel {
-    VoxelIndex index;
+  /// Sums over a voxel's points.
+  struct Moments {
+    VoxelIndex index = VoxelIndex::Zero();
     int count = 0;
     int fitted_at = 0;  // count when the surfel was fitted
     bool stale = false;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of the points, from the voxel's corner
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-    Eigen::Matrix3d rays = Eigen::Matrix3d::Zero();  // sum of d d^T, d the direction of the ray
-    Surfel surfel;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // from the voxel's corner
+    Products products = Products::Zero();           // likewise
+    Products rays = Products::Zero();               // of the rays' directions
   };
+  /// A voxel is one index into three arrays: what is searched, what is added to, and the little
+  /// that tells that nothing more is.
   struct Grid {
     double size;
     double inverse_size;
     VoxelTable table;
-    std::vector<Voxel> voxels;
+    std::vector<Surfel> surfels;
+    std::vector<Moments> moments;
+    std::vector<bool> full;
     std::vector<std::uint32_t> stale;  // voxels to fit anew
   };
 
   void add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const;
-  void fit(Voxel& voxel, double size) const;
+  [[nodiscard]] Surfel fit(const Moments& moments, double size) const;
 
   Config::Knots config_;
   double radius_;

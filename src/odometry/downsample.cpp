@@ -3,6 +3,7 @@
 #include "odometry/downsample.hpp"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "odometry/voxel_key.hpp"
@@ -13,7 +14,7 @@ namespace surefoot {
 namespace {
 
 struct Candidate {
-  std::uint64_t key;
+  std::uint64_t key;  // of its voxel, hashed
   float to_centre2;
   Eigen::Vector3f point;
   std::uint32_t index;  // of the point
@@ -32,17 +33,19 @@ Candidate make_candidate(const std::vector<Eigen::Vector3f>& points, std::uint32
   const Eigen::Vector3f& point = points[at];
   const VoxelIndex index = voxel_index(point.cast<double>(), 1.0 / voxel);
   const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * voxel;
-  return {voxel_key(index), (point - centre.cast<float>()).squaredNorm(), point, at};
+  return {hash_key(voxel_key(index)), (point - centre.cast<float>()).squaredNorm(), point, at};
 }
 
-}  // namespace
+// The voxels are dealt into so many parts, by their keys' first bits, for as many threads.
+constexpr int kPartBits = 2;
+constexpr std::size_t kParts = 1 << kPartBits;
 
-std::vector<std::uint32_t> downsample_indices(const std::vector<Eigen::Vector3f>& points,
-                                              double voxel) {
+/// The best candidate of each voxel of one part, in the order of the keys.
+std::vector<Candidate> best_of_part(const std::vector<Candidate>& candidates, std::size_t part) {
   VoxelTable table;
   std::vector<Candidate> kept;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Candidate candidate = make_candidate(points, i, voxel);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.key >> (64 - kPartBits) != part) continue;
     const auto next = static_cast<std::uint32_t>(kept.size());
     const auto [slot, inserted] = table.find_or_insert(candidate.key, next);
     if (inserted) {
@@ -53,29 +56,47 @@ std::vector<std::uint32_t> downsample_indices(const std::vector<Eigen::Vector3f>
   }
   // Any fixed order will do, but a spatial one: a voxel of the map takes the first points it is
   // offered, and would fill up from one side, which pulls every later scan to that side.
-  std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
-    return hash_key(a.key) < hash_key(b.key);
+  std::sort(kept.begin(), kept.end(),
+            [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
+  return kept;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> downsample_indices(const std::vector<Eigen::Vector3f>& points,
+                                              double voxel, const Workers& workers) {
+  std::vector<Candidate> candidates(points.size());
+  workers.for_chunks(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      candidates[i] = make_candidate(points, static_cast<std::uint32_t>(i), voxel);
+    }
   });
+  std::array<std::vector<Candidate>, kParts> parts;
+  workers.for_each(kParts, [&](std::size_t p) { parts[p] = best_of_part(candidates, p); });
   std::vector<std::uint32_t> indices;
-  indices.reserve(kept.size());
-  for (const Candidate& candidate : kept) indices.push_back(candidate.index);
+  for (const auto& part : parts) {
+    for (const Candidate& candidate : part) indices.push_back(candidate.index);
+  }
   return indices;
 }
 
-std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points, double voxel) {
+std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points, double voxel,
+                                        const Workers& workers) {
   std::vector<Eigen::Vector3f> thinned;
-  for (const std::uint32_t i : downsample_indices(points, voxel)) thinned.push_back(points[i]);
+  for (const std::uint32_t i : downsample_indices(points, voxel, workers)) {
+    thinned.push_back(points[i]);
+  }
   return thinned;
 }
 
-ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points,
-                      const Config::Downsample& config) {
+ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points, const Config::Downsample& config,
+                      const Workers& workers) {
   constexpr double kFinest = 1.0 / 16.0;
   const auto enough = static_cast<std::size_t>(config.min_points);
   for (double scale = 1.0;; scale *= 0.5) {
     ThinnedScan thinned;
-    thinned.map_points = downsample(points, scale * config.map_voxel);
-    thinned.source_points = downsample(thinned.map_points, scale * config.source_voxel);
+    thinned.map_points = downsample(points, scale * config.map_voxel, workers);
+    thinned.source_points = downsample(thinned.map_points, scale * config.source_voxel, workers);
     if (thinned.source_points.size() >= enough || scale <= kFinest) return thinned;
   }
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "odometry/parallel.hpp"
 #include "surefoot/config.hpp"
 
 namespace surefoot {
@@ -14,11 +15,12 @@ namespace surefoot {
 /// result does not depend on the order of the points; its own order is fixed, but not a spatial
 /// one.
 [[nodiscard]] std::vector<Eigen::Vector3f> downsample(const std::vector<Eigen::Vector3f>& points,
-                                                      double voxel);
+                                                      double voxel,
+                                                      const Workers& workers = Workers(1));
 
 /// Likewise, but tells which points are kept.
 [[nodiscard]] std::vector<std::uint32_t> downsample_indices(
-    const std::vector<Eigen::Vector3f>& points, double voxel);
+    const std::vector<Eigen::Vector3f>& points, double voxel, const Workers& workers = Workers(1));
 
 /// A scan thinned for its two uses.
 struct ThinnedScan {
@@ -30,6 +32,7 @@ struct ThinnedScan {
 /// downsample.min_points to register (a stairwell, a small room), both cubes are halved until it
 /// does not, four times at most.
 [[nodiscard]] ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points,
-                                    const Config::Downsample& config);
+                                    const Config::Downsample& config,
+                                    const Workers& workers = Workers(1));
 
 }  // namespace surefoot

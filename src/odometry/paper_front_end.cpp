@@ -36,7 +36,7 @@ Estimate PaperFrontEnd::add(const PreparedScan& scan) {
   const ScanTrajectory predicted = predict(scan);                                      // lines 1-6
   last_scan_ = {deskew(scan, predicted, config_.deskew, workers_), scan.intensities};  // line 7
   session_.begin_step(Step::downsample);
-  ThinnedScan thinned = thin_scan(last_scan_.points, config_.downsample);
+  ThinnedScan thinned = thin_scan(last_scan_.points, config_.downsample, session_.workers);
   if (map_.empty()) return begin_map(thinned.map_points, predicted);
 
   Source source = make_source(thinned);
