@@ -38,10 +38,15 @@ struct SegmentSum {
   }
 };
 
-/// How much residuals count in an iteration.
-struct Trust {
-  double inflation;  // of the noise variance
-  int finest;        // grid of the map
+// While the kernel is wider than twice what it ends at, a third of the points will do.
+constexpr double kWide = 2.0;
+constexpr std::size_t kWideStride = 3;
+
+/// How an iteration looks at the map.
+struct Look {
+  double inflation;    // of the noise variance
+  int finest;          // grid of the map
+  std::size_t stride;  // every so many-th point, for so many
 };
 
 /// A residual [m] across a surfel of some variance [m^2], under the Geman-McClure kernel at three
@@ -53,37 +58,38 @@ struct Kernel {
 
 /// `independence`: neighbouring points share the error of their surfel and of their instant, so
 /// that many count as few.
-Kernel kernel_of(double residual, double surfel_variance, const Trust& trust,
+Kernel kernel_of(double residual, double surfel_variance, const Look& look,
                  const Config::Knots& config) {
-  const double variance = trust.inflation * (config.noise * config.noise + surfel_variance);
+  const double variance = look.inflation * (config.noise * config.noise + surfel_variance);
   const double cauchy = 1.0 / (1.0 + residual * residual / (9.0 * variance));
-  return {config.independence * cauchy * cauchy / variance, 1.0 - cauchy};
+  const double weight = static_cast<double>(look.stride) * config.independence;
+  return {weight * cauchy * cauchy / variance, 1.0 - cauchy};
 }
 
 SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap& map,
-                       const KnotWindow& window, const Trust& trust, const Config::Knots& config) {
+                       const KnotWindow& window, const Look& look, const Config::Knots& config) {
   SegmentSum sum;
   const Pose& T_first = window.knots[segment + 1];
   const Pose& T_last = window.knots[segment + 2];
   const SegmentMotion motion(T_first, se3_log(T_first.inverse() * T_last));
-  for (std::size_t i = points.begins[segment]; i < points.begins[segment + 1]; ++i) {
+  for (std::size_t i = points.begins[segment]; i < points.begins[segment + 1]; i += look.stride) {
     KnotPoints::Point& point = points.points[i];
     const double u = point.share;
     const Eigen::Vector3d place = motion(u, point.position);
-    const Surfel* const surfel = map.find(place, trust.finest, point.place);
+    const Eigen::Vector3d sensor =
+        T_first.translation + u * (T_last.translation - T_first.translation);
+    const Eigen::Vector3d s = place - sensor;
+    const Surfel* const surfel = map.find(place, s, look.finest, point.place);
     if (surfel == nullptr) {
       sum.misfit += 1.0;
       continue;
     }
-    const Eigen::Vector3d sensor =
-        T_first.translation + u * (T_last.translation - T_first.translation);
-    const Eigen::Vector3d s = place - sensor;
     for (int d = 0; d < surfel->directions; ++d) {
       const Eigen::Vector3d& n = surfel->across[d];
       const double residual = n.dot(place - surfel->mean);
       Twist J;
       J << n, s.cross(n);
-      const Kernel kernel = kernel_of(residual, surfel->variance[d], trust, config);
+      const Kernel kernel = kernel_of(residual, surfel->variance[d], look, config);
       sum.add(J, residual, u, kernel.weight);
       sum.squared_distance += kernel.weight * s.squaredNorm();
       sum.misfit += kernel.misfit / surfel->directions;
@@ -175,9 +181,10 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
   for (int t = 1; t <= annealing.max_iterations; ++t) {
     begin_step(Step::search);
     const double ratio = std::max(kernel / config.kernel_end, 1.0);
-    const Trust trust{ratio * ratio, ratio > 1.0 ? map.level_of(kernel) : 0};
+    const bool wide = ratio > kWide && t < annealing.max_iterations;
+    const Look look{ratio * ratio, ratio > 1.0 ? map.level_of(kernel) : 0, wide ? kWideStride : 1};
     workers.for_each(sums.size(), [&](std::size_t s) {
-      sums[s] = sum_segment(points, s, map, result.window, trust, config);
+      sums[s] = sum_segment(points, s, map, result.window, look, config);
     });
     begin_step(Step::solve);
     BandedSystem system(predicted.knots.size());

@@ -20,6 +20,18 @@ constexpr double kGrowth = 1.15;
 // LiDAR on a wall or floor, whose place along that surface says nothing.
 constexpr double kStanding = 0.7;
 
+// Who sees a plane at a smaller angle than this (sine) may be on either side of it.
+constexpr double kGrazing = 0.05;
+
+bool from_behind(const Surfel& surfel, const Eigen::Vector3d& ray) {
+  if (surfel.directions != 1) return false;
+  const double along = surfel.across[0].dot(ray);
+  return along > 0.0 && along * along > kGrazing * kGrazing * ray.squaredNorm();
+}
+
+/// The key of a voxel's back: voxel_key() leaves the first bit free.
+std::uint64_t back_of(std::uint64_t key) { return key | std::uint64_t{1} << 63; }
+
 Products products_of(const Eigen::Vector3d& v) {
   return (Products() << v.x() * v.x(), v.x() * v.y(), v.x() * v.z(), v.y() * v.y(), v.y() * v.z(),
           v.z() * v.z())
@@ -40,16 +52,26 @@ SurfelMap::SurfelMap(const Config::Knots& config, double radius)
   }
 }
 
-const Surfel* SurfelMap::find(const Eigen::Vector3d& place, int finest, Place& last) const {
+const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray, int finest,
+                              Place& last) const {
   const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
   if (last.asked == finest && last.voxel == index) {
-    return last.level < 0 ? nullptr : &grids_[last.level].surfels[last.index];
+    if (last.level < 0) return nullptr;
+    const Surfel& surfel = grids_[last.level].surfels[last.index];
+    if (!from_behind(surfel, ray)) return &surfel;
   }
   last = {-1, finest, index, 0};
   for (int level = finest; level < static_cast<int>(grids_.size()); ++level) {
     const Grid& grid = grids_[level];
-    const std::uint32_t found = grid.table.find(voxel_key(voxel_index(place, grid.inverse_size)));
-    if (found == VoxelTable::kNone || grid.surfels[found].directions == 0) continue;
+    const std::uint64_t key = voxel_key(voxel_index(place, grid.inverse_size));
+    std::uint32_t found = grid.table.find(key);
+    if (found == VoxelTable::kNone) continue;
+    if (from_behind(grid.surfels[found], ray)) {
+      last.asked = -1;  // the answer depends on the ray, too
+      found = grid.table.find(back_of(key));
+      if (found == VoxelTable::kNone || from_behind(grid.surfels[found], ray)) continue;
+    }
+    if (grid.surfels[found].directions == 0) continue;
     last.level = level;
     last.index = found;
     return &grid.surfels[found];
@@ -63,21 +85,34 @@ int SurfelMap::level_of(double size) const {
   return static_cast<int>(found - grids_.begin());
 }
 
+/// The side of a voxel that a ray hits, made if there is none yet.
+std::uint32_t SurfelMap::side_of(Grid& grid, const VoxelIndex& index, const Eigen::Vector3d& ray) {
+  const auto side = [&grid, &index](std::uint64_t key) {
+    const auto next = static_cast<std::uint32_t>(grid.moments.size());
+    const auto [at, inserted] = grid.table.find_or_insert(key, next);
+    if (inserted) {
+      grid.surfels.emplace_back();
+      Moments& fresh = grid.moments.emplace_back();
+      fresh.key = key;
+      fresh.index = index;
+      grid.full.push_back(false);
+    }
+    return at;
+  };
+  const std::uint32_t front = side(voxel_key(index));
+  return from_behind(grid.surfels[front], ray) ? side(back_of(voxel_key(index))) : front;
+}
+
 void SurfelMap::add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const {
   const VoxelIndex index = voxel_index(point, grid.inverse_size);
-  const auto next = static_cast<std::uint32_t>(grid.moments.size());
-  const auto [at, inserted] = grid.table.find_or_insert(voxel_key(index), next);
-  if (inserted) {
-    grid.surfels.emplace_back();
-    grid.moments.emplace_back().index = index;
-    grid.full.push_back(false);
-  }
+  const std::uint32_t at = side_of(grid, index, ray);
   if (grid.full[at]) return;
   Moments& voxel = grid.moments[at];
   const Eigen::Vector3d local = point - index.cast<double>() * grid.size;
   ++voxel.count;
   voxel.sum += local;
   voxel.products += products_of(local);
+  voxel.ray_sum += ray;
   voxel.rays += products_of(ray);
   grid.full[at] = voxel.count >= config_.points_per_voxel;  // what was seen first is kept: no drift
   if (!voxel.stale && voxel.count >= kGrowth * voxel.fitted_at) {
@@ -128,6 +163,7 @@ Surfel SurfelMap::fit(const Moments& moments, double size) const {
     surfel.across[i] = eigen.eigenvectors().col(i);
     surfel.variance[i] = spread[i];
   }
+  if (surfel.across[0].dot(moments.ray_sum) > 0.0) surfel.across[0] *= -1.0;
   return surfel;
 }
 
@@ -139,11 +175,11 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
     std::uint32_t kept = 0;
     grid.table.clear();
     for (std::size_t at = 0; at < grid.moments.size(); ++at) {
-      const VoxelIndex& index = grid.moments[at].index;
-      const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * grid.size;
+      const Moments& voxel = grid.moments[at];
+      const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
       if ((centre - sensor).norm() > radius_) continue;
-      grid.table.find_or_insert(voxel_key(index), kept);
-      grid.moments[kept] = grid.moments[at];
+      grid.table.find_or_insert(voxel.key, kept);
+      grid.moments[kept] = voxel;
       grid.surfels[kept] = grid.surfels[at];
       grid.full[kept] = grid.full[at];
       ++kept;

@@ -41,14 +41,15 @@ SurfelMap map_of(const Points& points, const Config::Knots& config = knots_confi
   return map;
 }
 
-const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
+const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0,
+                   const Eigen::Vector3d& sensor = kSensor) {
   SurfelMap::Place fresh;
-  return map.find(place, finest, fresh);
+  return map.find(place, place - sensor, finest, fresh);
 }
 
 int level_found(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
   SurfelMap::Place fresh;
-  (void)map.find(place, finest, fresh);
+  (void)map.find(place, place - kSensor, finest, fresh);
   return fresh.level;
 }
 
@@ -72,8 +73,9 @@ TEST(SurfelMap, APlanesMeanNormalAndVarianceAreItsPoints) {
     for (int i = 0; i < 20; ++i) {
       const Eigen::Matrix3d axes = random.pose(0.0, 3.0).rotation.toRotationMatrix();
       const Points points = cloud(random, 60, kCentre, axes, {0.1, 0.1, 0.0}, noise);
-      const SurfelMap map = map_of(points, knots_config(), kCentre + 5.0 * axes.col(2));
-      const Surfel* const surfel = find(map, kCentre);
+      const Eigen::Vector3d sensor = kCentre + 5.0 * axes.col(2);
+      const SurfelMap map = map_of(points, knots_config(), sensor);
+      const Surfel* const surfel = find(map, kCentre, 0, sensor);
       ASSERT_NE(surfel, nullptr);
       ASSERT_EQ(surfel->directions, 1);
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -185,6 +187,31 @@ TEST(SurfelMap, ThePlaneThatARingSweepsIsNoSurfel) {
   EXPECT_GT(surfels(sensor + Eigen::Vector3d(0.0, 0.0, 2.0)), 40);
 }
 
+TEST(SurfelMap, AWallHasTwoSides) {
+  Random random(13);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d here(-4.0, 1.0, 0.5), there(5.0, -1.0, 0.5), half(0.0, 0.19, 0.19);
+  SurfelMap map(knots_config(), 100.0);
+  map.insert(cloud(random, 60, {0.10, 0.2, 0.2}, axes, half, 0.002), here);
+  const Eigen::Vector3d place(0.16, 0.2, 0.2);
+  ASSERT_NE(find(map, place, 0, here), nullptr);
+  EXPECT_EQ(find(map, place, 0, there), nullptr);  // nobody saw that side yet
+  map.insert(cloud(random, 60, {0.25, 0.2, 0.2}, axes, half, 0.002), there);
+  const Surfel* const front = find(map, place, 0, here);
+  const Surfel* const back = find(map, place, 0, there);
+  ASSERT_NE(front, nullptr);
+  ASSERT_NE(back, nullptr);
+  EXPECT_NEAR(front->mean.x(), 0.10, 1e-3);
+  EXPECT_NEAR(back->mean.x(), 0.25, 1e-3);
+  EXPECT_LT(front->across[0].x(), -0.99);  // each to who sees it
+  EXPECT_GT(back->across[0].x(), 0.99);
+  // And both survive a cleaning.
+  map.remove_far({0.0, 0.0, 0.0});
+  map.remove_far({90.0, 0.0, 0.0});
+  EXPECT_NEAR(find(map, place, 0, here)->mean.x(), 0.10, 1e-3);
+  EXPECT_NEAR(find(map, place, 0, there)->mean.x(), 0.25, 1e-3);
+}
+
 TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
   Random random(6);
   Config::Knots config = knots_config();
@@ -251,9 +278,10 @@ TEST(SurfelMap, ARememberedPlaceChangesNoAnswer) {
     for (int step = 0; step < 200; ++step) {
       place += random.vector(step % 3 == 0 ? 0.3 : 0.02);
       const int finest = step / 40 % 4;
-      const Surfel* const surfel = map.find(place, finest, remembered);
+      const Eigen::Vector3d ray = step % 7 < 3 ? place - kSensor : random.vector(1.0);
+      const Surfel* const surfel = map.find(place, ray, finest, remembered);
       SurfelMap::Place fresh;
-      ASSERT_EQ(surfel, map.find(place, finest, fresh));
+      ASSERT_EQ(surfel, map.find(place, ray, finest, fresh));
       EXPECT_EQ(remembered.level, fresh.level);
       ++(surfel != nullptr ? hits : misses);
     }
@@ -273,7 +301,7 @@ TEST(SurfelMap, TheWorldMayLieKilometresAway) {
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d place(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(0, 3));
     const Surfel* const a = find(near, place);
-    const Surfel* const b = find(far, place + shift);
+    const Surfel* const b = find(far, place + shift, 0, kSensor + shift);
     ASSERT_EQ(a == nullptr, b == nullptr);
     if (a == nullptr) continue;
     ++found;
