@@ -37,6 +37,12 @@ Config::Deskew along_trajectory() {
   return deskew;
 }
 
+// The dependence among residuals is a fading mean, too.
+constexpr double kDependenceRate = 0.1;
+// The knots and the map take up most of what neighbours share; what is left over in their residuals
+// is about a quarter of the variance. From the normalised errors of 1 m motions (docs/method.md).
+constexpr double kTakenUp = 4.0;
+
 /// The residuals' variance as a share of the one that was assumed (reduced chi squared).
 double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
   return found.rigid.weighted_squares / (config.independence * std::max(found.matches, 1));
@@ -49,7 +55,8 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       config_(session.config),
       map_(config_.knots, config_.map.radius),
       model_(config_.knots),
-      choice_(config_.knots.points) {}
+      choice_(config_.knots.points),
+      dependence_(1.0 / config_.knots.independence) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   session_.begin_step(Step::downsample);
@@ -65,6 +72,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
   Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
   // Also of a lost scan: a lasting change of the scene is the usual in the end.
+  dependence_ += kDependenceRate * (found.dependence - dependence_);
   usual_misfit_ += (first_scan_ ? 1.0 : kMisfitRate) * (found.misfit - usual_misfit_);
   if (!estimate.trusted()) return lose(scan, thinned, predicted, std::move(estimate));
 
@@ -80,25 +88,24 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 }
 
 /// Most scans need one registration. One that ends worse than usual is tried again, more slowly and
-/// also from the mean velocity: after a stumble the last velocity foretells nothing.
+/// from farther away; also from the mean velocity, since after a stumble the last velocity
+/// foretells nothing.
 KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
                                                    const KnotWindow& predicted) const {
-  const Config::Knots& knots = config_.knots;
   const auto attempt = [&](const KnotWindow& start, const Annealing& annealing) {
     for (KnotPoints::Point& point : points.points) point.place = {};
-    return register_knots(points, map_, start, end_.prior, model_, annealing, knots,
+    return register_knots(points, map_, start, end_.prior, model_, annealing, config_.knots,
                           session_.workers, session_.begin_step);
   };
-  KnotRegistration best = attempt(predicted, {knots.kernel_decay, knots.max_iterations});
+  KnotRegistration best = attempt(predicted, usual_annealing(config_.knots));
   if (best.converged && best.misfit < kSuspicious * usual_misfit_) return best;
-  const Annealing slower{std::sqrt(knots.kernel_decay), 2 * knots.max_iterations};
   KnotWindow steady = predicted;
   const Twist mean = model_.mean(end_.prior.means[1].rotation);
   for (std::size_t k = 2; k < steady.knots.size(); ++k) {
     steady.knots[k] = displaced(steady.knots[k - 1], steady.step * mean);
   }
   for (const KnotWindow& start : {predicted, steady}) {
-    KnotRegistration other = attempt(start, slower);
+    KnotRegistration other = attempt(start, patient_annealing(config_.knots));
     if (other.solved && (!best.solved || other.misfit < best.misfit)) best = std::move(other);
   }
   return best;
@@ -160,7 +167,9 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   estimate.status = verdict.status;
   estimate.message = std::move(verdict.message);
   if (verdict.status != Status::ok) return estimate;
-  estimate.covariance = residual_variance(found, config_.knots) * found.mid_covariance();
+  // The weights assumed a share of independent residuals; the covariance goes by the measured one.
+  estimate.covariance = config_.knots.independence * kTakenUp * dependence_ *
+                        residual_variance(found, config_.knots) * found.mid_covariance();
   report_weak_directions(found.rigid, found.squared_distance, rigid.T_map_lidar, config_.health,
                          estimate);
   return estimate;
@@ -206,8 +215,7 @@ Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
   const Config::Knots& knots = config_.knots;
   const KnotRegistration found = register_knots(
       points, map_, standing, at_rest(middle, elapsed), VelocityModel(knots, kAnyFluctuation),
-      {std::sqrt(knots.kernel_decay), 2 * knots.max_iterations}, knots, session_.workers,
-      session_.begin_step);
+      patient_annealing(knots), knots, session_.workers, session_.begin_step);
   if (!found.solved || found.matches < config_.health.min_matches) return Twist::Zero();
   return found.window.mean_velocity();
 }

@@ -62,6 +62,7 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<StampedPose> last_pose_;
   Twist velocity_ = Twist::Zero();
   double usual_misfit_ = 1.0;
+  double dependence_;
   std::optional<PreparedScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "knots/knot_registration.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -25,6 +27,8 @@ struct SegmentSum {
   double squared_distance = 0.0;
   double misfit = 0.0;  // sum over points, each 0 to 1
   int matches = 0;
+  // Gradients of neighbours: of the segment's surfels that face along x, y and z.
+  std::array<Twist, 3> neighbours = {Twist::Zero(), Twist::Zero(), Twist::Zero()};
 
   void add(const Twist& J, double residual, double u, double w) {
     const Matrix6 JJ = w * J * J.transpose();
@@ -35,6 +39,9 @@ struct SegmentSum {
     last_gradient += u * w * residual * J;
     weight += w;
     weighted_squares += w * residual * residual;
+    int axis = 0;
+    J.head<3>().cwiseAbs().maxCoeff(&axis);
+    neighbours[static_cast<std::size_t>(axis)] += w * residual * J;
   }
 };
 
@@ -134,6 +141,23 @@ void add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& 
   system.add(1, gradient.tail<6>());
 }
 
+/// How much more the sums of neighbours' residuals vary than they would were all residuals
+/// independent: the clusters' outer products B against s^2 H.
+double dependence_of(const std::vector<SegmentSum>& sums, const NormalEquations<6>& rigid,
+                     int matches, double independence) {
+  Matrix6 B = Matrix6::Zero();
+  for (const SegmentSum& sum : sums) {
+    for (const Twist& gradient : sum.neighbours) B += gradient * gradient.transpose();
+  }
+  const double variance = rigid.weighted_squares / std::max(matches, 1);
+  const Eigen::LDLT<Matrix6> solver(rigid.H);
+  if (variance <= 0.0 || solver.info() != Eigen::Success || !solver.isPositive()) {
+    return 1.0 / independence;
+  }
+  const double ratio = solver.solve(B).trace() / (6.0 * variance);
+  return std::isfinite(ratio) ? ratio : 1.0 / independence;
+}
+
 /// Moves the knots; returns the largest change of one of the new scan's, or none if no robot can
 /// have moved so.
 std::optional<double> move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
@@ -168,6 +192,14 @@ KnotPrior KnotRegistration::last_two() const {
   return {{window.knots[a], window.knots[b]}, 0.5 * (information + information.transpose())};
 }
 
+Annealing usual_annealing(const Config::Knots& config) {
+  return {config.kernel_start, config.kernel_decay, config.max_iterations};
+}
+
+Annealing patient_annealing(const Config::Knots& config) {
+  return {2.0 * config.kernel_start, std::sqrt(config.kernel_decay), 2 * config.max_iterations};
+}
+
 KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
                                 const KnotWindow& predicted, const KnotPrior& prior,
                                 const VelocityModel& model, const Annealing& annealing,
@@ -177,7 +209,7 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
   result.window = predicted;
   const Eigen::Quaterniond& heading = prior.means[1].rotation;
   std::vector<SegmentSum> sums(predicted.segments());
-  double kernel = config.kernel_start;
+  double kernel = annealing.start;
   for (int t = 1; t <= annealing.max_iterations; ++t) {
     begin_step(Step::search);
     const double ratio = std::max(kernel / config.kernel_end, 1.0);
@@ -201,6 +233,7 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     result.converged = ratio <= 1.0 && *change < config.convergence;
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
+      result.dependence = dependence_of(sums, result.rigid, result.matches, config.independence);
       return result;
     }
     kernel *= annealing.decay;

@@ -16,9 +16,14 @@ namespace surefoot {
 
 /// How the robust kernel narrows.
 struct Annealing {
+  double start;  ///< [m] its first scale
   double decay;  ///< factor on its scale per iteration
   int max_iterations;
 };
+
+[[nodiscard]] Annealing usual_annealing(const Config::Knots& config);
+/// From farther away and in smaller steps, for what the usual one loses.
+[[nodiscard]] Annealing patient_annealing(const Config::Knots& config);
 
 /// Where the registration of a window ended.
 struct KnotRegistration {
@@ -29,6 +34,7 @@ struct KnotRegistration {
   int iterations = 0;
   int matches = 0;
   double misfit = 1.0;            ///< 0: every point lies on its surfel; 1: no point near any
+  double dependence = 1.0;        ///< of neighbours' residuals: so many count as one
   NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
   double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches
 

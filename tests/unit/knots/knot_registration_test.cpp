@@ -97,8 +97,7 @@ KnotRegistration register_from(const KnotWindow& start, const KnotPrior& prior,
                                const Config::Knots& config = Config().knots, int threads = 1) {
   KnotPoints points = scan_points();
   return register_knots(points, true_map(), start, prior, VelocityModel(config),
-                        {config.kernel_decay, config.max_iterations}, config, Workers(threads),
-                        kNobody);
+                        usual_annealing(config), config, Workers(threads), kNobody);
 }
 
 struct KnotError {
@@ -261,7 +260,7 @@ TEST(KnotRegistration, WithoutAMapThePredictionStays) {
   KnotPoints points = scan_points();
   const KnotRegistration found =
       register_knots(points, empty, start, prior_at(start, 0.01), VelocityModel(config),
-                     {config.kernel_decay, config.max_iterations}, config, Workers(1), kNobody);
+                     usual_annealing(config), config, Workers(1), kNobody);
   EXPECT_TRUE(found.solved);
   EXPECT_EQ(found.matches, 0);
   EXPECT_EQ(found.misfit, 1.0);

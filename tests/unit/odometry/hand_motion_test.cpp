@@ -79,8 +79,7 @@ KnotRegistration find_motion(const Halves& halves) {
   KnotPoints points =
       sort_points(halves.scan, downsample_indices(halves.scan.points, config.map_voxel), still);
   return register_knots(points, map, still, at_rest(Pose(), step), VelocityModel(config),
-                        {std::sqrt(config.kernel_decay), 2 * config.max_iterations}, config,
-                        Workers(1), [](Step) {});
+                        patient_annealing(config), config, Workers(1), [](Step) {});
 }
 
 TEST(HandMotion, AScansKnotsDeskewItAsTheReferenceDoes) {
