@@ -65,7 +65,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
   if (first_scan_) begin_motion(scan, thinned);
   const KnotWindow predicted = predict(scan);
-  KnotPoints points = sort_points(scan, choice_.choose(scan, thinned), predicted);
+  KnotPoints points = sort_points(scan, choice_.choose(scan, thinned, session_.workers), predicted);
   const KnotRegistration found = register_scan_knots(points, predicted);
   session_.begin_step(Step::assess);
   const ScanTrajectory trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
@@ -208,7 +208,7 @@ Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
   const KnotWindow standing{
       {middle, middle, middle}, elapsed, elapsed, last_pose_->stamp_ns, mid_ns};
   KnotPoints points;
-  for (const std::uint32_t i : choice_.choose(scan, thinned)) {
+  for (const std::uint32_t i : choice_.choose(scan, thinned, session_.workers)) {
     points.points.push_back({scan.points[i].cast<double>(), 1.0, {}});
   }
   points.begins = {0, points.points.size()};

@@ -19,11 +19,12 @@ constexpr double kFinest = 0.05, kCoarsest = 3.0;
 }  // namespace
 
 std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
-                                               const std::vector<std::uint32_t>& candidates) {
+                                               const std::vector<std::uint32_t>& candidates,
+                                               const Workers& workers) {
   std::vector<Eigen::Vector3f> places;
   places.reserve(candidates.size());
   for (const std::uint32_t i : candidates) places.push_back(scan.points[i]);
-  std::vector<std::uint32_t> chosen = downsample_indices(places, voxel_);
+  std::vector<std::uint32_t> chosen = downsample_indices(places, voxel_, workers);
   const double excess = static_cast<double>(chosen.size()) / points_;
   voxel_ = std::clamp(voxel_ * std::sqrt(excess), kFinest, kCoarsest);
   for (std::uint32_t& i : chosen) i = candidates[i];

@@ -8,6 +8,7 @@
 
 #include "knots/knot_window.hpp"
 #include "knots/surfel_map.hpp"
+#include "odometry/parallel.hpp"
 #include "odometry/preprocess.hpp"
 
 namespace surefoot {
@@ -31,7 +32,8 @@ class PointChoice {
 
   /// `candidates` and the result are indices into the scan's points.
   [[nodiscard]] std::vector<std::uint32_t> choose(const PreparedScan& scan,
-                                                  const std::vector<std::uint32_t>& candidates);
+                                                  const std::vector<std::uint32_t>& candidates,
+                                                  const Workers& workers);
 
  private:
   int points_;
