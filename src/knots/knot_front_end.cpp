@@ -89,7 +89,8 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
 /// Most scans need one registration. One that ends worse than usual is tried again, more slowly and
 /// from farther away; also from the mean velocity, since after a stumble the last velocity
-/// foretells nothing.
+/// foretells nothing. One that would be lost is tried from several turns: runners turn by 30 deg a
+/// scan.
 KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
                                                    const KnotWindow& predicted) const {
   const auto attempt = [&](const KnotWindow& start, const Annealing& annealing) {
@@ -98,16 +99,13 @@ KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
                           session_.workers, session_.begin_step);
   };
   KnotRegistration best = attempt(predicted, usual_annealing(config_.knots));
-  if (best.converged && best.misfit < kSuspicious * usual_misfit_) return best;
-  KnotWindow steady = predicted;
-  const Twist mean = model_.mean(end_.prior.means[1].rotation);
-  for (std::size_t k = 2; k < steady.knots.size(); ++k) {
-    steady.knots[k] = displaced(steady.knots[k - 1], steady.step * mean);
-  }
-  for (const KnotWindow& start : {predicted, steady}) {
+  const auto also_from = [&](const KnotWindow& start) {
     KnotRegistration other = attempt(start, patient_annealing(config_.knots));
     if (other.solved && (!best.solved || other.misfit < best.misfit)) best = std::move(other);
-  }
+  };
+  if (best.converged && best.misfit < kSuspicious * usual_misfit_) return best;
+  also_from(predicted);
+  also_from(predicted.at_velocity(model_.mean(end_.prior.means[1].rotation)));
   return best;
 }
 

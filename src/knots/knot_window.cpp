@@ -27,6 +27,14 @@ Twist KnotWindow::velocity(std::size_t from_knot) const {
   return difference(knots[from_knot + 1], knots[from_knot]) / duration(from_knot);
 }
 
+KnotWindow KnotWindow::at_velocity(const Twist& velocity) const {
+  KnotWindow moved = *this;
+  for (std::size_t k = 2; k < knots.size(); ++k) {
+    moved.knots[k] = displaced(moved.knots[k - 1], step * velocity);
+  }
+  return moved;
+}
+
 Twist KnotWindow::mean_velocity() const {
   return difference(knots.back(), knots[1]) / (static_cast<double>(segments()) * step);
 }

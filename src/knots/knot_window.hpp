@@ -27,6 +27,8 @@ struct KnotWindow {
   }
   /// Velocity from a knot to the next, in the map's axes [m/s, rad/s].
   [[nodiscard]] Twist velocity(std::size_t from_knot) const;
+  /// The new scan's knots moved on at one velocity.
+  [[nodiscard]] KnotWindow at_velocity(const Twist& velocity) const;
   /// Mean velocity over the new scan, likewise.
   [[nodiscard]] Twist mean_velocity() const;
   /// The new scan's motion.

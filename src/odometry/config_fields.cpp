@@ -135,7 +135,7 @@ const ConfigField kFields[] = {
      "variance across a plane at most, as a share of that along it", kMethod},
     {"knots.slenderness", SLOT(knots.slenderness), "0.1", "", 0.0, 1.0,
      "variance across a pole at most, as a share of that along it", kMethod},
-    {"knots.edge_on", SLOT(knots.edge_on), "0.03", "", 0.0, 1.0,
+    {"knots.edge_on", SLOT(knots.edge_on), "0.06", "", 0.0, 1.0,
      "sine of the angle to a plane at which its points were seen, at least (RMS): below, it is the "
      "plane that one ring sweeps",
      kMethod},
