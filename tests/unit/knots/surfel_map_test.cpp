@@ -31,6 +31,7 @@ Config::Knots knots_config() {
   config.breadth = 0.1;
   config.flatness = 0.06;
   config.slenderness = 0.1;
+  config.edge_on = 0.03;
   return config;
 }
 
