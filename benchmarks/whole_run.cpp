@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // whole_run [RECORDING]: time per scan of a whole run, processor and wall, with one thread and with
-// two; peak memory; and whether every number of threads gave the same bits. Without a recording it
+// two; memory; and whether every number of threads gave the same bits. Without a recording it
 // walks over the simulated campus. Reading and simulating are not timed. Exit codes: 0, 1 if bits
 // differ, 2 for wrong usage or bad input.
 #include <fmt/format.h>
@@ -38,17 +38,28 @@ namespace {
 using ScanSource = std::function<std::optional<Scan>()>;
 
 struct Arguments {
-  std::string method = "surefoot";
+  std::vector<std::string> methods = {"surefoot"};
   std::string recording;
   std::size_t scans = 600;
   std::vector<int> threads = {1, 2};
 };
 
+/// The campus walk, all of it beforehand: while it lives, its ray caster (Embree) holds oneTBB to
+/// one thread in the whole process.
+std::vector<Scan> simulate_walk(std::size_t count) {
+  SimulatedWalk walk(campus(), WalkOptions{.scans = count});
+  std::vector<Scan> scans;
+  while (std::optional<Scan> scan = walk.next()) scans.push_back(std::move(*scan));
+  return scans;
+}
+
 /// From the first scan again. Files that cannot be read and partial revolutions are left out.
-ScanSource open_source(const Arguments& arguments) {
+ScanSource open_source(const Arguments& arguments, const std::vector<Scan>& walk) {
   if (arguments.recording.empty()) {
-    auto walk = std::make_shared<SimulatedWalk>(campus(), WalkOptions{.scans = arguments.scans});
-    return [walk] { return walk->next(); };
+    return [&walk, next = std::size_t{0}]() mutable -> std::optional<Scan> {
+      if (next == walk.size()) return std::nullopt;
+      return walk[next++];
+    };
   }
   std::shared_ptr<dataset::Recording> recording = dataset::open_recording(arguments.recording);
   return [recording]() -> std::optional<Scan> {
@@ -63,7 +74,7 @@ struct Measured {
   std::vector<Estimate> estimates;   ///< of all scans
   std::vector<double> wall_ms;       ///< of all scans but the first
   std::vector<double> processor_ms;  ///< of these, all threads together
-  double peak_megabytes = 0.0;       ///< resident, with the scene or the reader
+  double peak_megabytes = 0.0;       ///< resident, with the reader and the simulated walk
 };
 
 /// The first scan only begins the map; its time would be the minimum and tell nothing.
@@ -80,9 +91,10 @@ void measure_scan(Odometry& odometry, const Scan& scan, Measured& measured) {
                                   CLOCKS_PER_SEC);
 }
 
-Measured measure_run(const Arguments& arguments, int threads) {
-  const ScanSource next_scan = open_source(arguments);
-  Odometry odometry(method_config(arguments.method), threads);
+Measured measure_run(const Arguments& arguments, const std::vector<Scan>& walk,
+                     const std::string& method, int threads) {
+  const ScanSource next_scan = open_source(arguments, walk);
+  Odometry odometry(method_config(method), threads);
   Measured measured;
   while (measured.estimates.size() < arguments.scans) {
     const std::optional<Scan> scan = next_scan();
@@ -107,44 +119,50 @@ double quantile(std::vector<double> values, double share) {
 void print_head(const Arguments& arguments, const Measured& measured) {
   std::vector<double> points;
   for (const Estimate& estimate : measured.estimates) points.push_back(estimate.points);
+  fmt::print("machine    {}, {} cores\n", app::processor_name(), app::processor_cores());
+  fmt::print("recording  {}: {} scans, {:.0f} valid points in the median one\n",
+             arguments.recording.empty() ? "simulated campus" : arguments.recording, points.size(),
+             quantile(points, 0.5));
+  fmt::print("{:16}   {:7} | {:^26} | {:^26} | {:>7} | {:>6} | {:>7}\n", "", "",
+             "wall time [ms/scan]", "processor time [ms/scan]", "", "memory", "not");
+  fmt::print("{0:16} | {1:7} | {2:>8} {3:>8} {4:>8} | {2:>8} {3:>8} {4:>8} | {5} | {6:>6} | {7}\n",
+             "method", "threads", "min", "median", "p99", "scans/s", "[MB]", "trusted");
+}
+
+/// Memory beyond `before` [MB], which the walk takes.
+void print_row(const std::string& method, int threads, const Measured& measured, double before) {
+  const double seconds =
+      1e-3 * std::accumulate(measured.wall_ms.begin(), measured.wall_ms.end(), 0.0);
   const auto untrusted =
       std::count_if(measured.estimates.begin(), measured.estimates.end(),
                     [](const Estimate& estimate) { return !estimate.trusted(); });
-  fmt::print("machine    {}, {} cores\n", app::processor_name(), app::processor_cores());
-  fmt::print("recording  {}: {} scans, {:.0f} valid points in the median one; {} not trusted\n",
-             arguments.recording.empty() ? "simulated campus" : arguments.recording, points.size(),
-             quantile(points, 0.5), untrusted);
-  fmt::print("{:7} | {:^26} | {:^26} | {:>7} | {:>9}\n", "", "wall time [ms/scan]",
-             "processor time [ms/scan]", "", "peak RSS");
-  fmt::print("{0:7} | {1:>8} {2:>8} {3:>8} | {1:>8} {2:>8} {3:>8} | {4:>7} | {5:>9}\n", "threads",
-             "min", "median", "p99", "scans/s", "[MB]");
-}
-
-void print_row(int threads, const Measured& measured) {
-  const double seconds =
-      1e-3 * std::accumulate(measured.wall_ms.begin(), measured.wall_ms.end(), 0.0);
-  fmt::print("{:7} |", threads);
+  fmt::print("{:16} | {:7} |", method, threads);
   for (const std::vector<double>* times : {&measured.wall_ms, &measured.processor_ms}) {
     for (const double share : {0.0, 0.5, 0.99}) fmt::print(" {:8.2f}", quantile(*times, share));
     fmt::print(" |");
   }
-  fmt::print(" {:7.0f} | {:9.0f}\n", static_cast<double>(measured.wall_ms.size()) / seconds,
-             measured.peak_megabytes);
+  fmt::print(" {:7.0f} | {:6.0f} | {:7}\n", static_cast<double>(measured.wall_ms.size()) / seconds,
+             measured.peak_megabytes - before, untrusted);
   std::fflush(stdout);
 }
 
-/// Returns whether all runs agree in every bit.
+/// Returns whether all runs of each method agree in every bit.
 bool run_all(const Arguments& arguments) {
-  std::vector<Estimate> first;
+  std::vector<Scan> walk;
+  if (arguments.recording.empty()) walk = simulate_walk(arguments.scans);
+  const double before = resident_megabytes();
   bool same = true;
-  for (const int threads : arguments.threads) {
-    const Measured measured = measure_run(arguments, threads);
-    if (first.empty()) {
-      print_head(arguments, measured);
-      first = measured.estimates;
+  for (const std::string& method : arguments.methods) {
+    std::vector<Estimate> first;
+    for (const int threads : arguments.threads) {
+      const Measured measured = measure_run(arguments, walk, method, threads);
+      if (first.empty()) {
+        if (method == arguments.methods.front()) print_head(arguments, measured);
+        first = measured.estimates;
+      }
+      print_row(method, threads, measured, before);
+      same = same && test::same_bits(first, measured.estimates);
     }
-    print_row(threads, measured);
-    same = same && test::same_bits(first, measured.estimates);
   }
   fmt::print("same bits: {}\n", same ? "yes" : "NO");
   return same;
@@ -159,7 +177,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Time per scan of a whole run"};
   app.add_option("recording", arguments.recording,
                  "Folder of scans or capture; absent: a walk over the simulated campus");
-  app.add_option("--method", arguments.method, "As surefoot run's")->capture_default_str();
+  app.add_option("--method", arguments.methods, "As surefoot run's; several in turn")
+      ->capture_default_str();
   app.add_option("--scans", arguments.scans, "At most this many")
       ->check(CLI::Range(2, 1'000'000))
       ->capture_default_str();
