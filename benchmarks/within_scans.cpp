@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// within_scans RECORDING... [--method M]: what a trajectory file does not show. How well the motion
+// within each scan is known (attitude and deskewing, relative to mid-scan), and whether the
+// covariances tell the truth. Needs gt.tum in each folder. Exit codes: 0, 2 for bad input.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/recording.hpp"
+#include "dataset/trajectory_files.hpp"
+#include "evaluation/association.hpp"
+#include "geometry/so3.hpp"
+#include "surefoot/odometry.hpp"
+
+namespace surefoot::benchmarks {
+
+namespace {
+
+constexpr int kInstants = 9;       // of a scan, its ends included
+constexpr double kRange = 8.0;     // [m] of the points whose deskewing is judged
+constexpr double kMotion = 1.0;    // [m] of the motions whose covariance is judged
+constexpr std::size_t kLearn = 4;  // scans at first that do not count
+// 2.5, 50 and 97.5 % of chi squared with six degrees of freedom.
+constexpr double kLower = 1.237, kMiddle = 5.348, kUpper = 14.449;
+
+/// One scan, estimated and true.
+struct Pair {
+  Estimate estimate;
+  std::array<Pose, kInstants> truth;
+
+  [[nodiscard]] const Pose& middle() const { return truth[kInstants / 2]; }
+};
+
+std::int64_t instant(const ScanTrajectory& scan, int i) {
+  return scan.start_ns() + (scan.end_ns() - scan.start_ns()) * i / (kInstants - 1);
+}
+
+std::vector<Pair> run(const std::string& recording, const std::string& method) {
+  const Trajectory truth = dataset::read_tum(std::filesystem::path(recording) / "gt.tum");
+  const auto true_pose = [&truth](std::int64_t stamp) -> std::optional<Pose> {
+    if (stamp < truth.front().stamp_ns || stamp > truth.back().stamp_ns) return std::nullopt;
+    return evaluation::associate(truth, {{stamp, {}}},
+                                 {.method = evaluation::AssociationMethod::kInterpolate})
+        .reference.front()
+        .pose;
+  };
+  Odometry odometry(method_config(method));
+  std::vector<Pair> pairs;
+  const auto scans = dataset::open_recording(recording);
+  while (const auto item = scans->next()) {
+    if (!item->scan || !item->remark.empty()) continue;
+    Pair pair{odometry.add_scan(*item->scan), {}};
+    bool known = pair.estimate.trusted();
+    for (int i = 0; known && i < kInstants; ++i) {
+      const auto pose = true_pose(instant(pair.estimate.trajectory, i));
+      known = pose.has_value();
+      if (known) pair.truth[static_cast<std::size_t>(i)] = *pose;
+    }
+    if (known) pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+struct WithinScans {
+  double attitude = 0.0;   ///< [rad] RMS
+  double deskewing = 0.0;  ///< [m] RMS of points in the plane of the sensor
+};
+
+WithinScans within_scans(const std::vector<Pair>& pairs) {
+  double rotation = 0.0, points = 0.0;
+  int count = 0;
+  for (std::size_t n = kLearn; n < pairs.size(); ++n) {
+    const Estimate& estimate = pairs[n].estimate;
+    for (int i = 0; i < kInstants; ++i) {
+      const Pose found =
+          estimate.T_map_lidar.inverse() * estimate.pose_at(instant(estimate.trajectory, i));
+      const Pose real = pairs[n].middle().inverse() * pairs[n].truth[static_cast<std::size_t>(i)];
+      rotation += so3_log(real.rotation.conjugate() * found.rotation).squaredNorm();
+      for (const Eigen::Vector3d& side :
+           {Eigen::Vector3d(kRange, 0, 0), Eigen::Vector3d(-kRange, 0, 0),
+            Eigen::Vector3d(0, kRange, 0), Eigen::Vector3d(0, -kRange, 0)}) {
+        points += 0.25 * (found * side - real * side).squaredNorm();
+      }
+      ++count;
+    }
+  }
+  return {std::sqrt(rotation / std::max(count, 1)), std::sqrt(points / std::max(count, 1))};
+}
+
+/// The covariance of a pose in its own axes.
+Matrix6 in_lidar_axes(const Estimate& estimate) {
+  const Eigen::Matrix3d R = estimate.T_map_lidar.rotation.toRotationMatrix().transpose();
+  Matrix6 turn = Matrix6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R;
+  return turn * estimate.covariance * turn.transpose();
+}
+
+/// Normalised error squared of the motion between two scans, both poses' errors taken as
+/// independent.
+double normalised_error(const Pair& a, const Pair& b) {
+  const Pose found = a.estimate.T_map_lidar.inverse() * b.estimate.T_map_lidar;
+  const Twist error = se3_log((a.middle().inverse() * b.middle()).inverse() * found);
+  const Pose back = found.inverse();
+  const Eigen::Matrix3d R = back.rotation.toRotationMatrix();
+  Matrix6 adjoint = Matrix6::Zero();
+  adjoint << R, hat(back.translation) * R, Eigen::Matrix3d::Zero(), R;
+  const Matrix6 covariance =
+      in_lidar_axes(b.estimate) + adjoint * in_lidar_axes(a.estimate) * adjoint.transpose();
+  return error.dot(covariance.ldlt().solve(error));
+}
+
+/// Of every motion of kMotion, from every scan.
+std::vector<double> normalised_errors(const std::vector<Pair>& pairs) {
+  std::vector<double> errors;
+  for (std::size_t a = kLearn, b = kLearn; a < pairs.size(); ++a) {
+    const auto way = [&] {
+      return (pairs[b].middle().translation - pairs[a].middle().translation).norm();
+    };
+    b = a;
+    while (b + 1 < pairs.size() && way() < kMotion) ++b;
+    if (way() < kMotion) break;
+    errors.push_back(normalised_error(pairs[a], pairs[b]));
+  }
+  std::sort(errors.begin(), errors.end());
+  return errors;
+}
+
+double share_below(const std::vector<double>& sorted, double bound) {
+  const auto end = std::lower_bound(sorted.begin(), sorted.end(), bound);
+  return static_cast<double>(end - sorted.begin()) / static_cast<double>(sorted.size());
+}
+
+void print_row(const std::string& recording, const std::vector<Pair>& pairs) {
+  const WithinScans within = within_scans(pairs);
+  const std::vector<double> errors = normalised_errors(pairs);
+  fmt::print("| {} | {} | {:.1f} | {:.0f} |", std::filesystem::path(recording).filename().string(),
+             pairs.size(), 1e3 * within.attitude, 1e3 * within.deskewing);
+  if (errors.empty()) {
+    fmt::print(" – | – | – |\n");
+  } else {
+    const double below = share_below(errors, kUpper);
+    fmt::print(" {:.2f} | {:.0f} | {:.0f} |\n", errors[errors.size() / 2] / kMiddle, 100.0 * below,
+               100.0 * (below - share_below(errors, kLower)));
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+}  // namespace surefoot::benchmarks
+
+int main(int argc, char** argv) {
+  std::vector<std::string> recordings;
+  std::string method = "surefoot";
+  CLI::App app{"Motion within the scans and covariances against the truth"};
+  app.add_option("recordings", recordings, "Folders with gt.tum")->required();
+  app.add_option("--method", method, "As surefoot run's")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+    fmt::print(
+        "| recording | scans | attitude within the scan [mrad] | deskewing at 8 m [mm] | "
+        "normalised "
+        "error of 1 m, median over expected | below its 97.5 % bound [%] | between both "
+        "bounds [%] |\n|---|---|---|---|---|---|---|\n");
+    for (const std::string& recording : recordings) {
+      surefoot::benchmarks::print_row(recording, surefoot::benchmarks::run(recording, method));
+    }
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "within_scans: {}\n", error.what());
+    return 2;
+  }
+}
