@@ -49,8 +49,8 @@ enum class TargetKind {
   surface  ///< the nearest place on the surface about that point, where the map is flat there
 };
 
-/// The residual of the coupled registration.
-enum class CoupledResidual { point_to_point, point_to_plane };
+/// A registration's residual: eq. (13) or eq. (23).
+enum class Residual { point_to_point, point_to_plane };
 
 /// Where the level frame, in which "horizontal" and "vertical" are split, comes from.
 enum class LevelMode {
@@ -104,7 +104,7 @@ struct Config {
 
   struct Registration {
     RegistrationMode mode;
-    CoupledResidual coupled_residual;
+    Residual coupled_residual;
     TargetKind target;
     int max_iterations;
     double max_distance;      // d_max [m]
@@ -118,12 +118,14 @@ struct Config {
   } horizontal;
 
   struct Vertical {
+    Residual residual;
     int sub_iterations;       // U_V
     int min_neighbours;       // N_min
     double min_normal_z;      // tau_n
     double max_range;         // r_max [m]
     double near_distance;     // d_0 [m]
     double distance_decay;    // beta [1/m^2]
+    double normal_power;      // of |n_z| in eta; 0: all normals count alike
     double near_gate;         // epsilon_0 [m]
     double near_suppression;  // epsilon_s
     double kernel_scale;      // kappa_V [m]
@@ -162,8 +164,10 @@ struct Config {
     double kernel_end;        // [m] and at the end
     double kernel_decay;      // per iteration
     int max_iterations;
-    double convergence;  // [m, rad]
+    double convergence;   // [m, rad]
+    bool second_attempt;  // where the misfit is worse than usual
   } knots;
+
   // The baselines' parameters, under their originals' names.
 
   struct KissIcp {

@@ -99,6 +99,7 @@ KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
                           session_.workers, session_.begin_step);
   };
   KnotRegistration best = attempt(predicted, usual_annealing(config_.knots));
+  if (!config_.knots.second_attempt) return best;
   const auto also_from = [&](const KnotWindow& start) {
     KnotRegistration other = attempt(start, patient_annealing(config_.knots));
     if (other.solved && (!best.solved || other.misfit < best.misfit)) best = std::move(other);

@@ -38,10 +38,9 @@ EnumNames<TargetKind> enum_names(TargetKind) {
   return names;
 }
 
-EnumNames<CoupledResidual> enum_names(CoupledResidual) {
-  static constexpr std::pair<CoupledResidual, const char*> names[] = {
-      {CoupledResidual::point_to_point, "point_to_point"},
-      {CoupledResidual::point_to_plane, "point_to_plane"}};
+EnumNames<Residual> enum_names(Residual) {
+  static constexpr std::pair<Residual, const char*> names[] = {
+      {Residual::point_to_point, "point_to_point"}, {Residual::point_to_plane, "point_to_plane"}};
   return names;
 }
 EnumNames<LevelMode> enum_names(LevelMode) {

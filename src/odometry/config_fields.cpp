@@ -94,6 +94,8 @@ const ConfigField kFields[] = {
     {"horizontal.kernel_scale", SLOT(horizontal.kernel_scale), "0.3", "m", 1e-4, 100.0,
      "kappa_H: scale of the robust weight, eq. (19)", kSweep},
 
+    {"vertical.residual", SLOT(vertical.residual), "point_to_plane", "", 0, 0,
+     "residual of the vertical stage: eq. (23), or to compare with eq. (13)", "paper, section 3.3"},
     {"vertical.sub_iterations", SLOT(vertical.sub_iterations), "2", "", 0, 50,
      "U_V: vertical updates per outer iteration", kSweep},
     {"vertical.min_neighbours", SLOT(vertical.min_neighbours), "8", "", 3, 1000,
@@ -106,6 +108,8 @@ const ConfigField kFields[] = {
      "d_0: up to here a point counts in full, eqs. (28), (31)", kSweep},
     {"vertical.distance_decay", SLOT(vertical.distance_decay), "0.1", "1/m^2", 0.0, 100.0,
      "beta: decay of the weight beyond d_0, eq. (28)", kSweep},
+    {"vertical.normal_power", SLOT(vertical.normal_power), "1", "", 0.0, 10.0,
+     "power of |n_z| in eta, eq. (29); 0: every normal counts alike", "paper, section 3.4"},
     {"vertical.near_gate", SLOT(vertical.near_gate), "0.3", "m", 1e-4, 10.0,
      "epsilon_0: larger near residuals are suppressed, eq. (31)", kSweep},
     {"vertical.near_suppression", SLOT(vertical.near_suppression), "0.05", "", 0.0, 1.0,
@@ -162,6 +166,8 @@ const ConfigField kFields[] = {
      kMethod},
     {"knots.convergence", SLOT(knots.convergence), "0.001", "m, rad", 0.0, 1.0,
      "stop when no knot moves by more, once the kernel is at its end", kMethod},
+    {"knots.second_attempt", SLOT(knots.second_attempt), "true", "", 0, 0,
+     "try a registration with an unusual misfit again, more slowly", kMethod},
 
     {"health.min_matches", SLOT(health.min_matches), "30", "", 6, 1e6,
      "fewer correspondences: the scan is not registered", kChosen},

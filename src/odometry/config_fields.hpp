@@ -12,8 +12,8 @@
 namespace surefoot {
 
 /// Where a parameter lives in a Config.
-using FieldSlot = std::variant<double*, int*, bool*, DeskewMode*, RegistrationMode*,
-                               CoupledResidual*, TargetKind*, LevelMode*, IcpTarget*>;
+using FieldSlot = std::variant<double*, int*, bool*, DeskewMode*, RegistrationMode*, Residual*,
+                               TargetKind*, LevelMode*, IcpTarget*>;
 
 struct ConfigField {
   const char* name;

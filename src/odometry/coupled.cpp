@@ -12,7 +12,7 @@ NormalEquations<6> coupled_equations(Source& source, const LocalMap& map, const 
                                      const Config& config, const Workers& workers) {
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   const Eigen::Vector3d& sensor = T_map_lidar.translation;
-  const bool planes = config.registration.coupled_residual == CoupledResidual::point_to_plane;
+  const bool planes = config.registration.coupled_residual == Residual::point_to_plane;
   const double kappa = config.horizontal.kernel_scale;
   return workers.sum<NormalEquations<6>>(source.points.size(), [&](std::size_t begin,
                                                                    std::size_t end) {

@@ -13,13 +13,15 @@ double distance_observability(double distance, const Config::Vertical& config) {
   return 1.0 / (1.0 + beta * (distance - d_0) * (distance - d_0));
 }
 
-double normal_observability(const Eigen::Vector3d& normal) {
-  return std::abs(normal.z());  // [Eq 29]
+double normal_observability(const Eigen::Vector3d& normal, const Config::Vertical& config) {
+  const double eta = std::abs(normal.z());  // [Eq 29]
+  return config.normal_power == 1.0 ? eta : std::pow(eta, config.normal_power);
 }
 
 double observability(double distance, const Eigen::Vector3d& normal,
                      const Config::Vertical& config) {
-  return distance_observability(distance, config) * normal_observability(normal);  // [Eq 30]
+  return distance_observability(distance, config) *
+         normal_observability(normal, config);  // [Eq 30]
 }
 
 double robust_term(double distance, double residual, const Config::Vertical& config) {

@@ -13,7 +13,8 @@ namespace surefoot {
 /// gamma(d): trust in a point `distance` [m] from the sensor, eq. (28).
 [[nodiscard]] double distance_observability(double distance, const Config::Vertical& config);
 /// eta(n): how well a surface of this unit normal constrains the vertical state, eq. (29).
-[[nodiscard]] double normal_observability(const Eigen::Vector3d& normal);
+[[nodiscard]] double normal_observability(const Eigen::Vector3d& normal,
+                                          const Config::Vertical& config);
 /// Omega = gamma * eta, eq. (30).
 [[nodiscard]] double observability(double distance, const Eigen::Vector3d& normal,
                                    const Config::Vertical& config);

@@ -10,9 +10,10 @@ namespace surefoot {
 
 namespace {
 
-/// J^V S_V: the columns of z, roll and pitch, eqs. (25)-(26).
-Eigen::Matrix<double, 1, 3> select_vertical(const Eigen::Matrix<double, 1, 6>& J) {
-  return J.segment<3>(2);  // [Eq 25] and [Eq 26]
+/// J^V S_V: the columns of z, roll and pitch, eqs. (25)-(26); so too of J^p.
+template <int Rows>
+Eigen::Matrix<double, Rows, 3> select_vertical(const Eigen::Matrix<double, Rows, 6>& J) {
+  return J.template middleCols<3>(2);  // [Eq 25] and [Eq 26]
 }
 
 }  // namespace
@@ -37,11 +38,17 @@ NormalEquations<3> vertical_equations(Source& source, const LocalMap& map, const
           const Surface& surface = surface_at(map, s + sensor, source.surfaces[i]);
           if (!valid_vertical(surface, d, config)) continue;
           const Eigen::Vector3d& n = surface.normal;
-          const Eigen::Matrix<double, 1, 1> r(n.dot(s - q));  // [Eq 23]
           const double omega = observability(d, n, config);
+          sum.observability += omega;
+          if (config.residual == Residual::point_to_point) {
+            const Eigen::Vector3d r = s - q;
+            const double w = robust_term(d, r.norm(), config) * omega;
+            sum.add<3>(select_vertical(point_jacobian(s)), r, w);
+            continue;
+          }
+          const Eigen::Matrix<double, 1, 1> r(n.dot(s - q));        // [Eq 23]
           const double w = robust_term(d, r[0], config) * omega;    // [Eq 32]
           sum.add<1>(select_vertical(plane_jacobian(s, n)), r, w);  // [Eq 33]
-          sum.observability += omega;
         }
         return sum;
       });

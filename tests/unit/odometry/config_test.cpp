@@ -103,6 +103,7 @@ TEST(Config, EveryWordOfAChoiceComesBack) {
       {"deskew.mode", {"none", "constant_velocity", "piecewise"}},
       {"registration.mode", {"decoupled", "coupled"}},
       {"registration.coupled_residual", {"point_to_point", "point_to_plane"}},
+      {"vertical.residual", {"point_to_point", "point_to_plane"}},
       {"level.mode", {"ground", "mount", "none"}}};
   for (const auto& [name, words] : choices) {
     for (const char* word : words) {

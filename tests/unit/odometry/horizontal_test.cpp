@@ -123,7 +123,7 @@ TEST(Horizontal, ADirectionThatNothingConstrainsStays) {
 
 TEST(Coupled, PointToPointEqualsTheDenseSumWithItsFourBlocks) {
   Scene scene;
-  scene.config.registration.coupled_residual = CoupledResidual::point_to_point;
+  scene.config.registration.coupled_residual = Residual::point_to_point;
   Matrix6 H = Matrix6::Zero();
   Twist g = Twist::Zero();
   for (const DenseRow& row : dense_rows(scene)) {
@@ -153,7 +153,7 @@ TEST(Coupled, PointToPointEqualsTheDenseSumWithItsFourBlocks) {
 
 TEST(Coupled, PointToPlaneEqualsTheDenseSum) {
   Scene scene;
-  scene.config.registration.coupled_residual = CoupledResidual::point_to_plane;
+  scene.config.registration.coupled_residual = Residual::point_to_plane;
   Matrix6 H = Matrix6::Zero();
   Twist g = Twist::Zero();
   std::size_t next = 0;

@@ -33,10 +33,23 @@ TEST(Observability, DistanceTermIsOneUpToTheNearDistanceAndDecaysBeyond) {
 }
 
 TEST(Observability, NormalTermIsTheUprightPartOfEitherSign) {
-  EXPECT_EQ(normal_observability({0.0, 0.0, 1.0}), 1.0);
-  EXPECT_EQ(normal_observability({0.0, 0.0, -1.0}), 1.0);
-  EXPECT_EQ(normal_observability({1.0, 0.0, 0.0}), 0.0);
-  EXPECT_EQ(normal_observability({0.6, 0.0, -0.8}), 0.8);
+  const Config::Vertical c = weights_config();
+  EXPECT_EQ(normal_observability({0.0, 0.0, 1.0}, c), 1.0);
+  EXPECT_EQ(normal_observability({0.0, 0.0, -1.0}, c), 1.0);
+  EXPECT_EQ(normal_observability({1.0, 0.0, 0.0}, c), 0.0);
+  EXPECT_EQ(normal_observability({0.6, 0.0, -0.8}, c), 0.8);
+}
+
+TEST(Observability, NormalPowerFlattensOrSharpensTheNormalTerm) {
+  Config::Vertical c = weights_config();
+  c.normal_power = 0.0;  // off, also for a wall
+  EXPECT_EQ(normal_observability({0.6, 0.0, -0.8}, c), 1.0);
+  EXPECT_EQ(normal_observability({1.0, 0.0, 0.0}, c), 1.0);
+  c.normal_power = 0.5;
+  EXPECT_DOUBLE_EQ(normal_observability({0.0, 0.6, 0.8}, c), std::sqrt(0.8));
+  c.normal_power = 2.0;
+  EXPECT_DOUBLE_EQ(normal_observability({0.6, 0.0, -0.8}, c), 0.64);
+  EXPECT_DOUBLE_EQ(observability(15.0, {0.6, 0.0, -0.8}, c), 0.5 * 0.64);
 }
 
 TEST(Observability, ScoreIsTheProduct) {

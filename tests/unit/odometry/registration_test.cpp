@@ -205,7 +205,7 @@ TEST(Registration, TooFewMatchesLeaveThePredictionUntouched) {
 }
 
 TEST(Registration, CoupledConvergesToo) {
-  for (const auto residual : {CoupledResidual::point_to_point, CoupledResidual::point_to_plane}) {
+  for (const auto residual : {Residual::point_to_point, Residual::point_to_plane}) {
     Scene scene;
     scene.config.registration.mode = RegistrationMode::coupled;
     scene.config.registration.coupled_residual = residual;

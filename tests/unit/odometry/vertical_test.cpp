@@ -84,6 +84,37 @@ TEST(Vertical, NormalEquationsEqualTheDenseSum) {
   EXPECT_LT((sum.solve() + H.inverse() * g).norm(), 1e-9);
 }
 
+// The same correspondences and weights with the whole residual of eq. (13) in its place.
+TEST(Vertical, PointToPointResidualsEqualTheDenseSum) {
+  Scene scene;
+  Config::Vertical& c = scene.config.vertical;
+  const int planes = vertical_equations(scene.source, scene.map, scene.T, c, Workers(1)).count;
+  c.residual = Residual::point_to_point;
+  Eigen::Matrix<double, 6, 3> S_V;
+  S_V << 0, 0, 0, /**/ 0, 0, 0, /**/ 1, 0, 0, /**/ 0, 1, 0, /**/ 0, 0, 1, /**/ 0, 0, 0;
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < scene.source.points.size(); ++i) {
+    const Match& match = scene.source.matches[i];
+    if (!match.found) continue;
+    const Eigen::Vector3d place = scene.T * scene.source.points[i].cast<double>();
+    const Eigen::Vector3d s = place - scene.T.translation;
+    const Surface surface = scene.map.surface(scene.map.voxel_of(place));
+    if (!valid_vertical(surface, s.norm(), c)) continue;
+    Eigen::Matrix<double, 3, 6> J_p;
+    J_p << Eigen::Matrix3d::Identity(), -test::skew(s);
+    const Eigen::Matrix3d J = J_p * S_V;
+    const Eigen::Vector3d r = place - match.target;
+    const double w = paper_weight(s.norm(), r.norm(), surface.normal, c);
+    H += w * J.transpose() * J;
+    g += w * J.transpose() * r;
+  }
+  const auto sum = vertical_equations(scene.source, scene.map, scene.T, c, Workers(1));
+  EXPECT_EQ(sum.count, planes);
+  EXPECT_LT((sum.H - H).norm(), 1e-9 * H.norm());
+  EXPECT_LT((sum.g - g).norm(), 1e-9 * g.norm());
+}
+
 TEST(Vertical, ThreadsAndCachedSurfacesDoNotChangeABit) {
   Scene scene;
   const auto& c = scene.config.vertical;
