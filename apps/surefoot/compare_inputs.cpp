@@ -14,6 +14,7 @@
 #include "child_process.hpp"
 #include "dataset/file_writer.hpp"
 #include "interrupt.hpp"
+#include "simulation/standard_suite.hpp"
 
 namespace surefoot::app {
 
@@ -33,12 +34,22 @@ fs::path truth_of(const fs::path& recording) {
   return (fs::is_directory(recording) ? recording : recording.parent_path()) / kTruthName;
 }
 
+bool is_set_name(const std::string& suite) { return simulation::find_suite_set(suite) != nullptr; }
+
+/// Where a suite's recordings are: the folder that was given, or the one within the output folder.
+fs::path suite_folder(const CompareOptions& options, const std::string& suite) {
+  if (!is_set_name(suite)) return suite;
+  return options.output / fmt::format("suite-{}-{}", suite, SUREFOOT_VERSION);
+}
+
 /// Folders with a truth, in the order of their names.
 std::vector<fs::path> suite_recordings(const fs::path& folder) {
   if (!fs::is_directory(folder)) {
+    std::string sets;
+    for (const simulation::SuiteSet& set : simulation::kSuiteSets)
+      sets += fmt::format("{}, ", set.name);
     throw std::runtime_error(fmt::format(
-        "--suite {}: no such folder; expected tuning, reporting or a folder of recordings",
-        folder.string()));
+        "--suite {}: no such folder; expected {}or a folder of recordings", folder.string(), sets));
   }
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -55,8 +66,8 @@ std::vector<fs::path> suite_recordings(const fs::path& folder) {
 }
 
 void check_given(const CompareOptions& options) {
-  if (options.recordings.empty() && options.suite.empty()) {
-    throw std::runtime_error("compare: nothing to compare: expected recordings, or --suite");
+  if (options.recordings.empty() && options.suites.empty()) {
+    throw std::runtime_error("nothing to compare: expected recordings, or --suite");
   }
   if (!options.truths.empty() && options.truths.size() != options.recordings.size()) {
     throw std::runtime_error(fmt::format("--truth: {} files for {} recordings; expected one each",
@@ -106,8 +117,8 @@ std::vector<CompareInput> find_inputs(const CompareOptions& options) {
     truths.push_back(options.truths.empty() ? truth_of(paths.back())
                                             : absolute_path(options.truths[i]));
   }
-  if (!options.suite.empty()) {
-    for (const fs::path& path : suite_recordings(suite_folder(options))) {
+  for (const std::string& suite : options.suites) {
+    for (const fs::path& path : suite_recordings(suite_folder(options, suite))) {
       paths.push_back(path);
       truths.push_back(truth_of(path));
     }
@@ -124,13 +135,9 @@ std::vector<CompareInput> find_inputs(const CompareOptions& options) {
   return inputs;
 }
 
-bool is_suite_name(const std::string& suite) { return suite == "tuning" || suite == "reporting"; }
+namespace {
 
-fs::path suite_folder(const CompareOptions& options) {
-  if (!is_suite_name(options.suite)) return options.suite;
-  return options.output / fmt::format("suite-{}-{}", options.suite, SUREFOOT_VERSION);
-}
-
+/// Makes the set in the folder unless it is there; false if it was interrupted.
 bool make_suite(const std::string& seeds, const fs::path& folder, int jobs, bool quiet) {
   if (fs::exists(folder / kSuiteMark)) return true;
 #ifdef SUREFOOT_HAS_SIMULATION
@@ -161,6 +168,15 @@ bool make_suite(const std::string& seeds, const fs::path& folder, int jobs, bool
   throw std::runtime_error(fmt::format(
       "--suite {}: this program was built without the simulation that makes it", seeds));
 #endif
+}
+
+}  // namespace
+
+bool make_suites(const CompareOptions& options) {
+  return std::all_of(options.suites.begin(), options.suites.end(), [&](const std::string& suite) {
+    return !is_set_name(suite) ||
+           make_suite(suite, suite_folder(options, suite), options.jobs, options.quiet);
+  });
 }
 
 }  // namespace surefoot::app

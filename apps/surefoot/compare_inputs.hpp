@@ -30,12 +30,8 @@ struct CompareInput {
 /// Throws std::runtime_error for what does not exist, is given twice, or leaves nothing to compare.
 [[nodiscard]] std::vector<CompareInput> find_inputs(const CompareOptions& options);
 
-/// Makes the suite `tuning` or `reporting` in the folder, unless it is there.
+/// Makes those of --suite's sets that are named and not there yet, in the output folder.
 /// @returns false if it was interrupted. Throws std::runtime_error.
-[[nodiscard]] bool make_suite(const std::string& seeds, const std::filesystem::path& folder,
-                              int jobs, bool quiet);
-/// Where --suite's recordings are: the folder that was given, or the one within the output folder.
-[[nodiscard]] std::filesystem::path suite_folder(const CompareOptions& options);
-[[nodiscard]] bool is_suite_name(const std::string& suite);
+[[nodiscard]] bool make_suites(const CompareOptions& options);
 
 }  // namespace surefoot::app

@@ -20,16 +20,9 @@ void add_input_options(CLI::App& command, CompareOptions& options) {
                      "Folders or captures, as for 'surefoot run', with gt.tum in the folder");
   command.add_option("--truth", options.truths,
                      "True trajectories (TUM), one for each recording, instead of gt.tum");
-  command.add_option("--suite", options.suite,
-                     "All recordings in a folder made by 'surefoot suite'; or tuning or "
-                     "reporting: made in the output folder first, if not there yet");
-  command
-      .add_option("--methods", options.methods,
-                  fmt::format("Some of {}; with '+' and key=value to change parameters: "
-                              "paper,paper+deskew.segments=8",
-                              fmt::join(methods(), ", ")))
-      ->delimiter(',')
-      ->capture_default_str();
+  command.add_option("--suite", options.suites,
+                     "All recordings in folders made by 'surefoot suite'; or sets of it, tuning, "
+                     "reporting ...: made in the output folder first, if not there yet");
   command.add_option("--set", options.settings, "key=value for every method; may be repeated")
       ->allow_extra_args(false);
 }
@@ -62,7 +55,6 @@ void add_run_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--stride", options.stride, "Use every n-th scan")
       ->check(whole_number(1))
       ->group(kGroup);
-  command.add_flag("--no-map", options.no_map, "Do not write map.ply")->group(kGroup);
   command
       .add_option("--pass", options.passed,
                   "A further argument of 'surefoot run': --pass=--rate=10; may be repeated")
@@ -90,7 +82,7 @@ void add_verdict_options(CLI::App& command, CompareOptions& options) {
 
 }  // namespace
 
-void add_compare_options(CLI::App& command, CompareOptions& options) {
+void add_shared_options(CLI::App& command, CompareOptions& options) {
   auto& stretches = options.evaluation.stretches;
   stretches = {.delta = 10.0, .unit = evaluation::DeltaUnit::kMetres, .all_pairs = true};
   options.evaluation.stretches_from_reference = true;
@@ -100,6 +92,18 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
   add_pairing_options(command, options.evaluation.association);
   add_error_options(command, options.evaluation);
   add_verdict_options(command, options);
+}
+
+void add_compare_options(CLI::App& command, CompareOptions& options) {
+  add_shared_options(command, options);
+  command
+      .add_option("--methods", options.methods,
+                  fmt::format("Some of {}; with '+' and key=value to change parameters: "
+                              "paper,paper+deskew.segments=8",
+                              fmt::join(methods(), ", ")))
+      ->delimiter(',')
+      ->capture_default_str();
+  command.add_flag("--no-map", options.no_map, "Do not write map.ply")->group("Runs");
 }
 
 std::vector<std::string> run_arguments(const CompareOptions& options) {

@@ -24,7 +24,7 @@ enum class Cover {
 struct CompareOptions {
   std::vector<std::filesystem::path> recordings;
   std::vector<std::filesystem::path> truths;  ///< empty, or one for each of `recordings`
-  std::string suite;                          ///< tuning, reporting, a folder, or empty
+  std::vector<std::string> suites;            ///< names of the suite's sets, or folders
   std::vector<std::string> methods = {"surefoot", "paper"};
   std::vector<std::string> settings;  ///< "key=value" for every method
 
@@ -47,6 +47,8 @@ struct CompareOptions {
 
 /// Adds the flags; `options` must live until the command line is parsed.
 void add_compare_options(CLI::App& command, CompareOptions& options);
+/// The flags of whatever runs methods on recordings: all but --methods, --no-map.
+void add_shared_options(CLI::App& command, CompareOptions& options);
 
 /// The arguments that every run gets besides its recording, its folder and its parameters.
 [[nodiscard]] std::vector<std::string> run_arguments(const CompareOptions& options);

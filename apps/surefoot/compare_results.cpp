@@ -13,6 +13,7 @@
 #include "machine.hpp"
 #include "run_record.hpp"
 #include "scans_csv.hpp"
+#include "seed_scenes.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
 #include "compare_figures.hpp"
 #endif
@@ -186,10 +187,14 @@ CompareResults collect_results(const CompareOptions& options,
   for (const MethodVariant& variant : variants) {
     comparison.methods.push_back(method_of(variant, variant_config(variant, options.settings)));
   }
-  for (const CompareInput& input : inputs) {
+  std::vector<fs::path> recordings;
+  for (const CompareInput& input : inputs) recordings.push_back(input.path);
+  const std::vector<std::string> scenes = seed_scenes(recordings);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
     results.paths.emplace_back();
     comparison.recordings.push_back(
-        compare_recording(options, input, variants, results.paths.back()));
+        compare_recording(options, inputs[i], variants, results.paths.back()));
+    comparison.recordings.back().scene = scenes[i];
   }
   return results;
 }

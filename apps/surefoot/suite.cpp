@@ -34,7 +34,8 @@ struct SuiteArguments {
 
 class SuiteRun {
  public:
-  explicit SuiteRun(const SuiteArguments& arguments) : arguments_(arguments) {}
+  explicit SuiteRun(const SuiteArguments& arguments)
+      : arguments_(arguments), set_(*simulation::find_suite_set(arguments.seeds)) {}
 
   /// @returns whether every recording was made whole.
   bool run() {
@@ -67,10 +68,7 @@ class SuiteRun {
     request.scene = wanted.scene;
     request.robot = wanted.robot;
     request.scans = wanted.scans;
-    request.seed =
-        simulation::suite_seed(arguments_.seeds == "tuning" ? simulation::SeedKind::kTuning
-                                                            : simulation::SeedKind::kReporting,
-                               entry);
+    request.seed = simulation::suite_seed(set_, entry);
     const std::string name = fmt::format("{}-{}", request.scene, request.robot);
     const auto begin = std::chrono::steady_clock::now();
     const std::uint64_t done =
@@ -86,6 +84,7 @@ class SuiteRun {
   [[nodiscard]] bool stopped() const { return failed_ || guard_.interrupted(); }
 
   SuiteArguments arguments_;
+  const simulation::SuiteSet& set_;
   InterruptGuard guard_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> failed_ = false;
@@ -101,8 +100,10 @@ void add_suite_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("suite", "Make the fixed set of recordings that tables stand on");
   command->add_option("-o,--output", arguments->output, "Folder; a sub-folder each recording")
       ->required();
-  command->add_option("--seeds", arguments->seeds, "tuning, or reporting: they share none")
-      ->check(CLI::IsMember({"tuning", "reporting"}))
+  std::vector<std::string> sets;
+  for (const simulation::SuiteSet& set : simulation::kSuiteSets) sets.emplace_back(set.name);
+  command->add_option("--seeds", arguments->seeds, "Set of seeds; no two sets share one")
+      ->check(CLI::IsMember(sets))
       ->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "Recordings made at a time")
       ->check(CLI::Range(1, 64))

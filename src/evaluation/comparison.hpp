@@ -52,6 +52,7 @@ struct ComparedRecording {
   std::string name = {};
   std::string path = {};
   std::string truth = {};                  ///< file of the reference
+  std::string scene = {};                  ///< what it is a seed of; empty: it is one of a kind
   std::string fingerprint = {};            ///< of names, sizes and times of its files
   double truth_length = 0.0;               ///< [m] path of the reference; 0 if it cannot be read
   double truth_duration = 0.0;             ///< [s]

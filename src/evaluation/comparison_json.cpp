@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "evaluation/comparison_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "evaluation/comparison_tables.hpp"
 #include "evaluation/evaluation_json.hpp"
+#include "evaluation/seeds.hpp"
 
 namespace surefoot::evaluation {
 
@@ -63,12 +65,35 @@ Json json_of(const ComparedRecording& recording, const std::vector<ComparedMetho
   Json json = {{"name", recording.name},
                {"path", recording.path},
                {"truth", recording.truth},
+               {"scene", recording.scene},
                {"fingerprint", recording.fingerprint},
                {"truth_length_m", recording.truth_length},
                {"truth_duration_s", recording.truth_duration},
                {"results", Json::array()}};
   for (std::size_t m = 0; m < recording.results.size(); ++m) {
     json["results"].push_back(json_of(recording.results[m], methods[m].label));
+  }
+  return json;
+}
+
+/// JSON has no infinity: what is lost is null.
+Json json_of(const SeedSpread& spread) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  return {{"median", number(spread.median)},
+          {"min", number(spread.low)},
+          {"max", number(spread.high)},
+          {"lost", spread.lost}};
+}
+
+Json json_of(const SeededScene& scene, const Comparison& comparison) {
+  Json json = {{"name", scene.name}, {"recordings", Json::array()}, {"results", Json::array()}};
+  for (const std::size_t r : scene.recordings) {
+    json["recordings"].push_back(comparison.recordings[r].name);
+  }
+  for (std::size_t m = 0; m < scene.ape.size(); ++m) {
+    json["results"].push_back({{"method", comparison.methods[m].label},
+                               {"ape_rmse_m", json_of(scene.ape[m])},
+                               {"relative_rmse", json_of(scene.relative[m])}});
   }
   return json;
 }
@@ -110,12 +135,16 @@ std::string to_json(const Comparison& comparison) {
       {"notes", comparison_notes(comparison)},
       {"methods", Json::array()},
       {"recordings", Json::array()},
+      {"scenes", Json::array()},
       {"tables", Json::array()}};
   for (const ComparedMethod& method : comparison.methods) {
     json["methods"].push_back(json_of(method));
   }
   for (const ComparedRecording& recording : comparison.recordings) {
     json["recordings"].push_back(json_of(recording, comparison.methods));
+  }
+  for (const SeededScene& scene : seeded_scenes(comparison)) {
+    json["scenes"].push_back(json_of(scene, comparison));
   }
   for (const Table& table : comparison_tables(comparison)) json["tables"].push_back(json_of(table));
   return json_text(json);

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "evaluation/option_names.hpp"
+#include "evaluation/seeds.hpp"
 #include "evaluation/statistics_names.hpp"
 
 namespace surefoot::evaluation {
@@ -46,16 +47,11 @@ Figure error_figure(std::string name, Which which,
 /// A statistic of one kind of error, nothing where a run is too short for it.
 Figure statistic_figure(std::string name, const std::string& error, double Statistics::*member,
                         Which which = &MethodResult::evaluation, double factor = 1.0) {
-  return error_figure(std::move(name), which,
-                      [error, member, factor](const Evaluation& evaluation) {
-                        std::optional<double> found;
-                        for (const auto* list : {&evaluation.absolute, &evaluation.relative}) {
-                          for (const NamedStatistics& named : *list) {
-                            if (named.name == error) found = factor * (named.statistics.*member);
-                          }
-                        }
-                        return found;
-                      });
+  return error_figure(
+      std::move(name), which, [error, member, factor](const Evaluation& evaluation) {
+        const Statistics* found = find_statistics(evaluation, error);
+        return found == nullptr ? std::nullopt : std::optional(factor * (found->*member));
+      });
 }
 
 /// Rows for each recording. `verdict_first`: a run that is not whole has its verdict in the first.
@@ -92,10 +88,8 @@ std::string stretch_text(const PairOptions& stretches) {
 
 std::vector<Figure> further_error_figures(const PairOptions& stretches) {
   const std::string over = stretch_text(stretches);
-  const bool metres = stretches.unit == DeltaUnit::kMetres;
-  return {statistic_figure(fmt::format("Relative over {}, RMSE ({})", over, metres ? "%" : "m"),
-                           "rpe_translation", &Statistics::rmse, &MethodResult::evaluation,
-                           metres ? 100.0 / stretches.delta : 1.0),
+  return {statistic_figure(relative_figure_name(stretches), "rpe_translation", &Statistics::rmse,
+                           &MethodResult::evaluation, relative_factor(stretches)),
           statistic_figure(fmt::format("Relative over {}, RMSE (deg)", over), "rpe_rotation_angle",
                            &Statistics::rmse),
           statistic_figure("Height, RMSE (m)", "ape_vertical", &Statistics::rmse),
@@ -165,14 +159,6 @@ std::vector<Figure> trouble_figures() {
            }}};
 }
 
-std::string alignment_note(const EvaluationOptions& options) {
-  const std::string_view name = name_of(kAlignmentNames, options.alignment);
-  return options.alignment_poses == 0
-             ? fmt::format("Errors are taken after alignment '{}' over all poses.", name)
-             : fmt::format("Errors are taken after alignment '{}' over the first {} poses.", name,
-                           options.alignment_poses);
-}
-
 void add_result_notes(const ComparedRecording& recording, const std::string& method,
                       const MethodResult& result, std::vector<std::string>& notes) {
   const std::string who = fmt::format("{}, {}", recording.name, method);
@@ -189,13 +175,42 @@ void add_result_notes(const ComparedRecording& recording, const std::string& met
 
 }  // namespace
 
+double relative_factor(const PairOptions& stretches) {
+  return stretches.unit == DeltaUnit::kMetres ? 100.0 / stretches.delta : 1.0;
+}
+
+std::string relative_figure_name(const PairOptions& stretches) {
+  const bool metres = stretches.unit == DeltaUnit::kMetres;
+  return fmt::format("Relative over {}, RMSE ({})", stretch_text(stretches), metres ? "%" : "m");
+}
+
 std::vector<Table> comparison_tables(const Comparison& comparison) {
-  return {
+  std::vector<Table> tables = {
       make_table(comparison, "Absolute pose error (APE)", absolute_figures(), true),
       make_table(comparison, "Relative error, height, attitude, drift",
                  further_error_figures(comparison.options.stretches), true),
       make_table(comparison, "Time and memory", effort_figures(comparison.repeats), false),
       make_table(comparison, "What was covered, and what went wrong", trouble_figures(), false)};
+  if (auto seeds = seeds_table(comparison)) tables.insert(tables.begin(), *std::move(seeds));
+  return tables;
+}
+
+std::string alignment_note(const EvaluationOptions& options) {
+  const std::string_view name = name_of(kAlignmentNames, options.alignment);
+  return options.alignment_poses == 0
+             ? fmt::format("Errors are taken after alignment '{}' over all poses.", name)
+             : fmt::format("Errors are taken after alignment '{}' over the first {} poses.", name,
+                           options.alignment_poses);
+}
+
+std::vector<std::string> trouble_notes(const Comparison& comparison) {
+  std::vector<std::string> notes;
+  for (const ComparedRecording& recording : comparison.recordings) {
+    for (std::size_t m = 0; m < recording.results.size(); ++m) {
+      add_result_notes(recording, comparison.methods[m].label, recording.results[m], notes);
+    }
+  }
+  return notes;
 }
 
 std::vector<std::string> comparison_notes(const Comparison& comparison) {
@@ -204,6 +219,12 @@ std::vector<std::string> comparison_notes(const Comparison& comparison) {
       fmt::format("Best in bold, second best underlined, among runs that cover at least "
                   "{:g} % of the truth and did not diverge.",
                   100.0 * comparison.rules.full_coverage));
+  if (!seeded_scenes(comparison).empty()) {
+    notes.push_back(
+        fmt::format("Over the seeds of a scene: median (lowest to highest). {}: the range overlaps "
+                    "with that of the smallest median, the difference is within the spread.",
+                    kOverlapMark));
+  }
   const int jobs = most_jobs(comparison);
   if (jobs > 1) {
     notes.push_back(
@@ -211,13 +232,9 @@ std::vector<std::string> comparison_notes(const Comparison& comparison) {
                     "are longer than those of a run alone.",
                     jobs));
   }
-  const std::size_t before = notes.size();
-  for (const ComparedRecording& recording : comparison.recordings) {
-    for (std::size_t m = 0; m < recording.results.size(); ++m) {
-      add_result_notes(recording, comparison.methods[m].label, recording.results[m], notes);
-    }
-  }
-  if (comparison.repeats > 1 && notes.size() == before) {
+  const std::vector<std::string> troubles = trouble_notes(comparison);
+  notes.insert(notes.end(), troubles.begin(), troubles.end());
+  if (comparison.repeats > 1 && troubles.empty()) {
     notes.push_back(fmt::format("{} repeats each: all trajectories are the same, byte for byte.",
                                 comparison.repeats));
   }

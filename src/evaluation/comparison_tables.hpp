@@ -12,7 +12,8 @@
 
 namespace surefoot::evaluation {
 
-/// Absolute error; relative error, height, attitude and drift; time and memory; what is missing or
+/// With several recordings of a scene, first what they have in common, see seeds.hpp. Then
+/// absolute error; relative error, height, attitude and drift; time and memory; what is missing or
 /// went wrong. A run that is not whole has its verdict in the place of its errors and is ranked
 /// nowhere.
 [[nodiscard]] std::vector<Table> comparison_tables(const Comparison& comparison);
@@ -20,6 +21,15 @@ namespace surefoot::evaluation {
 /// What has to be known to read them, one sentence each: the alignment, shared processors, repeats,
 /// every failure with its reason.
 [[nodiscard]] std::vector<std::string> comparison_notes(const Comparison& comparison);
+
+/// Of these the ones that name failed runs and repeats that differ.
+[[nodiscard]] std::vector<std::string> trouble_notes(const Comparison& comparison);
+/// The one that says how estimates were aligned.
+[[nodiscard]] std::string alignment_note(const EvaluationOptions& options);
+
+/// The relative error's name in the tables, and what turns its RMSE [m] into the figure shown.
+[[nodiscard]] std::string relative_figure_name(const PairOptions& stretches);
+[[nodiscard]] double relative_factor(const PairOptions& stretches);
 
 /// Whole files of all tables. Markdown and LaTeX have the notes, too.
 [[nodiscard]] std::string tables_markdown(const Comparison& comparison,

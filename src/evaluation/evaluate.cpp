@@ -62,6 +62,15 @@ double share_covered(const Trajectory& reference, const Trajectory& estimate,
 
 }  // namespace
 
+const Statistics* find_statistics(const Evaluation& evaluation, std::string_view name) {
+  for (const auto* list : {&evaluation.absolute, &evaluation.relative}) {
+    for (const NamedStatistics& named : *list) {
+      if (named.name == name) return &named.statistics;
+    }
+  }
+  return nullptr;
+}
+
 Evaluation evaluate(const std::string& name, const Trajectory& reference,
                     const Trajectory& estimate, const EvaluationOptions& options) {
   AssociatedTrajectories pairs = associate(reference, estimate, options.association);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "evaluation/alignment.hpp"
@@ -43,6 +44,10 @@ struct Evaluation {
   SegmentErrors segments;
   EndDrift drift;
 };
+
+/// One kind of error by its name; nullptr if the evaluation has none.
+[[nodiscard]] const Statistics* find_statistics(const Evaluation& evaluation,
+                                                std::string_view name);
 
 /// Throws what associate(), find_alignment(), find_pairs() and segment_errors() throw.
 [[nodiscard]] Evaluation evaluate(const std::string& name, const Trajectory& reference,

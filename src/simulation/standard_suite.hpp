@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace surefoot::simulation {
 
@@ -30,11 +31,25 @@ inline constexpr std::array<SuiteEntry, 13> kStandardSuite = {{{"campus", "trot"
                                                                {"plaza", "handheld", 400},
                                                                {"campus", "handheld", 600}}};
 
-enum class SeedKind { kTuning, kReporting };
+/// The suite's sets of recordings, and the seed of the first recording of each. What was tuned on
+/// is never reported: no two sets share a seed. Several reporting sets show the seeds' spread.
+struct SuiteSet {
+  const char* name;
+  std::uint64_t first_seed;
+};
+inline constexpr std::array<SuiteSet, 4> kSuiteSets = {
+    {{"tuning", 1000}, {"reporting", 5000}, {"reporting-2", 5100}, {"reporting-3", 5200}}};
 
-/// What was tuned on is never reported: the two kinds share no seed.
-[[nodiscard]] constexpr std::uint64_t suite_seed(SeedKind kind, std::size_t entry) {
-  return (kind == SeedKind::kTuning ? 1000U : 5000U) + entry;
+/// nullptr if there is no such set.
+[[nodiscard]] constexpr const SuiteSet* find_suite_set(std::string_view name) {
+  for (const SuiteSet& set : kSuiteSets) {
+    if (name == set.name) return &set;
+  }
+  return nullptr;
+}
+
+[[nodiscard]] constexpr std::uint64_t suite_seed(const SuiteSet& set, std::size_t entry) {
+  return set.first_seed + entry;
 }
 
 }  // namespace surefoot::simulation

@@ -12,10 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "dataset/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
-#include "support/synthetic_run.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -23,43 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kScans = 12;
-constexpr int kThinFrom = 5;  // of the recording that one method loses
-
-/// A glide along a bend through the hall, with the truth beside it every 10 ms.
-void write_recording(const fs::path& folder, double yaw_rate, bool thin_end = false) {
-  Twist velocity = Twist::Zero();
-  velocity[0] = 1.0;
-  velocity[5] = yaw_rate;
-  const MotionFunction motion =
-      constant_velocity({Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}}, velocity);
-  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans, {.columns = 180});
-  for (std::size_t i = kThinFrom; thin_end && i < scans.size(); ++i) {
-    Scan thin = scans[i];
-    const auto thinned = [](auto& values) {
-      std::size_t kept = 0;
-      for (std::size_t p = 0; p < values.size(); p += 2) values[kept++] = values[p];
-      values.resize(std::min(kept, values.size()));
-    };
-    thinned(thin.points);
-    thinned(thin.times_ns);
-    thinned(thin.intensities);
-    thinned(thin.rings);
-    scans[i] = thin;
-  }
-  write_pcd_recording(folder, scans);
-  Trajectory truth;
-  for (int i = 5; i <= 10 * kScans - 5; ++i) {
-    truth.push_back({std::int64_t{i} * 10'000'000, motion(0.01 * i)});
-  }
-  dataset::write_tum(folder / "gt.tum", truth);
-}
+constexpr std::size_t kScans = 12;
+constexpr std::size_t kThinFrom = 5;  // of the recording that one method loses
 
 class Compare : public testing::Test {
  protected:
   void SetUp() override {
-    write_recording(scratch_.path() / "left", 0.6);
-    write_recording(scratch_.path() / "right", -0.8);
+    write_bend_recording(scratch_.path() / "left", 0.6, kScans);
+    write_bend_recording(scratch_.path() / "right", -0.8, kScans);
   }
 
   [[nodiscard]] ProcessResult compare(std::vector<std::string> arguments) const {
@@ -262,7 +231,7 @@ TEST_F(Compare, AFailureTakesNothingAlong) {
 
 // One method refuses the thin scans at the end: its error over the rest is no error of the run.
 TEST_F(Compare, WhatStopsEarlyIsNotRanked) {
-  write_recording(scratch_.path() / "thin", 0.6, true);
+  write_bend_recording(scratch_.path() / "thin", 0.6, kScans, kThinFrom);
   const std::string choosy = "paper+preprocess.min_points=2000";
   const ProcessResult printed =
       compare({"thin", "--methods", choosy + ",paper", "-o", "out", "--no-figures"});
@@ -322,6 +291,45 @@ TEST_F(Compare, ASuiteIsAFolderOfRecordings) {
   EXPECT_EQ(printed.exit_code, 0) << printed;
   EXPECT_TRUE(printed.errors.empty()) << printed;
   EXPECT_EQ(results("out")["recordings"].size(), 2U);
+}
+
+TEST_F(Compare, SeedsOfASceneAreSummedUp) {
+  for (const char* seed : {"left", "right"}) {
+    const json scene = {{"scene", {{"name", "hall"}}},
+                        {"robot", {{"name", "glide"}}},
+                        {"lidar", {{"name", "vlp16"}}},
+                        {"seed", seed},
+                        {"scans", 12},
+                        {"gait_scale", 1.0},
+                        {"mount", "none"},
+                        {"rays_per_beam", 1},
+                        {"dual_return", false},
+                        {"robot_body_in_view", false}};
+    write_content(scratch_.path() / seed / "scene.json", scene.dump());
+    fs::create_directory(scratch_.path() / (std::string("suite_of_") + seed));
+    fs::rename(scratch_.path() / seed,
+               scratch_.path() / (std::string("suite_of_") + seed) / "hall-glide");
+  }
+  const ProcessResult printed =
+      compare({"--methods", "paper,paper+deskew.mode=none", "-o", "out", "--no-figures", "--suite",
+               "suite_of_left", "suite_of_right"});
+  ASSERT_EQ(printed.exit_code, 0) << printed;
+  const json all = results("out");
+  ASSERT_EQ(all["scenes"].size(), 1U) << printed;
+  EXPECT_EQ(all["scenes"][0]["recordings"],
+            (json{"suite_of_left-hall-glide", "suite_of_right-hall-glide"}));
+  const auto rmse = [&](const char* recording) {
+    return result(all, recording, "paper")["evaluation"]["errors"]["ape_translation"]["rmse"]
+        .get<double>();
+  };
+  const double left = rmse("suite_of_left-hall-glide"), right = rmse("suite_of_right-hall-glide");
+  const json spread = all["scenes"][0]["results"][0]["ape_rmse_m"];
+  EXPECT_DOUBLE_EQ(spread["median"], 0.5 * (left + right));
+  EXPECT_EQ(spread["min"], std::min(left, right));
+  EXPECT_EQ(spread["max"], std::max(left, right));
+  EXPECT_EQ(cell(all, 0, "hall-glide (2 seeds)", "APE, RMSE (m)", "paper")["value"],
+            spread["median"]);
+  EXPECT_NE(printed.output.find("## Over the seeds of a scene"), std::string::npos) << printed;
 }
 
 TEST_F(Compare, ForeignFilesAreNeverRemoved) {

@@ -7,6 +7,7 @@
 
 #include "dataset/file_writer.hpp"
 #include "dataset/pcd_writer.hpp"
+#include "dataset/trajectory_files.hpp"
 #include "process.hpp"
 #include "support/synthetic_run.hpp"
 
@@ -19,6 +20,34 @@ std::vector<Scan> hall_scans(int count) {
   velocity[0] = kGlideSpeed;
   const Pose start{Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}};
   return take_scans(furnished_hall(), constant_velocity(start, velocity), count);
+}
+
+void write_bend_recording(const fs::path& folder, double yaw_rate, std::size_t count,
+                          std::size_t thin_from) {
+  Twist velocity = Twist::Zero();
+  velocity[0] = 1.0;
+  velocity[5] = yaw_rate;
+  const MotionFunction motion =
+      constant_velocity({Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}}, velocity);
+  const int scans_count = static_cast<int>(count);
+  std::vector<Scan> scans = take_scans(furnished_hall(), motion, scans_count, {.columns = 180});
+  for (std::size_t i = thin_from; i < scans.size(); ++i) {
+    const auto thinned = [](auto& values) {
+      std::size_t kept = 0;
+      for (std::size_t p = 0; p < values.size(); p += 2) values[kept++] = values[p];
+      values.resize(std::min(kept, values.size()));
+    };
+    thinned(scans[i].points);
+    thinned(scans[i].times_ns);
+    thinned(scans[i].intensities);
+    thinned(scans[i].rings);
+  }
+  write_pcd_recording(folder, scans);
+  Trajectory truth;
+  for (int i = 5; i <= 10 * scans_count - 5; ++i) {
+    truth.push_back({std::int64_t{i} * 10'000'000, motion(0.01 * i)});
+  }
+  dataset::write_tum(folder / "gt.tum", truth);
 }
 
 std::string big_endian_ply(const Scan& scan) {

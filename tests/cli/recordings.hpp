@@ -4,6 +4,7 @@
 // Small recordings of a sensor that glides through a hall, in every format that is read.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ inline constexpr double kGlideSpeed = 0.5;  // [m/s] along the sensor's x axis
 
 /// The first `count` scans at 10 Hz, every point with its time.
 [[nodiscard]] std::vector<Scan> hall_scans(int count);
+
+/// Such a recording along a bend, as binary PCD files, with the truth beside it every 10 ms.
+/// `thin_from`: scans from this one on have half their points.
+void write_bend_recording(const std::filesystem::path& folder, double yaw_rate, std::size_t count,
+                          std::size_t thin_from = SIZE_MAX);
 
 /// PLY with x, y, z and intensity in the byte order of the other half of the world.
 [[nodiscard]] std::string big_endian_ply(const Scan& scan);

@@ -44,11 +44,20 @@ TEST_F(CompareInputs, ASuiteIsEveryFolderWithATruth) {
     write(file, "");
   }
   CompareOptions options;
-  options.suite = (folder_ / "s").string();
+  options.suites = {(folder_ / "s").string()};
   const std::vector<CompareInput> inputs = find_inputs(options);
   ASSERT_EQ(inputs.size(), 2U);
   EXPECT_EQ(inputs[0].name, "a");
   EXPECT_EQ(inputs[1].name, "b");
+}
+
+TEST_F(CompareInputs, SeveralSuitesKeepTheirRecordingsApart) {
+  for (const char* file : {"one/walk/gt.tum", "one/run/gt.tum", "two/walk/gt.tum"}) write(file, "");
+  CompareOptions options;
+  options.suites = {(folder_ / "one").string(), (folder_ / "two").string()};
+  Names names;
+  for (const CompareInput& input : find_inputs(options)) names.push_back(input.name);
+  EXPECT_EQ(names, (Names{"run", "one-walk", "two-walk"}));
 }
 
 TEST_F(CompareInputs, NonsenseIsRefused) {
@@ -67,7 +76,7 @@ TEST_F(CompareInputs, NonsenseIsRefused) {
     CompareOptions options;
     options.recordings = std::move(recordings);
     options.truths = std::move(truths);
-    options.suite = suite;
+    if (!suite.empty()) options.suites = {suite};
     return options;
   };
   expect_refused(with({}, {}, ""), "nothing to compare");

@@ -61,24 +61,23 @@ void expect_free_sensor(const Recording& recording) {
 }
 
 TEST(SuiteTest, InNoRecordingIsTheSensorInsideAnything) {
-  for (const SeedKind kind : {SeedKind::kTuning, SeedKind::kReporting}) {
+  for (const SuiteSet& set : kSuiteSets) {
     for (std::size_t i = 0; i < kStandardSuite.size(); ++i) {
       const SuiteEntry& entry = kStandardSuite[i];
-      expect_free_sensor({entry.scene, entry.robot, suite_seed(kind, i),
+      expect_free_sensor({entry.scene, entry.robot, suite_seed(set, i),
                           0.1 * static_cast<double>(entry.scans + 1)});
     }
   }
 }
 
-TEST(SuiteTest, TuningAndReportingShareNoSeedAndNoNameIsTakenTwice) {
+TEST(SuiteTest, SetsShareNoSeedAndNoNameIsTakenTwice) {
   std::set<std::uint64_t> seeds;
   std::set<std::string> recordings;
   for (std::size_t i = 0; i < kStandardSuite.size(); ++i) {
-    seeds.insert(suite_seed(SeedKind::kTuning, i));
-    seeds.insert(suite_seed(SeedKind::kReporting, i));
+    for (const SuiteSet& set : kSuiteSets) seeds.insert(suite_seed(set, i));
     recordings.insert(std::string(kStandardSuite[i].scene) + "-" + kStandardSuite[i].robot);
   }
-  EXPECT_EQ(seeds.size(), 2 * kStandardSuite.size());
+  EXPECT_EQ(seeds.size(), kSuiteSets.size() * kStandardSuite.size());
   EXPECT_EQ(recordings.size(), kStandardSuite.size());
 }
 
