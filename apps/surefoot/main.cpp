@@ -17,6 +17,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_info_command(app, exit_code);
   add_eval_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_ablate_command(app, exit_code);
   add_report_command(app, exit_code);
   add_sweep_command(app, exit_code);
   add_config_command(app, exit_code);

@@ -77,6 +77,16 @@ const BadUsage kBadCommands[] = {
     {"compare_alignment", {"compare", "in", "--align", "upwards"}, {"upwards"}},
     {"compare_coverage", {"compare", "in", "--full-coverage", "1.5"}, {"--full-coverage"}},
     {"compare_output_is_a_file", {"compare", "in", "-o", "a_file"}, {"a_file"}},
+    {"ablate_nothing", {"ablate"}, {"nothing to compare"}},
+    {"ablate_unknown_method",
+     {"ablate", "in", "--method", "magic"},
+     {"magic", "paper", "surefoot"}},
+    {"ablate_method_without_a_plan", {"ablate", "in", "--method", "icp"}, {"icp", "paper"}},
+    {"ablate_no_such_recording", {"ablate", "none"}, {"none", "no such"}},
+    {"ablate_no_truth", {"ablate", "in"}, {"gt.tum"}},
+    {"ablate_bad_setting", {"ablate", "in", "--set", "deskew.speed=1"}, {"deskew.speed"}},
+    {"ablate_negative_count", {"ablate", "in", "--count", "-1"}, {"--count", "'-1'"}},
+    {"ablate_unknown_suite", {"ablate", "--suite", "nightly"}, {"nightly", "reporting-2"}},
     {"set_unknown_key", {"run", "in", "--set", "deskew.speed=1"}, {"deskew.speed"}},
     {"set_without_value", {"run", "in", "--set", "deskew.segments"}, {"key=value"}},
     {"set_not_a_number",
@@ -105,6 +115,7 @@ const BadUsage kBadSimulations[] = {
     {"no_output", {"simulate", "campus"}, {"-o"}},
     {"negative_jobs", {"suite", "-o", "out", "--jobs", "-1"}, {"--jobs", "-1"}},
     {"no_suite_output", {"suite"}, {"--output"}},
+    {"unknown_seeds", {"suite", "-o", "out", "--seeds", "lucky"}, {"lucky", "reporting-3"}},
 };
 #endif
 

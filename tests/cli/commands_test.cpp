@@ -9,11 +9,14 @@
 namespace surefoot::test {
 namespace {
 
+const char* const kCommands[] = {"run",    "info",   "eval",  "compare",
+                                 "ablate", "report", "sweep", "config"};
+
 TEST(Commands, HelpNamesEverySubcommand) {
   const ScratchFolder scratch;
   const ProcessResult result = run_surefoot({"--help"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
-  for (const char* command : {"run", "info", "eval", "compare", "report", "sweep", "config"}) {
+  for (const char* command : kCommands) {
     EXPECT_NE(result.output.find(std::string("\n  ") + command + " "), std::string::npos)
         << command << "\n"
         << result;
@@ -22,7 +25,7 @@ TEST(Commands, HelpNamesEverySubcommand) {
 
 TEST(Commands, EverySubcommandHasHelp) {
   const ScratchFolder scratch;
-  for (const char* command : {"run", "info", "eval", "compare", "report", "sweep", "config"}) {
+  for (const char* command : kCommands) {
     const ProcessResult result = run_surefoot({command, "--help"}, scratch.path());
     EXPECT_EQ(result.exit_code, 0) << result;
     EXPECT_NE(result.output.find("Options:"), std::string::npos) << result;
