@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 namespace surefoot::evaluation {
@@ -13,6 +14,10 @@ namespace {
 
 constexpr double kLost = std::numeric_limits<double>::infinity();
 constexpr double kFactor = 2.0;  // beyond which a recording counts as worse or better
+
+// Dozens of changes are looked at: at 95 % one or two of them would differ by chance.
+constexpr double kConfidence = 0.99;
+constexpr int kDraws = 10'000;
 
 /// The middle one; of an even count the geometric mean of the two in the middle.
 double geometric_median(std::vector<double> values) {
@@ -62,6 +67,31 @@ void add_ratios(const Ablation& ablation, std::size_t index, AblationRow& row) {
   row.median = geometric_median(std::move(ratios));
 }
 
+/// The factor within which a median ratio lies with the confidence of kConfidence, if chance alone
+/// decides which reference a recording's ratio is of. Drawn, always in the same way.
+double spread_of_medians(const Ablation& ablation) {
+  std::vector<std::vector<double>> chances;  // by recording: the references' ratios
+  for (std::size_t r = 0; r < ablation.recordings.size(); ++r) {
+    std::vector<double> ratios;
+    for (std::size_t m = 0; m < ablation.references; ++m) {
+      const std::optional<double>& ratio = ablation.rows[m].ratios[r];
+      if (ratio) ratios.push_back(*ratio);
+    }
+    if (!ratios.empty()) chances.push_back(std::move(ratios));
+  }
+  if (chances.empty()) return 1.0;
+  std::mt19937_64 random(1);
+  std::vector<double> factors;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    std::vector<double> drawn;
+    for (const auto& ratios : chances) drawn.push_back(ratios[random() % ratios.size()]);
+    const double median = geometric_median(std::move(drawn));
+    factors.push_back(std::max(median, 1.0 / median));
+  }
+  std::sort(factors.begin(), factors.end());
+  return factors[static_cast<std::size_t>(kConfidence * kDraws)];
+}
+
 }  // namespace
 
 Ablation ablate(const Comparison& comparison, const std::vector<AblationChange>& changes,
@@ -79,10 +109,7 @@ Ablation ablate(const Comparison& comparison, const std::vector<AblationChange>&
     ablation.recordings.push_back(comparison.recordings[r].name);
     ablation.usual.push_back(usual_error(ablation, r, references));
   }
-  for (std::size_t m = 0; m < references; ++m) {
-    const double median = ablation.rows[m].median;
-    ablation.spread = std::max({ablation.spread, median, 1.0 / median});
-  }
+  ablation.spread = spread_of_medians(ablation);
   return ablation;
 }
 

@@ -35,15 +35,16 @@ struct Ablation {
   std::vector<double> usual = {};      ///< [m] median error over the references, by recording
   std::vector<AblationRow> rows = {};  ///< the references first
   std::size_t references = 0;
-  double spread = 1.0;  ///< factor: the farthest from 1 that a reference's median ratio is
+  double spread = 1.0;  ///< factor by which a median ratio differs from 1 by chance, at most
 };
 
 /// The comparison's first `references` methods are the method as it is and harmless changes of it;
 /// `changes` says what each method is.
 ///
 /// A row's ratio is its error over the references' median. For a reference that median is over the
-/// others. How far the references' median ratios are from 1 is what chance does: the spread.
-/// Throws std::invalid_argument unless there is a change for each method and a reference.
+/// others; how far these ratios are from 1 is what chance does. The spread is the factor within
+/// which 99 % of the medians lie that one gets by taking, for each recording, one of them at
+/// random. Throws std::invalid_argument unless there is a change for each method and a reference.
 [[nodiscard]] Ablation ablate(const Comparison& comparison,
                               const std::vector<AblationChange>& changes, std::size_t references);
 

@@ -115,8 +115,8 @@ std::vector<std::string> ablation_notes(const Ablation& ablation, const Comparis
   notes.push_back(
       ablation.references < 2
           ? "There is one reference: the spread is not known."
-          : fmt::format("The references' medians differ from 1 by up to a factor of {:.2f}: a "
-                        "smaller difference is below the spread.",
+          : fmt::format("By chance, as the references show it, a median ratio differs from 1 by up "
+                        "to a factor of {:.2f} (99 %): a smaller difference is below the spread.",
                         ablation.spread));
   for (const std::string& note : trouble_notes(comparison)) notes.push_back(note);
   return notes;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -192,6 +193,25 @@ TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
                 error.final_translation);
     EXPECT_LT(error.translation, 0.011) << blinded;  // measured: 0.0066 .. 0.0069
   }
+}
+
+// The scan of another place has an unusual misfit at whatever pose.
+TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
+  const std::vector<Scan> scans = take_scans(furnished_hall(), straight_walk(0.5), 10);
+  const auto wrong =
+      take_scans(slope_with_pillars(), standing({kStart.rotation, {0.0, 0.0, 1.0}}), 1, {}, 10);
+  std::array<int, 2> iterations{};
+  for (const bool second : {false, true}) {
+    Config config;
+    config.knots.second_attempt = second;
+    Odometry odometry(config);
+    for (const Scan& scan : scans) (void)odometry.add_scan(scan);
+    odometry.set_step_observer(
+        [&](Step step) { iterations[second ? 1 : 0] += step == Step::search ? 1 : 0; });
+    (void)odometry.add_scan(wrong.front());
+  }
+  EXPECT_LE(iterations[0], Config().knots.max_iterations);
+  EXPECT_GT(iterations[1], 2 * iterations[0]);
 }
 
 TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
