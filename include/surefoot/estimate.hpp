@@ -45,16 +45,16 @@ struct Estimate {
   Status status = Status::rejected;
   std::string message;  ///< what was seen and expected; empty when ok
 
-  std::int64_t stamp_ns = 0;             ///< mid-scan, the instant of `T_map_lidar`
-  Pose T_map_lidar;                      ///< pose at mid-scan
-  ScanTrajectory trajectory;             ///< poses within the scan, as its points were deskewed
-  Twist twist = Twist::Zero();           ///< velocity since the last pose, LiDAR frame [m/s, rad/s]
+  std::int64_t stamp_ns = 0;    ///< mid-scan, the instant of `T_map_lidar`
+  Pose T_map_lidar;             ///< pose at mid-scan
+  ScanTrajectory trajectory;    ///< poses within the scan, as its points were deskewed
+  Twist twist = Twist::Zero();  ///< mean velocity of the last motion, LiDAR frame [m/s, rad/s]
   Matrix6 covariance = Matrix6::Zero();  ///< of the pose against the map; [x y z roll pitch yaw]
                                          ///< in the map's axes about the sensor [m, rad]
   std::vector<DegenerateDirection> degenerate;
 
-  bool converged = false;  ///< the last update was below registration.convergence
-  StageReport horizontal;
+  bool converged = false;  ///< the last update was below the method's convergence
+  StageReport horizontal;  ///< of a method with one stage: that one
   StageReport vertical;
   int points = 0;             ///< valid points of the scan
   int registered_points = 0;  ///< of these, after thinning, registered

@@ -44,7 +44,7 @@ struct DeskewedScan {
   std::vector<float> intensities;       ///< empty or one per point
 };
 
-/// LiDAR odometry of the paper: one scan in, one estimate out.
+/// LiDAR odometry: one scan in, one estimate out, by the method that the configuration names.
 ///
 /// The same scans give the same bits, at any number of threads. Nothing is printed, no clock is
 /// read. An object belongs to one thread at a time.
@@ -60,7 +60,7 @@ class Odometry {
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
 
-  /// Algorithm 1. Never throws for what is in a scan: a scan that cannot be used is `rejected`.
+  /// Never throws for what is in a scan: a scan that cannot be used is `rejected`.
   Estimate add_scan(const Scan& scan);
 
   [[nodiscard]] const Config& config() const;

@@ -51,6 +51,15 @@ std::vector<Twist> BandedSystem::solve() const {
   return x;
 }
 
+Eigen::Matrix<double, 12, 12> BandedSystem::last_two_information() const {
+  const auto& before = blocks_[blocks_.size() - 2];
+  Eigen::Matrix<double, 12, 12> L = Eigen::Matrix<double, 12, 12>::Zero();
+  L.topLeftCorner<6, 6>() = before[0].triangularView<Eigen::Lower>();
+  L.bottomLeftCorner<6, 6>() = before[1];
+  L.bottomRightCorner<6, 6>() = blocks_.back()[0].triangularView<Eigen::Lower>();
+  return L * L.transpose();
+}
+
 BandedSystem::Covariance BandedSystem::covariance() const {
   const std::size_t n = blocks_.size();
   Covariance Z;

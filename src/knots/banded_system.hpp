@@ -44,6 +44,8 @@ class BandedSystem {
     friend class BandedSystem;
     std::vector<std::array<Matrix6, 3>> blocks_;
   };
+  /// After factorise(): information of the last two poses, all others integrated out.
+  [[nodiscard]] Eigen::Matrix<double, 12, 12> last_two_information() const;
   /// After factorise(), by Takahashi's recursion from the last pose to the first.
   [[nodiscard]] Covariance covariance() const;
 

@@ -18,7 +18,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSecond = 1e-9;  // [s/ns]
+constexpr double kSecond = 1e-9;   // [s/ns]
+constexpr double kInstant = 1e-3;  // [s] a scan that is shorter has no times
 
 // The fluctuation that lets the second scan's velocity be anything, up to a car's.
 const Twist kAnyFluctuation = (Twist() << 10.0, 10.0, 2.0, 0.5, 0.5, 2.0).finished();
@@ -45,7 +46,7 @@ constexpr double kTakenUp = 4.0;
 
 /// The residuals' variance as a share of the one that was assumed (reduced chi squared).
 double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
-  return found.rigid.weighted_squares / (config.independence * std::max(found.matches, 1));
+  return found.rigid.weighted_squares / (config.independence * std::max(found.rigid.count, 1));
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       config_(session.config),
       map_(config_.knots, config_.map.radius),
       model_(config_.knots),
-      choice_(config_.knots.points),
+      choice_(config_.knots.points, config_.knots.map_voxel),
       dependence_(1.0 / config_.knots.independence) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
@@ -71,14 +72,13 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const ScanTrajectory trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
   const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
   Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
-  // Also of a lost scan: a lasting change of the scene is the usual in the end.
-  dependence_ += kDependenceRate * (found.dependence - dependence_);
-  usual_misfit_ += (first_scan_ ? 1.0 : kMisfitRate) * (found.misfit - usual_misfit_);
   if (!estimate.trusted()) return lose(scan, thinned, predicted, std::move(estimate));
 
   lost_in_a_row_ = 0;
+  dependence_ += kDependenceRate * (found.dependence - dependence_);
+  usual_misfit_ += (first_scan_ ? 1.0 : kMisfitRate) * (found.misfit - usual_misfit_);
   model_.learn(found.window, found.covariance, end_.prior.means[1].rotation);
-  finish(found.window, found.last_two().information);
+  finish(found.window, found.last_two);
   session_.begin_step(Step::map);
   if (first_scan_) map_first_scan(found.window.mean_velocity());
   first_scan_.reset();
@@ -89,8 +89,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
 /// Most scans need one registration. One that ends worse than usual is tried again, more slowly and
 /// from farther away; also from the mean velocity, since after a stumble the last velocity
-/// foretells nothing. One that would be lost is tried from several turns: runners turn by 30 deg a
-/// scan.
+/// foretells nothing.
 KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
                                                    const KnotWindow& predicted) const {
   const auto attempt = [&](const KnotWindow& start, const Annealing& annealing) {
@@ -110,23 +109,32 @@ KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
   return best;
 }
 
+/// After a long gap, or where scans overlap, the velocity of then says nothing: as if at rest, at a
+/// place that is known the less the longer ago it was.
+void KnotFrontEnd::bridge(const PreparedScan& scan, double gap, double segment) {
+  const double carried = std::clamp(gap, 0.0, config_.motion_prior.max_extrapolation);
+  const Pose& last = end_.prior.means[1];
+  const Pose pose = displaced(last, carried * model_.mean(last.rotation));
+  end_.step = std::max(segment, kInstant);
+  end_.prior = at_rest(pose, end_.step, std::max(gap, 0.0));
+  end_.stamp_ns = std::min(scan.start_ns, scan.end_ns - std::int64_t{1'000'000});
+}
+
 /// The knots of a scan, as the velocity model expects them.
 KnotWindow KnotFrontEnd::predict(const PreparedScan& scan) {
-  const double segment =
-      static_cast<double>(scan.end_ns - scan.start_ns) * kSecond / config_.knots.segments;
+  const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
+  const int usual = config_.knots.segments;
+  const double segment = duration / usual;
   const double until_start = static_cast<double>(scan.start_ns - end_.stamp_ns) * kSecond;
   const double until_end = static_cast<double>(scan.end_ns - end_.stamp_ns) * kSecond;
-  // After a long gap, or where scans overlap, a velocity of then says nothing: as if at rest.
-  if (until_start > config_.motion_prior.max_extrapolation || until_end < segment) {
-    end_.step = std::max(segment, 1e-3);
-    end_.prior = at_rest(end_.prior.means[1], end_.step);
-    end_.prior.information *= config_.knots.memory;
-    end_.stamp_ns = std::min(scan.start_ns, scan.end_ns - static_cast<std::int64_t>(1'000'000));
+  if (until_start > config_.motion_prior.max_extrapolation ||
+      until_end < std::max(segment, kInstant)) {
+    bridge(scan, until_start, segment);
   }
   const double span = static_cast<double>(scan.end_ns - end_.stamp_ns) * kSecond;
-  const int usual = config_.knots.segments;
-  const int segments = segment > 0.0
-                           ? std::clamp(static_cast<int>(std::lround(span / segment)), 1, 3 * usual)
+  const double most = 3.0 * usual;
+  const int segments = duration > kInstant
+                           ? static_cast<int>(std::lround(std::clamp(span / segment, 1.0, most)))
                            : usual;
   KnotWindow window{{end_.prior.means[0], end_.prior.means[1]},
                     end_.step,
@@ -168,7 +176,8 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   if (verdict.status != Status::ok) return estimate;
   // The weights assumed a share of independent residuals; the covariance goes by the measured one.
   estimate.covariance = config_.knots.independence * kTakenUp * dependence_ *
-                        residual_variance(found, config_.knots) * found.mid_covariance();
+                        residual_variance(found, config_.knots) *
+                        found.covariance_at(trajectory.mid_ns());
   report_weak_directions(found.rigid, found.squared_distance, rigid.T_map_lidar, config_.health,
                          estimate);
   return estimate;
@@ -183,6 +192,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   const Pose T_map_lidar =
       last_pose_ ? end_.prior.means[1] : level_pose(scan.points, config_.level, level_);
   estimate.message = last_pose_ ? "the map begins anew at the predicted pose" : level_.message;
+  if (last_pose_) estimate.covariance = unregistered_covariance(config_.health);
   const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
   const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
   end_.step = std::max(duration, 1e-3) / config_.knots.segments;
@@ -226,9 +236,9 @@ void KnotFrontEnd::begin_motion(const PreparedScan& scan,
   const Twist velocity = first_velocity(scan, thinned);
   if (velocity.head<3>().norm() < kWalking) return;
   const Pose middle = last_pose_->pose;
-  const double half = 0.5e-9 * static_cast<double>(first_scan_->end_ns - first_scan_->start_ns);
-  end_.prior.means[0] = displaced(middle, (half - end_.step) * velocity);
-  end_.prior.means[1] = displaced(middle, half * velocity);
+  const double since = static_cast<double>(end_.stamp_ns - last_pose_->stamp_ns) * kSecond;
+  end_.prior.means[0] = displaced(middle, (since - end_.step) * velocity);
+  end_.prior.means[1] = displaced(middle, since * velocity);
   model_.begin(velocity, middle.rotation);
   map_first_scan(velocity);
 }

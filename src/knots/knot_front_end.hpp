@@ -36,6 +36,7 @@ class KnotFrontEnd : public FrontEnd {
 
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotWindow predict(const PreparedScan& scan);
+  void bridge(const PreparedScan& scan, double gap, double segment);
   [[nodiscard]] KnotRegistration register_scan_knots(KnotPoints& points,
                                                      const KnotWindow& predicted) const;
   [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,

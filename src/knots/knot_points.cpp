@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kSecond = 1e-9;  // [s/ns]
 
-// Limits of the cubes [m].
-constexpr double kFinest = 0.05, kCoarsest = 3.0;
+constexpr double kCoarsest = 3.0;    // [m] of the cubes
+constexpr double kFarTooMany = 2.0;  // of the points wanted: thinned again at once
 
 }  // namespace
 
@@ -24,9 +24,14 @@ std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
   std::vector<Eigen::Vector3f> places;
   places.reserve(candidates.size());
   for (const std::uint32_t i : candidates) places.push_back(scan.points[i]);
-  std::vector<std::uint32_t> chosen = downsample_indices(places, voxel_, workers);
-  const double excess = static_cast<double>(chosen.size()) / points_;
-  voxel_ = std::clamp(voxel_ * std::sqrt(excess), kFinest, kCoarsest);
+  const auto thin = [&] {
+    std::vector<std::uint32_t> thinned = downsample_indices(places, voxel_, workers);
+    const double excess = static_cast<double>(thinned.size()) / points_;
+    voxel_ = std::clamp(voxel_ * std::sqrt(excess), std::min(finest_, kCoarsest), kCoarsest);
+    return thinned;
+  };
+  std::vector<std::uint32_t> chosen = thin();
+  if (static_cast<double>(chosen.size()) > kFarTooMany * points_) chosen = thin();
   for (std::uint32_t& i : chosen) i = candidates[i];
   return chosen;
 }

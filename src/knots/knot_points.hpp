@@ -28,7 +28,8 @@ struct KnotPoints {
 /// thins them to follow the scene's scale from scan to scan.
 class PointChoice {
  public:
-  explicit PointChoice(int points) : points_(points) {}
+  /// `finest`: what the candidates are thinned to already [m].
+  PointChoice(int points, double finest) : points_(points), finest_(finest) {}
 
   /// `candidates` and the result are indices into the scan's points.
   [[nodiscard]] std::vector<std::uint32_t> choose(const PreparedScan& scan,
@@ -37,6 +38,7 @@ class PointChoice {
 
  private:
   int points_;
+  double finest_;
   double voxel_ = 1.0;  // [m]
 };
 

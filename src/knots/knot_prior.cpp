@@ -12,11 +12,12 @@ constexpr double kFixed = 1e-3;  // [m, rad] of the first pose
 
 }  // namespace
 
-KnotPrior at_rest(const Pose& pose, double step) {
+KnotPrior at_rest(const Pose& pose, double step, double since) {
   KnotPrior prior{{pose, pose}, {}};
   const Matrix6 velocity = (kUnknownVelocity * step).cwiseAbs2().cwiseInverse().asDiagonal();
   prior.information << velocity, -velocity, -velocity, velocity;
-  prior.information.topLeftCorner<6, 6>().diagonal().array() += 1.0 / (kFixed * kFixed);
+  const Twist known = Twist::Constant(kFixed) + since * kUnknownVelocity;
+  prior.information.topLeftCorner<6, 6>().diagonal() += known.cwiseAbs2().cwiseInverse();
   return prior;
 }
 

@@ -17,8 +17,8 @@ struct KnotPrior {
   Matrix12 information = Matrix12::Zero();
 };
 
-/// Two knots at one pose that defines the map's frame, `step` [s] apart, of a sensor that may be
-/// walking already.
-[[nodiscard]] KnotPrior at_rest(const Pose& pose, double step);
+/// Two knots at one pose, `step` [s] apart, of a sensor that may be walking already. The pose
+/// defines the map's frame, or was known `since` [s] ago.
+[[nodiscard]] KnotPrior at_rest(const Pose& pose, double step, double since = 0.0);
 
 }  // namespace surefoot

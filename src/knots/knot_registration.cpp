@@ -3,7 +3,6 @@
 #include "knots/knot_registration.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +25,8 @@ struct SegmentSum {
   double weighted_squares = 0.0;
   double squared_distance = 0.0;
   double misfit = 0.0;  // sum over points, each 0 to 1
-  int matches = 0;
+  int matches = 0;      // points
+  int residuals = 0;    // of them; a pole has two
   // Gradients of neighbours: of the segment's surfels that face along x, y and z.
   std::array<Twist, 3> neighbours = {Twist::Zero(), Twist::Zero(), Twist::Zero()};
 
@@ -39,15 +39,16 @@ struct SegmentSum {
     last_gradient += u * w * residual * J;
     weight += w;
     weighted_squares += w * residual * residual;
+    ++residuals;
     int axis = 0;
     J.head<3>().cwiseAbs().maxCoeff(&axis);
     neighbours[static_cast<std::size_t>(axis)] += w * residual * J;
   }
 };
 
-// While the kernel is wider than twice what it ends at, a third of the points will do.
+// While the kernel is wider than twice what it ends at, so many points will do, or a third of all.
 constexpr double kWide = 2.0;
-constexpr std::size_t kWideStride = 3;
+constexpr std::size_t kEnough = 700, kMostStride = 3;
 
 /// How an iteration looks at the map.
 struct Look {
@@ -125,7 +126,7 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
     result.rigid.g += sum.first_gradient + sum.last_gradient;
     result.rigid.weight += sum.weight;
     result.rigid.weighted_squares += sum.weighted_squares;
-    result.rigid.count += sum.matches;
+    result.rigid.count += sum.residuals;
     result.squared_distance += sum.squared_distance;
   }
 }
@@ -144,12 +145,12 @@ void add_prior(BandedSystem& system, const KnotWindow& window, const KnotPrior& 
 /// How much more the sums of neighbours' residuals vary than they would were all residuals
 /// independent: the clusters' outer products B against s^2 H.
 double dependence_of(const std::vector<SegmentSum>& sums, const NormalEquations<6>& rigid,
-                     int matches, double independence) {
+                     double independence) {
   Matrix6 B = Matrix6::Zero();
   for (const SegmentSum& sum : sums) {
     for (const Twist& gradient : sum.neighbours) B += gradient * gradient.transpose();
   }
-  const double variance = rigid.weighted_squares / std::max(matches, 1);
+  const double variance = rigid.weighted_squares / std::max(rigid.count, 1);
   const Eigen::LDLT<Matrix6> solver(rigid.H);
   if (variance <= 0.0 || solver.info() != Eigen::Success || !solver.isPositive()) {
     return 1.0 / independence;
@@ -174,22 +175,15 @@ std::optional<double> move_knots(const std::vector<Twist>& steps, KnotWindow& wi
 
 }  // namespace
 
-Matrix6 KnotRegistration::mid_covariance() const {
-  const double middle = 0.5 * static_cast<double>(window.segments());
-  const auto segment = std::min(static_cast<std::size_t>(middle), window.segments() - 1);
-  const double u = middle - static_cast<double>(segment);
+Matrix6 KnotRegistration::covariance_at(std::int64_t instant_ns) const {
+  const double seconds = 1e-9 * static_cast<double>(instant_ns - window.begin_ns);
+  const auto last = static_cast<double>(window.segments() - 1);
+  const auto segment = static_cast<std::size_t>(std::clamp(seconds / window.step, 0.0, last));
+  const double u = std::clamp(seconds / window.step - static_cast<double>(segment), 0.0, 1.0);
   const std::size_t a = segment + 1, b = segment + 2;
   const Matrix6 between = covariance(a, b);
   return (1.0 - u) * (1.0 - u) * covariance(a, a) + u * u * covariance(b, b) +
          u * (1.0 - u) * (between + between.transpose());
-}
-
-KnotPrior KnotRegistration::last_two() const {
-  const std::size_t b = window.knots.size() - 1, a = b - 1;
-  Matrix12 joint;
-  joint << covariance(a, a), covariance(a, b), covariance(b, a), covariance(b, b);
-  const Matrix12 information = joint.inverse();
-  return {{window.knots[a], window.knots[b]}, 0.5 * (information + information.transpose())};
 }
 
 Annealing usual_annealing(const Config::Knots& config) {
@@ -209,12 +203,14 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
   result.window = predicted;
   const Eigen::Quaterniond& heading = prior.means[1].rotation;
   std::vector<SegmentSum> sums(predicted.segments());
+  const std::size_t wide_stride =
+      std::clamp<std::size_t>(points.points.size() / kEnough, 1, kMostStride);
   double kernel = annealing.start;
   for (int t = 1; t <= annealing.max_iterations; ++t) {
     begin_step(Step::search);
     const double ratio = std::max(kernel / config.kernel_end, 1.0);
     const bool wide = ratio > kWide && t < annealing.max_iterations;
-    const Look look{ratio * ratio, ratio > 1.0 ? map.level_of(kernel) : 0, wide ? kWideStride : 1};
+    const Look look{ratio * ratio, ratio > 1.0 ? map.level_of(kernel) : 0, wide ? wide_stride : 1};
     workers.for_each(sums.size(), [&](std::size_t s) {
       sums[s] = sum_segment(points, s, map, result.window, look, config);
     });
@@ -233,7 +229,8 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     result.converged = ratio <= 1.0 && *change < config.convergence;
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
-      result.dependence = dependence_of(sums, result.rigid, result.matches, config.independence);
+      result.last_two = system.last_two_information();
+      result.dependence = dependence_of(sums, result.rigid, config.independence);
       return result;
     }
     kernel *= annealing.decay;

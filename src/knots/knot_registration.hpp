@@ -38,10 +38,11 @@ struct KnotRegistration {
   NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
   double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches
 
-  /// Covariance of the pose half-way through the scan.
-  [[nodiscard]] Matrix6 mid_covariance() const;
-  /// The window's last two knots, all others integrated out.
-  [[nodiscard]] KnotPrior last_two() const;
+  /// Information of the window's last two knots, all others integrated out; valid if solved.
+  Matrix12 last_two = Matrix12::Zero();
+
+  /// Covariance of the pose at an instant of the window; valid if solved.
+  [[nodiscard]] Matrix6 covariance_at(std::int64_t instant_ns) const;
 };
 
 /// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first

@@ -202,6 +202,11 @@ void validate(const Config& config) {
                       " m) must not be less than icp.max_correspondence_distance (" +
                       number_text(config.icp.max_correspondence_distance) + " m)");
   }
+  if (config.knots.points_per_voxel < 2 * config.knots.min_points) {
+    throw ConfigError("knots.points_per_voxel (" + number_text(config.knots.points_per_voxel) +
+                      ") must be at least twice knots.min_points (" +
+                      number_text(config.knots.min_points) + "), which a pole needs");
+  }
   const int lines = config.floam.scan_line;
   if (lines != 16 && lines != 32 && lines != 64) {
     throw ConfigError("floam.scan_line: got " + number_text(lines) + ", expected 16, 32 or 64");

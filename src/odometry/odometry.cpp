@@ -31,6 +31,7 @@ struct Odometry::State {
   Session session;
   Pose T_world_map;
   std::unique_ptr<FrontEnd> front_end;
+  std::optional<std::int64_t> last_mid_ns;  // of the scans that were not rejected
 
   [[nodiscard]] std::string objection(const PreparedScan& scan) const;
   [[nodiscard]] Estimate reject(const PreparedScan& scan, std::string reason) const;
@@ -48,8 +49,10 @@ Estimate Odometry::add_scan(const Scan& scan) {
   session.begin_step(Step::preprocess);
   const PreparedScan prepared = preprocess(scan, session.config.preprocess);
   std::string objection = state_->objection(prepared);
-  Estimate estimate = objection.empty() ? state_->front_end->add(prepared)
-                                        : state_->reject(prepared, std::move(objection));
+  const bool accepted = objection.empty();
+  Estimate estimate =
+      accepted ? state_->front_end->add(prepared) : state_->reject(prepared, std::move(objection));
+  if (accepted) state_->last_mid_ns = estimate.trajectory.mid_ns();
   estimate.points = static_cast<int>(prepared.points.size());
   session.begin_step(Step::idle);
   return state_->in_world(std::move(estimate));
@@ -58,10 +61,16 @@ Estimate Odometry::add_scan(const Scan& scan) {
 std::string Odometry::State::objection(const PreparedScan& scan) const {
   if (!scan.rejection.empty()) return scan.rejection;
   const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
-  const std::optional<StampedPose> last = front_end->last_pose();
-  if (!last || mid_ns > last->stamp_ns) return {};
-  return "scan's mid-scan stamp " + std::to_string(mid_ns) + " ns is not after the last pose's " +
-         std::to_string(last->stamp_ns) + " ns";
+  if (!last_mid_ns) return {};
+  constexpr std::int64_t kLongest = std::int64_t{1} << 61;
+  if (mid_ns / 2 - *last_mid_ns / 2 > kLongest) {
+    return "scan's mid-scan stamp " + std::to_string(mid_ns) +
+           " ns is more than 146 years after the last scan's " + std::to_string(*last_mid_ns) +
+           " ns";
+  }
+  if (mid_ns > *last_mid_ns) return {};
+  return "scan's mid-scan stamp " + std::to_string(mid_ns) + " ns is not after the last scan's " +
+         std::to_string(*last_mid_ns) + " ns";
 }
 
 /// The last pose again, as something that is not known.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace surefoot {
 
@@ -28,6 +29,19 @@ std::string check_sizes(const Scan& scan) {
     return size_mismatch("rings", scan.rings.size(), points);
   }
   return {};
+}
+
+/// Whether stamp and times add up within 64 bits.
+std::string check_stamp(const Scan& scan) {
+  if (scan.times_ns.empty()) return {};
+  const auto [first, last] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
+  using Limits = std::numeric_limits<std::int64_t>;
+  if (scan.stamp_ns <= Limits::max() - std::max(*last, 0) &&
+      scan.stamp_ns >= Limits::min() - std::min(*first, 0)) {
+    return {};
+  }
+  return "scan's stamp is " + std::to_string(scan.stamp_ns) +
+         " ns; with its points' times it leaves the range of 64 bits";
 }
 
 /// First and last instant; from all points, so that what is out of range does not move mid-scan.
@@ -54,6 +68,7 @@ std::string check_extent(const PreparedScan& prepared, double min_extent) {
 PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
   PreparedScan prepared;
   prepared.rejection = check_sizes(scan);
+  if (prepared.rejection.empty()) prepared.rejection = check_stamp(scan);
   if (!prepared.rejection.empty()) return prepared;
   find_interval(scan, prepared);
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -196,6 +197,75 @@ TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
 }
 
 // The scan of another place has an unusual misfit at whatever pose.
+TEST(KnotRuns, AnUntimedScanAtTheLastInstantDoesNoHarm) {
+  const auto motion = straight_walk(0.5);
+  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans);
+  Scan& odd = scans[10];
+  const Scan& before = scans[9];
+  odd = before;
+  odd.stamp_ns =
+      before.stamp_ns + *std::max_element(before.times_ns.begin(), before.times_ns.end());
+  odd.times_ns.clear();
+  Odometry odometry;
+  const auto estimates = add_scans(odometry, scans);
+  for (const Estimate& estimate : estimates) {
+    ASSERT_TRUE(estimate.T_map_lidar.translation.allFinite()) << statuses(estimates);
+  }
+  EXPECT_TRUE(estimates.back().trusted()) << statuses(estimates);
+  EXPECT_LT(error_against({estimates.begin() + 11, estimates.end()}, motion).translation, 0.05);
+}
+
+TEST(KnotRuns, AWrongWorldIsNotBelievedInTheEnd) {
+  // As if the hall had grown by half: what fits worst becomes the usual no sooner than the map
+  // begins anew.
+  const auto motion = straight_walk(0.5);
+  std::vector<Scan> scans = take_scans(furnished_hall(), motion, 28);
+  Odometry odometry;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    if (i >= 15) {
+      for (Eigen::Vector3f& point : scans[i].points) point *= 1.5F;
+    }
+    const Estimate estimate = odometry.add_scan(scans[i]);
+    if (i >= 15 && i < 25) {
+      EXPECT_FALSE(estimate.trusted()) << i;
+    }
+  }
+}
+
+TEST(KnotRuns, AfterAGapThePlaceIsKnownTheLessTheLongerItWas) {
+  const auto motion = straight_walk(1.0);
+  const std::vector<Scan> scans = take_scans(furnished_hall(), motion, 32);
+  for (const int missing : {5, 9}) {
+    Odometry odometry;
+    std::vector<Estimate> known;
+    for (int i = 0; i < 32; ++i) {
+      if (i >= 14 && i < 14 + missing) continue;
+      const Estimate estimate = odometry.add_scan(scans[static_cast<std::size_t>(i)]);
+      if (estimate.trusted()) known.push_back(estimate);
+    }
+    ASSERT_GT(known.size(), 20U);
+    const Error error = error_against(known, motion);
+    std::printf("%d scans missing: %.3f m off\n", missing, error.translation);
+    EXPECT_LT(error.translation, 0.1) << missing;
+  }
+}
+
+TEST(KnotRuns, ADroppedScanLeavesTheCovarianceAsItWas) {
+  const auto motion = straight_walk(0.5);
+  const std::vector<Scan> scans = take_scans(furnished_hall(), motion, 30);
+  const auto sigma_without = [&](int dropped) {
+    Odometry odometry;
+    Estimate last;
+    for (int i = 0; i < 30; ++i) {
+      if (i < 25 && i >= 25 - dropped) continue;
+      if (i <= 25) last = odometry.add_scan(scans[static_cast<std::size_t>(i)]);
+    }
+    return std::sqrt(last.covariance.topLeftCorner<3, 3>().trace());
+  };
+  EXPECT_LT(sigma_without(1), 1.3 * sigma_without(0));
+  EXPECT_LT(sigma_without(3), 2.0 * sigma_without(0));
+}
+
 TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
   const std::vector<Scan> scans = take_scans(furnished_hall(), straight_walk(0.5), 10);
   const auto wrong =

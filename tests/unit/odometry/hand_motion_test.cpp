@@ -39,6 +39,8 @@ Halves read_halves(const std::string& name) {
   const Scan raw = read_one(folder / (name + ".pcd"));
   const Scan reference = read_one(folder / ("deskewed_reference_" + name + ".ply"));
   EXPECT_EQ(raw.points.size(), reference.points.size());
+  EXPECT_EQ(raw.points.size(), raw.times_ns.size());
+  if (::testing::Test::HasFailure()) return {};
   const auto [first, last] = std::minmax_element(raw.times_ns.begin(), raw.times_ns.end());
   Halves halves;
   halves.scan.start_ns = *first;
@@ -88,11 +90,13 @@ TEST(HandMotion, AScansKnotsDeskewItAsTheReferenceDoes) {
       GTEST_SKIP() << "newer_college is not on this machine";
     }
     const Halves halves = read_halves(name);
+    ASSERT_FALSE(HasFailure());
     const Pose still;
     const double raw = deskew_error(
         halves, ScanTrajectory({still, still}, halves.scan.start_ns, halves.scan.end_ns));
     const KnotRegistration found = find_motion(halves);
     ASSERT_TRUE(found.solved);
+    EXPECT_TRUE(found.converged);
     const double deskewed = deskew_error(halves, found.window.trajectory());
     std::printf("newer_college %s: raw %.3f m, deskewed %.4f m from the reference, misfit %.3f\n",
                 name, raw, deskewed, found.misfit);

@@ -208,6 +208,10 @@ TEST_P(OdometryStatus, StampsAtTheEndsOfTheirTypeDoNotCrash) {
     scan.stamp_ns = stamp;
     EXPECT_EQ(odometry.add_scan(scan).status, Status::first_scan);
     EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
+    scan.stamp_ns = -stamp;  // 584 years later, or earlier
+    EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
+    scan.stamp_ns = std::numeric_limits<std::int64_t>::max() - 5;
+    EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
   }
 }
 
