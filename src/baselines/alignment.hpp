@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "odometry/normal_equations.hpp"
@@ -17,6 +18,7 @@ struct Alignment {
   bool converged = false;
   bool finite = true;            ///< false: it ended without numbers, T_map_lidar is from before
   NormalEquations<6> equations;  ///< the last ones, for a twist about the map's origin
+  std::string refusal;  ///< why the original would not use it; then T_map_lidar is the prediction
 };
 
 /// w = k^2 / (k + |r|^2)^2: the kernel of KISS-ICP and its descendants, their scale k [m] (its unit

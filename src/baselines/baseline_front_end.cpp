@@ -56,6 +56,9 @@ void BaselineFrontEnd::judge(const Alignment& alignment, Estimate& estimate) con
   if (!alignment.finite) {
     estimate.status = Status::diverged;
     estimate.message = "the registration gave no finite pose; the prediction stands";
+  } else if (!alignment.refusal.empty()) {
+    estimate.status = matches < health.min_matches ? Status::too_few_matches : Status::diverged;
+    estimate.message = alignment.refusal;
   } else if (matches < health.min_matches || ratio < health.min_match_ratio) {
     estimate.status = Status::too_few_matches;
     estimate.message = std::to_string(matches) + " of " + std::to_string(alignment.points) +

@@ -25,6 +25,18 @@ enum class CellRounding {
   return truncated - (static_cast<double>(truncated) > scaled ? 1 : 0);
 }
 
+/// What a cell's coordinates lie between [m].
+struct CellSpan {
+  double low, high;
+};
+[[nodiscard]] inline CellSpan cell_span(int index, double size, CellRounding rounding) {
+  // Rounding to zero, the cell at zero reaches from -size to size.
+  const bool down = rounding == CellRounding::down;
+  const int low = down || index > 0 ? index : index - 1;
+  const int high = down || index >= 0 ? index + 1 : index;
+  return {low * size, high * size};
+}
+
 [[nodiscard]] inline VoxelIndex cell_index(const Eigen::Vector3d& point, double size,
                                            CellRounding rounding) {
   return {cell_index(point.x(), size, rounding), cell_index(point.y(), size, rounding),

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "baselines/floam_solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "baselines/levenberg_marquardt.hpp"
 
 namespace surefoot {
 
@@ -19,16 +20,6 @@ constexpr int kMaxSteps = 4;             // of Levenberg-Marquardt
 constexpr double kLineRatio = 3.0;       // largest eigenvalue against the second, of a line
 constexpr double kPlaneTolerance = 0.2;  // [m] of a plane's neighbours
 
-// Ceres' defaults.
-constexpr double kFirstRadius = 1e4;
-constexpr double kMaxRadius = 1e16;
-constexpr double kMinDiagonal = 1e-6;
-constexpr double kMaxDiagonal = 1e32;
-constexpr double kMinDecrease = 1e-3;         // of the predicted decrease, to accept a step
-constexpr double kFunctionTolerance = 1e-6;   // of the cost
-constexpr double kParameterTolerance = 1e-8;  // of the parameters' norm
-constexpr double kGradientTolerance = 1e-10;
-
 /// Ceres' Huber loss rho(r^2) and its derivative.
 struct Loss {
   double value, slope;
@@ -39,21 +30,11 @@ Loss huber(double squared) {
   return {2.0 * kHuber * norm - kHuber * kHuber, kHuber / norm};
 }
 
-struct Linearisation {
-  NormalEquations<6> equations;
-  double cost = 0.0;  // half the sum of losses
-  Linearisation& operator+=(const Linearisation& other) {
-    equations += other.equations;
-    cost += other.cost;
-    return *this;
-  }
-};
-
-Linearisation linearise(const std::vector<FloamResidual>& residuals, const Pose& T,
-                        const Workers& workers) {
+Linearisation<6> linearise(const std::vector<FloamResidual>& residuals, const Pose& T,
+                           const Workers& workers) {
   const Eigen::Matrix3d R = T.rotation.toRotationMatrix();
-  return workers.sum<Linearisation>(residuals.size(), [&](std::size_t begin, std::size_t end) {
-    Linearisation sum;
+  return workers.sum<Linearisation<6>>(residuals.size(), [&](std::size_t begin, std::size_t end) {
+    Linearisation<6> sum;
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d placed = R * residuals[i].point + T.translation;
       const Eigen::Matrix<double, 1, 1> r(floam_residual(residuals[i], placed));
@@ -63,15 +44,6 @@ Linearisation linearise(const std::vector<FloamResidual>& residuals, const Pose&
     }
     return sum;
   });
-}
-
-/// One Levenberg-Marquardt step: columns are scaled once and for all, then damped by their own
-/// diagonal over the trust region's radius.
-Twist damped_step(const NormalEquations<6>& equations, const Twist& scale, double radius) {
-  Matrix6 H = scale.asDiagonal() * equations.H * scale.asDiagonal();
-  H.diagonal() += H.diagonal().cwiseMax(kMinDiagonal).cwiseMin(kMaxDiagonal) / radius;
-  const Twist scaled_g = scale.cwiseProduct(equations.g);
-  return -scale.cwiseProduct(H.ldlt().solve(scaled_g));
 }
 
 struct Scatter {
@@ -149,40 +121,10 @@ bool fit_plane(std::span<const Eigen::Vector3d, 5> neighbours, bool centred,
 
 FloamSolution solve_floam(const std::vector<FloamResidual>& residuals, const Pose& T_map_lidar,
                           const Workers& workers) {
-  FloamSolution solution;
-  solution.T_map_lidar = T_map_lidar;
-  Linearisation here = linearise(residuals, T_map_lidar, workers);
-  const Twist scale = (1.0 + here.equations.H.diagonal().array().sqrt()).inverse();
-  double radius = kFirstRadius;
-  double shrink = 2.0;
-  for (int step = 0; step < kMaxSteps && !solution.converged; ++step) {
-    const Twist delta = damped_step(here.equations, scale, radius);
-    if (!delta.allFinite()) break;
-    const double predicted =
-        -delta.dot(here.equations.g) - 0.5 * delta.dot(here.equations.H * delta);
-    const Pose candidate = se3_exp(delta) * solution.T_map_lidar;
-    const Linearisation there = linearise(residuals, candidate, workers);
-    const double decrease = here.cost - there.cost;
-    const bool still = delta.norm() <= kParameterTolerance * (parameter_norm(solution.T_map_lidar) +
-                                                              kParameterTolerance);
-    solution.converged = still || std::abs(decrease) <= kFunctionTolerance * here.cost;
-    if (solution.converged) break;  // as Ceres: that step is not taken any more
-    if (predicted > 0.0 && decrease > kMinDecrease * predicted) {
-      const double ratio = decrease / predicted;
-      radius =
-          std::min(kMaxRadius, radius / std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * ratio - 1.0, 3)));
-      shrink = 2.0;
-      solution.T_map_lidar = candidate;
-      here = there;
-      ++solution.steps;
-      solution.converged = here.equations.g.lpNorm<Eigen::Infinity>() <= kGradientTolerance;
-    } else {
-      radius /= shrink;
-      shrink *= 2.0;
-    }
-  }
-  solution.equations = here.equations;
-  return solution;
+  const auto minimum = minimise<6>(
+      T_map_lidar, kMaxSteps, [&](const Pose& T) { return linearise(residuals, T, workers); },
+      [](const Pose& T, const Twist& delta) { return se3_exp(delta) * T; }, parameter_norm);
+  return {minimum.state, minimum.here.equations, minimum.steps, minimum.converged};
 }
 
 }  // namespace surefoot

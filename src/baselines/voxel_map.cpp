@@ -30,15 +30,9 @@ class CellGaps {
  public:
   CellGaps(const Eigen::Vector3d& query, const VoxelIndex& index,
            const VoxelMap::Options& options) {
-    const bool down = options.rounding == CellRounding::down;
     for (int axis = 0; axis < 3; ++axis) {
-      const int i = index[axis];
-      // Rounding to zero, the cell at zero reaches from -size to size.
-      const int low = down || i > 0 ? i : i - 1;
-      const int high = down || i >= 0 ? i + 1 : i;
-      const double below = query[axis] - low * options.voxel_size;
-      const double above = high * options.voxel_size - query[axis];
-      gaps_[axis] = {squared(below), 0.0, squared(above)};
+      const CellSpan span = cell_span(index[axis], options.voxel_size, options.rounding);
+      gaps_[axis] = {squared(query[axis] - span.low), 0.0, squared(span.high - query[axis])};
     }
   }
 

@@ -30,6 +30,7 @@ class VoxelMap {
 
   explicit VoxelMap(const Options& options) : options_(options) {}
 
+  [[nodiscard]] const Options& options() const { return options_; }
   [[nodiscard]] bool empty() const { return filled_ == 0; }
   void insert(const Eigen::Vector3d& point);
   /// Empties the cells whose first point is `radius` or farther away.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The one place that knows every method.
+#include "baselines/ct_icp_front_end.hpp"
 #include "baselines/floam_front_end.hpp"
 #include "baselines/genz_icp_front_end.hpp"
 #include "baselines/icp_front_end.hpp"
@@ -24,6 +25,8 @@ std::unique_ptr<FrontEnd> make_front_end(const Session& session) {
       return std::make_unique<GenzIcpFrontEnd>(session);
     case Method::floam:
       return std::make_unique<FloamFrontEnd>(session);
+    case Method::ct_icp:
+      return std::make_unique<CtIcpFrontEnd>(session);
     case Method::paper:
       break;
   }

@@ -54,6 +54,19 @@ EnumNames<IcpTarget> enum_names(IcpTarget) {
                                                                 {IcpTarget::map, "map"}};
   return names;
 }
+EnumNames<CtIcpSampling> enum_names(CtIcpSampling) {
+  static constexpr std::pair<CtIcpSampling, const char*> names[] = {
+      {CtIcpSampling::none, "none"},
+      {CtIcpSampling::grid, "grid"},
+      {CtIcpSampling::adaptive, "adaptive"}};
+  return names;
+}
+EnumNames<CtIcpInitialization> enum_names(CtIcpInitialization) {
+  static constexpr std::pair<CtIcpInitialization, const char*> names[] = {
+      {CtIcpInitialization::none, "none"},
+      {CtIcpInitialization::constant_velocity, "constant_velocity"}};
+  return names;
+}
 EnumNames<bool> enum_names(bool) {
   static constexpr std::pair<bool, const char*> names[] = {{true, "true"}, {false, "false"}};
   return names;
@@ -206,6 +219,17 @@ void validate(const Config& config) {
     throw ConfigError("knots.points_per_voxel (" + number_text(config.knots.points_per_voxel) +
                       ") must be at least twice knots.min_points (" +
                       number_text(config.knots.min_points) + "), which a pole needs");
+  }
+  if (config.ct_icp.default_radius > kMaxSearchVoxels * config.ct_icp.resolution) {
+    throw ConfigError("ct_icp.default_radius (" + number_text(config.ct_icp.default_radius) +
+                      " m) must not be more than " + number_text(kMaxSearchVoxels) +
+                      " times ct_icp.resolution (" + number_text(config.ct_icp.resolution) + " m)");
+  }
+  if (config.ct_icp.min_number_neighbors > config.ct_icp.max_num_neighbors) {
+    throw ConfigError("ct_icp.min_number_neighbors (" +
+                      number_text(config.ct_icp.min_number_neighbors) +
+                      ") must not be more than ct_icp.max_num_neighbors (" +
+                      number_text(config.ct_icp.max_num_neighbors) + ")");
   }
   const int lines = config.floam.scan_line;
   if (lines != 16 && lines != 32 && lines != 64) {

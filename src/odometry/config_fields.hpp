@@ -12,8 +12,9 @@
 namespace surefoot {
 
 /// Where a parameter lives in a Config.
-using FieldSlot = std::variant<double*, int*, bool*, DeskewMode*, RegistrationMode*, Residual*,
-                               TargetKind*, LevelMode*, IcpTarget*>;
+using FieldSlot =
+    std::variant<double*, int*, bool*, DeskewMode*, RegistrationMode*, Residual*, TargetKind*,
+                 LevelMode*, IcpTarget*, CtIcpSampling*, CtIcpInitialization*>;
 
 struct ConfigField {
   const char* name;
