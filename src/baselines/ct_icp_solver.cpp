@@ -85,6 +85,11 @@ Pose CtIcpMotion::at(double alpha) const {
 Eigen::Matrix<double, 1, 12> CtIcpMotion::derivative(double alpha, const Eigen::Vector3d& point,
                                                      const Eigen::Vector3d& normal) const {
   const Eigen::Vector3d lever = rotate(alpha, point).cross(normal);
+  Eigen::Matrix<double, 1, 12> row;
+  if (alpha == 1.0) {  // exactly: a rigid scan's first pose must not be moved by rounding errors
+    row << Eigen::Matrix<double, 1, 6>::Zero(), normal.transpose(), lever.transpose();
+    return row;
+  }
   const double sine = std::sin(alpha * angle_);
   const double versine = 1.0 - std::cos(alpha * angle_);
   const Eigen::Vector3d turned = axis_.cross(lever);
@@ -94,7 +99,6 @@ Eigen::Matrix<double, 1, 12> CtIcpMotion::derivative(double alpha, const Eigen::
     A_lever = sine / angle_ * lever + (alpha - sine / angle_) * axis_.dot(lever) * axis_ -
               versine / angle_ * turned;
   }
-  Eigen::Matrix<double, 1, 12> row;
   row << (1.0 - alpha) * normal.transpose(), (turned_back - left_inverse_ * A_lever).transpose(),
       alpha * normal.transpose(), (left_inverse_back_ * A_lever).transpose();
   return row;
