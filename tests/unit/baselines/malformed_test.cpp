@@ -71,7 +71,8 @@ const std::pair<const char*, Spoil> kSpoilers[] = {
 
 class Malformed : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Baselines, Malformed,
-                         testing::Values("kiss-icp", "icp", "genz-icp", "floam"));
+                         testing::Values("kiss-icp", "icp", "genz-icp", "floam", "ct-icp",
+                                         "ct-icp-robust-driving", "ct-icp-nclt"));
 
 std::vector<Scan> short_walk() {
   const Twist velocity = (Twist() << 0.5, 0, 0, 0, 0, 0).finished();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -140,6 +141,20 @@ TEST(CellDownsample, ComesInTheOrderOfTheTable) {
   EXPECT_EQ(again[1].x(), 3.5);
   EXPECT_EQ(again[2].x(), 11.5);
   EXPECT_EQ(again[3].x(), 4.5);
+}
+
+TEST(CellDownsample, ATableThatExpectsFewCellsGrows) {
+  // From one slot to two, four and eight: home slots 0, 3, 0 and 1 of eight.
+  const std::vector<Eigen::Vector3d> points = {
+      {8.5, 0.5, 0.5}, {3.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}};
+  const auto first = first_of_cells(points, 1.0, CellRounding::down, x_as_hash, 0);
+  EXPECT_EQ(first, (std::vector<std::uint32_t>{0, 2, 3, 1}));
+  const auto many = random_points(3000, 5.0, 4);
+  auto grown = first_of_cells(many, 0.9, CellRounding::down, fair_hash, 10);
+  auto roomy = first_of_cells(many, 0.9, CellRounding::down, fair_hash, 3000);
+  std::sort(grown.begin(), grown.end());
+  std::sort(roomy.begin(), roomy.end());
+  EXPECT_EQ(grown, roomy);
 }
 
 }  // namespace
