@@ -56,12 +56,13 @@ CtIcpPlane fit_ct_icp_plane(std::span<const VoxelNeighbours::Neighbour> neighbou
   mean /= count;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const auto& neighbour : neighbours) {
-    const Eigen::Vector3d apart = *neighbour.point - mean;
-    covariance.noalias() += apart * apart.transpose();
+    const Eigen::Vector3d off = *neighbour.point - mean;
+    covariance.noalias() += off * off.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance / count);
   const Eigen::Vector3d spread = eigen.eigenvalues().cwiseAbs().cwiseSqrt();
-  return {eigen.eigenvectors().col(0), (spread[1] - spread[0]) / spread[2]};
+  const bool apart = spread[2] > 0.0;
+  return {eigen.eigenvectors().col(0), apart ? (spread[1] - spread[0]) / spread[2] : 0.0};
 }
 
 double ct_icp_weight(double planarity, double distance, const Config::CtIcp& config) {

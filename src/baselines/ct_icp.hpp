@@ -17,7 +17,7 @@ struct CtIcpPlane {
   Eigen::Vector3d normal;
   double planarity;  ///< a2D = (sigma_2 - sigma_3) / sigma_1, of the neighbours' spreads
 };
-/// From the neighbours; there must be three or more, apart from each other.
+/// From the neighbours; planarity is 0 where they are all in one place.
 [[nodiscard]] CtIcpPlane fit_ct_icp_plane(std::span<const VoxelNeighbours::Neighbour> neighbours);
 
 /// weight_alpha planarity^power_planarity + weight_neighborhood exp(-distance / (20 * 0.3 m)), the

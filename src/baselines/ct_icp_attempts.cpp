@@ -13,6 +13,7 @@ constexpr int kStartingIterations = 15;  // at least, for a starting scan
 constexpr int kMoreSteps = 30;           // of the solver, per level
 constexpr int kMoreIterations = 20;      // per level,
 constexpr int kMaxIterations = 50;       // up to these
+constexpr int kMaxResiduals = 1000000;   // ours: more than any scan has
 constexpr int kMoreResiduals = 2;        // factors per level
 constexpr double kFinerThreshold = 0.1;
 constexpr double kLooserLoss = 1.2;
@@ -58,7 +59,9 @@ CtIcpEffort first_effort(const Config::CtIcp& config, bool starting, int level) 
 void CtIcpEffort::increase() {
   const double finest = std::min(config.init_voxel_size, config.voxel_size);
   config.ls_max_num_iters += kMoreSteps;
-  if (config.max_num_residuals > 0) config.max_num_residuals *= kMoreResiduals;
+  if (config.max_num_residuals > 0) {
+    config.max_num_residuals = std::min(kMoreResiduals * config.max_num_residuals, kMaxResiduals);
+  }
   config.num_iters_icp = std::min(config.num_iters_icp + kMoreIterations, kMaxIterations);
   config.threshold_orientation_norm =
       std::max(kFinerThreshold * config.threshold_orientation_norm, kLeastOrientationThreshold);

@@ -34,8 +34,8 @@ std::uint32_t short_hash(const VoxelIndex& cell) {
   return static_cast<std::uint32_t>(CtIcpHash{}(cell));
 }
 
-std::vector<CtIcpPoint> first_of_cells(const std::vector<CtIcpPoint>& points, double size,
-                                       CellRounding rounding) {
+std::vector<CtIcpPoint> one_of_each_cell(const std::vector<CtIcpPoint>& points, double size,
+                                         CellRounding rounding) {
   std::vector<Eigen::Vector3d> coordinates;
   coordinates.reserve(points.size());
   for (const CtIcpPoint& point : points) coordinates.push_back(point.point);
@@ -62,7 +62,7 @@ std::vector<CtIcpPoint> CtIcpSampler::thin(const PreparedScan& scan, bool rigid,
         {scan.points[i].cast<double>(), rigid ? 1.0 : static_cast<double>(scan.taus[i])});
   }
   std::shuffle(points.begin(), points.end(), random_);
-  points = first_of_cells(points, size, cell_rounding(config_));
+  points = one_of_each_cell(points, size, cell_rounding(config_));
   std::shuffle(points.begin(), points.end(), random_);
   return points;
 }
@@ -75,7 +75,7 @@ std::vector<CtIcpPoint> CtIcpSampler::keypoints(const std::vector<CtIcpPoint>& p
       picked = points;
       break;
     case CtIcpSampling::grid:
-      picked = first_of_cells(points, size, cell_rounding(config_));
+      picked = one_of_each_cell(points, size, cell_rounding(config_));
       break;
     case CtIcpSampling::adaptive:
       for (const std::size_t i : adaptive_sample(points, cell_rounding(config_))) {
