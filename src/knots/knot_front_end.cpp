@@ -27,6 +27,8 @@ constexpr double kWalking = 2.0;  // [m/s] what is slower, a registration from r
 
 // A registration whose misfit is so many times the usual is tried again.
 constexpr double kSuspicious = 1.25;
+// And what would be lost, with so many times the usual fluctuation.
+constexpr double kLooser = 3.0;
 // Beyond twice the usual and this, it is wrong.
 constexpr double kMisfitMargin = 0.15;
 // The usual misfit is a fading mean over about ten scans.
@@ -89,25 +91,34 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
 /// Most scans need one registration. One that ends worse than usual is tried again, more slowly and
 /// from farther away; also from the mean velocity, since after a stumble the last velocity
-/// foretells nothing.
+/// foretells nothing. One that would be lost is tried with a velocity that may fluctuate more than
+/// it was ever seen to: in a sudden turn.
 KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
                                                    const KnotWindow& predicted) const {
-  const auto attempt = [&](const KnotWindow& start, const Annealing& annealing) {
+  const auto attempt = [&](const KnotWindow& start, const VelocityModel& model,
+                           const Annealing& annealing) {
     for (KnotPoints::Point& point : points.points) point.place = {};
-    return register_knots(points, map_, start, end_.prior, model_, annealing, config_.knots,
+    return register_knots(points, map_, start, end_.prior, model, annealing, config_.knots,
                           session_.workers, session_.begin_step);
   };
-  KnotRegistration best = attempt(predicted, usual_annealing(config_.knots));
+  KnotRegistration best = attempt(predicted, model_, usual_annealing(config_.knots));
   if (!config_.knots.second_attempt) return best;
-  const auto also_from = [&](const KnotWindow& start) {
-    KnotRegistration other = attempt(start, patient_annealing(config_.knots));
+  const auto also = [&](const KnotWindow& start, const VelocityModel& model) {
+    KnotRegistration other = attempt(start, model, patient_annealing(config_.knots));
     if (other.solved && (!best.solved || other.misfit < best.misfit)) best = std::move(other);
   };
   if (best.converged && best.misfit < kSuspicious * usual_misfit_) return best;
-  also_from(predicted);
-  also_from(predicted.at_velocity(model_.mean(end_.prior.means[1].rotation)));
+  const KnotWindow steady = predicted.at_velocity(model_.mean(end_.prior.means[1].rotation));
+  also(predicted, model_);
+  also(steady, model_);
+  if (best.solved && best.misfit <= most_misfit()) return best;
+  also(predicted, model_.looser(kLooser));
+  also(steady, model_.looser(kLooser));
   return best;
 }
+
+/// A registration that ends with more is wrong.
+double KnotFrontEnd::most_misfit() const { return 2.0 * usual_misfit_ + kMisfitMargin; }
 
 /// After a long gap, or where scans overlap, the velocity of then says nothing: as if at rest, at a
 /// place that is known the less the longer ago it was.
@@ -165,10 +176,9 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   if (!found.solved && verdict.status == Status::ok) {
     verdict = {Status::diverged, "the knots' normal equations gave no finite solution"};
   }
-  const double most = 2.0 * usual_misfit_ + kMisfitMargin;
-  if (found.misfit > most && verdict.status == Status::ok) {
+  if (found.misfit > most_misfit() && verdict.status == Status::ok) {
     verdict = {Status::diverged, "the misfit to the map is " + std::to_string(found.misfit) +
-                                     "; expected at most " + std::to_string(most) +
+                                     "; expected at most " + std::to_string(most_misfit()) +
                                      ", from the last scans"};
   }
   estimate.status = verdict.status;

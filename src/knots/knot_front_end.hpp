@@ -39,6 +39,7 @@ class KnotFrontEnd : public FrontEnd {
   void bridge(const PreparedScan& scan, double gap, double segment);
   [[nodiscard]] KnotRegistration register_scan_knots(KnotPoints& points,
                                                      const KnotWindow& predicted) const;
+  [[nodiscard]] double most_misfit() const;
   [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
                                   const Pose& T_0, std::size_t points) const;
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,

@@ -44,6 +44,12 @@ void VelocityModel::begin(const Twist& velocity, const Eigen::Quaterniond& rotat
   learnt_ = 1;
 }
 
+VelocityModel VelocityModel::looser(double factor) const {
+  VelocityModel model = *this;
+  model.variance_ *= factor * factor;
+  return model;
+}
+
 Twist VelocityModel::mean(const Eigen::Quaterniond& rotation) const {
   return rotated(rotation, mean_);
 }

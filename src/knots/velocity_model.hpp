@@ -39,6 +39,9 @@ class VelocityModel {
   void learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
              const Eigen::Quaterniond& rotation);
 
+  /// The same, but that the velocity may fluctuate `factor` times as much.
+  [[nodiscard]] VelocityModel looser(double factor) const;
+
   /// The mean velocity, in the map's axes for a sensor turned by `rotation`.
   [[nodiscard]] Twist mean(const Eigen::Quaterniond& rotation) const;
 

@@ -268,5 +268,14 @@ TEST(VelocityModel, WhatIsNotKnownOfTheKnotsCountsAsFluctuation) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(model.fluctuation()[i], expected, 1e-6 * expected);
 }
 
+TEST(VelocityModel, ALooserOneFluctuatesMoreAboutTheSameMean) {
+  VelocityModel model(Config().knots);
+  model.begin((Twist() << 1.0, 0.2, 0.0, 0.0, 0.0, 0.3).finished(), Eigen::Quaterniond::Identity());
+  const VelocityModel looser = model.looser(3.0);
+  EXPECT_LT((looser.fluctuation() - 3.0 * model.fluctuation()).norm(), 1e-12);
+  EXPECT_EQ(looser.mean(Eigen::Quaterniond::Identity()),
+            model.mean(Eigen::Quaterniond::Identity()));
+}
+
 }  // namespace
 }  // namespace surefoot
