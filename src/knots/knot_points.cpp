@@ -45,7 +45,7 @@ KnotPoints sort_points(const PreparedScan& scan, const std::vector<std::uint32_t
   for (const std::uint32_t i : chosen) {
     const double tau = scan.taus.empty() ? 0.5 : static_cast<double>(scan.taus[i]);
     const double scaled = (offset + tau * duration) / window.step;
-    const double last = static_cast<double>(segments - 1);
+    const auto last = static_cast<double>(segments - 1);
     const auto segment = static_cast<std::size_t>(std::clamp(scaled, 0.0, last));
     sorted[segment].push_back(
         {scan.points[i].cast<double>(), scaled - static_cast<double>(segment), {}});

@@ -206,7 +206,7 @@ std::vector<Eigen::Vector3d> SurfelMap::points() const {
   std::vector<Eigen::Vector3d> means;
   means.reserve(grid.moments.size());
   for (const Moments& voxel : grid.moments) {
-    means.push_back(voxel.index.cast<double>() * grid.size + voxel.sum / voxel.count);
+    means.emplace_back(voxel.index.cast<double>() * grid.size + voxel.sum / voxel.count);
   }
   return means;
 }
