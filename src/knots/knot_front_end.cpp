@@ -34,17 +34,18 @@ constexpr double kMisfitMargin = 0.15;
 // The usual misfit is a fading mean over about ten scans.
 constexpr double kMisfitRate = 0.1;
 
+// The dependence among residuals is a fading mean, too.
+constexpr double kDependenceRate = 0.1;
+// The knots and the map take up most of what neighbours share; what is left over in their residuals
+// is about a quarter of the variance. From the normalised errors of 1 m motions
+// (docs/benchmarks.md).
+constexpr double kTakenUp = 4.0;
+
 Config::Deskew along_trajectory() {
   Config::Deskew deskew{};
   deskew.mode = DeskewMode::piecewise;
   return deskew;
 }
-
-// The dependence among residuals is a fading mean, too.
-constexpr double kDependenceRate = 0.1;
-// The knots and the map take up most of what neighbours share; what is left over in their residuals
-// is about a quarter of the variance. From the normalised errors of 1 m motions (docs/method.md).
-constexpr double kTakenUp = 4.0;
 
 /// The residuals' variance as a share of the one that was assumed (reduced chi squared).
 double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
@@ -205,7 +206,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   if (last_pose_) estimate.covariance = unregistered_covariance(config_.health);
   const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
   const double duration = static_cast<double>(scan.end_ns - scan.start_ns) * kSecond;
-  end_.step = std::max(duration, 1e-3) / config_.knots.segments;
+  end_.step = std::max(duration, kInstant) / config_.knots.segments;
   end_.stamp_ns = scan.end_ns;
   end_.prior = at_rest(T_map_lidar, end_.step);
   velocity_ = Twist::Zero();
@@ -260,7 +261,9 @@ void KnotFrontEnd::map_first_scan(const Twist& velocity) {
       {displaced(last_pose_->pose, -half * velocity), displaced(last_pose_->pose, half * velocity)},
       first_scan_->start_ns, first_scan_->end_ns);
   map_.clear();
-  integrate(*first_scan_, downsample_indices(first_scan_->points, config_.knots.map_voxel), moving);
+  integrate(*first_scan_,
+            downsample_indices(first_scan_->points, config_.knots.map_voxel, session_.workers),
+            moving);
 }
 
 /// A scan that could not be registered: the pose is the prediction and the map stays, until too

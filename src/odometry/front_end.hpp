@@ -30,7 +30,7 @@ class FrontEnd {
   FrontEnd& operator=(const FrontEnd&) = delete;
   virtual ~FrontEnd() = default;
 
-  /// One usable scan whose middle is later than last_pose().
+  /// One usable scan whose middle is later than that of the scan before, lost or not.
   virtual Estimate add(const PreparedScan& scan) = 0;
 
   /// The last trusted pose; nothing before the first scan.
