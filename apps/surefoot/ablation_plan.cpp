@@ -72,10 +72,10 @@ const Change kPaperChanges[] = {
 };
 
 const Change kSurefootChanges[] = {
-    {kControl, "map cubes 0.196 m", "", "knots.map_voxel=0.196"},
-    {kControl, "map cubes 0.198 m", "", "knots.map_voxel=0.198"},
-    {kControl, "map cubes 0.202 m", "", "knots.map_voxel=0.202"},
-    {kControl, "map cubes 0.204 m", "", "knots.map_voxel=0.204"},
+    {kControl, "3900 points mapped", "", "knots.map_points=3900"},
+    {kControl, "3950 points mapped", "", "knots.map_points=3950"},
+    {kControl, "4050 points mapped", "", "knots.map_points=4050"},
+    {kControl, "4100 points mapped", "", "knots.map_points=4100"},
 
     {"Knots", "K = 1", "(9)-(11)", "knots.segments=1"},
     {"Knots", "K = 2", "(9)-(11)", "knots.segments=2"},

@@ -159,7 +159,8 @@ struct Config {
   struct Knots {
     int segments;             // K: of a scan
     int points;               // to be registered
-    double map_voxel;         // [m] thinning of what enters the map
+    int map_points;           // of a scan that enter the map
+    double map_voxel;         // [m] they are thinned to no finer cubes
     double finest_voxel;      // [m] of the map's finest grid
     int levels;               // grids, each twice as coarse as the last
     int points_per_voxel;     // a full voxel takes no more

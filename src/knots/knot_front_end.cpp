@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "odometry/deskew.hpp"
-#include "odometry/downsample.hpp"
 #include "odometry/information.hpp"
 #include "odometry/level.hpp"
 
@@ -25,12 +24,6 @@ constexpr double kInstant = 1e-3;  // [s] a scan that is shorter has no times
 const Twist kAnyFluctuation = (Twist() << 10.0, 10.0, 2.0, 0.5, 0.5, 2.0).finished();
 constexpr double kWalking = 2.0;  // [m/s] what is slower, a registration from rest finds
 
-// A registration whose misfit is so many times the usual is tried again.
-constexpr double kSuspicious = 1.25;
-// And what would be lost, with so many times the usual fluctuation.
-constexpr double kLooser = 3.0;
-// Beyond twice the usual and this, it is wrong.
-constexpr double kMisfitMargin = 0.15;
 // The usual misfit is a fading mean over about ten scans.
 constexpr double kMisfitRate = 0.1;
 
@@ -40,6 +33,15 @@ constexpr double kDependenceRate = 0.1;
 // is about a quarter of the variance. From the normalised errors of 1 m motions
 // (docs/benchmarks.md).
 constexpr double kTakenUp = 4.0;
+
+// [m] of the cubes that choose the points to be registered.
+constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
+
+/// Of those that choose the points to be mapped: a voxel takes several points of a scan.
+PointChoice::Cubes cubes_of_map(const Config::Knots& config) {
+  const double coarsest = 0.5 * config.finest_voxel;
+  return {config.map_voxel, coarsest, coarsest};
+}
 
 Config::Deskew along_trajectory() {
   Config::Deskew deskew{};
@@ -59,18 +61,21 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       config_(session.config),
       map_(config_.knots, config_.map.radius),
       model_(config_.knots),
-      choice_(config_.knots.points, config_.knots.map_voxel),
+      map_choice_(config_.knots.map_points, cubes_of_map(config_.knots)),
+      choice_(config_.knots.points, {config_.knots.map_voxel, kFirstCube, kCoarsestCube}),
       dependence_(1.0 / config_.knots.independence) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   session_.begin_step(Step::downsample);
-  const auto thinned = downsample_indices(scan.points, config_.knots.map_voxel, session_.workers);
+  const auto thinned = map_choice_.choose(scan, session_.workers);
   if (map_.empty()) return begin_map(scan, thinned);
 
   if (first_scan_) begin_motion(scan, thinned);
   const KnotWindow predicted = predict(scan);
   KnotPoints points = sort_points(scan, choice_.choose(scan, thinned, session_.workers), predicted);
-  const KnotRegistration found = register_scan_knots(points, predicted);
+  const KnotProblem problem{map_,          end_.prior,       model_,
+                            config_.knots, session_.workers, session_.begin_step};
+  const KnotRegistration found = register_in_attempts(points, problem, predicted, usual_);
   session_.begin_step(Step::assess);
   const ScanTrajectory trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
   const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
@@ -79,7 +84,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
   lost_in_a_row_ = 0;
   dependence_ += kDependenceRate * (found.dependence - dependence_);
-  usual_misfit_ += (first_scan_ ? 1.0 : kMisfitRate) * (found.misfit - usual_misfit_);
+  usual_.learn(found, first_scan_ ? 1.0 : kMisfitRate);
   model_.learn(found.window, found.covariance, end_.prior.means[1].rotation);
   finish(found.window, found.last_two);
   session_.begin_step(Step::map);
@@ -89,37 +94,6 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   return publish(trajectory, std::move(estimate));
 }
-
-/// Most scans need one registration. One that ends worse than usual is tried again, more slowly and
-/// from farther away; also from the mean velocity, since after a stumble the last velocity
-/// foretells nothing. One that would be lost is tried with a velocity that may fluctuate more than
-/// it was ever seen to: in a sudden turn.
-KnotRegistration KnotFrontEnd::register_scan_knots(KnotPoints& points,
-                                                   const KnotWindow& predicted) const {
-  const auto attempt = [&](const KnotWindow& start, const VelocityModel& model,
-                           const Annealing& annealing) {
-    for (KnotPoints::Point& point : points.points) point.place = {};
-    return register_knots(points, map_, start, end_.prior, model, annealing, config_.knots,
-                          session_.workers, session_.begin_step);
-  };
-  KnotRegistration best = attempt(predicted, model_, usual_annealing(config_.knots));
-  if (!config_.knots.second_attempt) return best;
-  const auto also = [&](const KnotWindow& start, const VelocityModel& model) {
-    KnotRegistration other = attempt(start, model, patient_annealing(config_.knots));
-    if (other.solved && (!best.solved || other.misfit < best.misfit)) best = std::move(other);
-  };
-  if (best.converged && best.misfit < kSuspicious * usual_misfit_) return best;
-  const KnotWindow steady = predicted.at_velocity(model_.mean(end_.prior.means[1].rotation));
-  also(predicted, model_);
-  also(steady, model_);
-  if (best.solved && best.misfit <= most_misfit()) return best;
-  also(predicted, model_.looser(kLooser));
-  also(steady, model_.looser(kLooser));
-  return best;
-}
-
-/// A registration that ends with more is wrong.
-double KnotFrontEnd::most_misfit() const { return 2.0 * usual_misfit_ + kMisfitMargin; }
 
 /// After a long gap, or where scans overlap, the velocity of then says nothing: as if at rest, at a
 /// place that is known the less the longer ago it was.
@@ -177,9 +151,10 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   if (!found.solved && verdict.status == Status::ok) {
     verdict = {Status::diverged, "the knots' normal equations gave no finite solution"};
   }
-  if (found.misfit > most_misfit() && verdict.status == Status::ok) {
+  const double most = usual_.most_misfit();
+  if (found.misfit > most && verdict.status == Status::ok) {
     verdict = {Status::diverged, "the misfit to the map is " + std::to_string(found.misfit) +
-                                     "; expected at most " + std::to_string(most_misfit()) +
+                                     "; expected at most " + std::to_string(most) +
                                      ", from the last scans"};
   }
   estimate.status = verdict.status;
@@ -211,8 +186,8 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   end_.prior = at_rest(T_map_lidar, end_.step);
   velocity_ = Twist::Zero();
   lost_in_a_row_ = 0;
-  first_scan_ = scan;
-  usual_misfit_ = 1.0;
+  first_scan_ = FirstScan{scan, thinned};
+  usual_ = {};
   integrate(scan, thinned, trajectory);
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
   return publish(trajectory, std::move(estimate));
@@ -256,14 +231,13 @@ void KnotFrontEnd::begin_motion(const PreparedScan& scan,
 
 /// The map of the first scan alone, which was made as if the sensor had stood.
 void KnotFrontEnd::map_first_scan(const Twist& velocity) {
-  const double half = 0.5e-9 * static_cast<double>(first_scan_->end_ns - first_scan_->start_ns);
+  const auto& [first, thinned] = *first_scan_;
+  const double half = 0.5e-9 * static_cast<double>(first.end_ns - first.start_ns);
   const ScanTrajectory moving(
       {displaced(last_pose_->pose, -half * velocity), displaced(last_pose_->pose, half * velocity)},
-      first_scan_->start_ns, first_scan_->end_ns);
+      first.start_ns, first.end_ns);
   map_.clear();
-  integrate(*first_scan_,
-            downsample_indices(first_scan_->points, config_.knots.map_voxel, session_.workers),
-            moving);
+  integrate(first, thinned, moving);
 }
 
 /// A scan that could not be registered: the pose is the prediction and the map stays, until too

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "knots/knot_registration.hpp"
+#include "knots/knot_attempts.hpp"
 #include "knots/surfel_map.hpp"
 #include "knots/velocity_model.hpp"
 #include "odometry/front_end.hpp"
@@ -34,12 +34,14 @@ class KnotFrontEnd : public FrontEnd {
     double step = 0.0;          // [s] between the two
   };
 
+  struct FirstScan {
+    PreparedScan scan;
+    std::vector<std::uint32_t> thinned;
+  };
+
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotWindow predict(const PreparedScan& scan);
   void bridge(const PreparedScan& scan, double gap, double segment);
-  [[nodiscard]] KnotRegistration register_scan_knots(KnotPoints& points,
-                                                     const KnotWindow& predicted) const;
-  [[nodiscard]] double most_misfit() const;
   [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
                                   const Pose& T_0, std::size_t points) const;
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
@@ -59,13 +61,14 @@ class KnotFrontEnd : public FrontEnd {
   // Everything that outlives a scan.
   SurfelMap map_;
   VelocityModel model_;
+  PointChoice map_choice_;
   PointChoice choice_;
   End end_;
   std::optional<StampedPose> last_pose_;
   Twist velocity_ = Twist::Zero();
-  double usual_misfit_ = 1.0;
+  UsualFit usual_;
   double dependence_;
-  std::optional<PreparedScan> first_scan_;  // until its motion is known
+  std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;
   int lost_in_a_row_ = 0;

@@ -13,10 +13,27 @@ namespace {
 
 constexpr double kSecond = 1e-9;  // [s/ns]
 
-constexpr double kCoarsest = 3.0;    // [m] of the cubes
 constexpr double kFarTooMany = 2.0;  // of the points wanted: thinned again at once
 
 }  // namespace
+
+std::vector<std::uint32_t> PointChoice::thin(const std::vector<Eigen::Vector3f>& places,
+                                             const Workers& workers) {
+  const auto once = [&] {
+    std::vector<std::uint32_t> thinned = downsample_indices(places, voxel_, workers);
+    const double excess = static_cast<double>(thinned.size()) / points_;
+    const double finest = std::min(cubes_.finest, cubes_.coarsest);
+    voxel_ = std::clamp(voxel_ * std::sqrt(excess), finest, cubes_.coarsest);
+    return thinned;
+  };
+  std::vector<std::uint32_t> chosen = once();
+  if (static_cast<double>(chosen.size()) > kFarTooMany * points_) chosen = once();
+  return chosen;
+}
+
+std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan, const Workers& workers) {
+  return thin(scan.points, workers);
+}
 
 std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
                                                const std::vector<std::uint32_t>& candidates,
@@ -24,14 +41,7 @@ std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
   std::vector<Eigen::Vector3f> places;
   places.reserve(candidates.size());
   for (const std::uint32_t i : candidates) places.push_back(scan.points[i]);
-  const auto thin = [&] {
-    std::vector<std::uint32_t> thinned = downsample_indices(places, voxel_, workers);
-    const double excess = static_cast<double>(thinned.size()) / points_;
-    voxel_ = std::clamp(voxel_ * std::sqrt(excess), std::min(finest_, kCoarsest), kCoarsest);
-    return thinned;
-  };
-  std::vector<std::uint32_t> chosen = thin();
-  if (static_cast<double>(chosen.size()) > kFarTooMany * points_) chosen = thin();
+  std::vector<std::uint32_t> chosen = thin(places, workers);
   for (std::uint32_t& i : chosen) i = candidates[i];
   return chosen;
 }

@@ -28,18 +28,27 @@ struct KnotPoints {
 /// thins them to follow the scene's scale from scan to scan.
 class PointChoice {
  public:
-  /// `finest`: what the candidates are thinned to already [m].
-  PointChoice(int points, double finest) : points_(points), finest_(finest) {}
+  /// The cubes' sizes [m].
+  struct Cubes {
+    double finest, first, coarsest;
+  };
+  PointChoice(int points, const Cubes& cubes)
+      : points_(points), cubes_(cubes), voxel_(cubes.first) {}
 
   /// `candidates` and the result are indices into the scan's points.
   [[nodiscard]] std::vector<std::uint32_t> choose(const PreparedScan& scan,
                                                   const std::vector<std::uint32_t>& candidates,
                                                   const Workers& workers);
+  /// Likewise, of all points.
+  [[nodiscard]] std::vector<std::uint32_t> choose(const PreparedScan& scan, const Workers& workers);
 
  private:
+  std::vector<std::uint32_t> thin(const std::vector<Eigen::Vector3f>& places,
+                                  const Workers& workers);
+
   int points_;
-  double finest_;
-  double voxel_ = 1.0;  // [m]
+  Cubes cubes_;
+  double voxel_;  // [m] for the next scan
 };
 
 /// By the segment that each point's instant falls into; without times, the scan's middle.

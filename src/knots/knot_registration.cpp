@@ -217,7 +217,9 @@ KnotRegistration register_knots(KnotPoints& points, const SurfelMap& map,
     begin_step(Step::solve);
     BandedSystem system(predicted.knots.size());
     add_surfels(system, sums, result);
-    result.misfit /= static_cast<double>(std::max<std::size_t>(points.points.size(), 1));
+    const auto all = static_cast<double>(std::max<std::size_t>(points.points.size(), 1));
+    result.misfit /= all;
+    result.unseen = 1.0 - result.matches / all;
     add_prior(system, result.window, prior);
     model.add_to(system, result.window, heading);
     result.iterations = t;

@@ -34,6 +34,7 @@ struct KnotRegistration {
   int iterations = 0;
   int matches = 0;
   double misfit = 1.0;            ///< 0: every point lies on its surfel; 1: no point near any
+  double unseen = 1.0;            ///< share of the points where the map has no surfel
   double dependence = 1.0;        ///< of neighbours' residuals: so many count as one
   NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
   double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches

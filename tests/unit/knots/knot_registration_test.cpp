@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One scan of a swaying sensor against a map made with the true motion.
-#include "knots/knot_registration.hpp"
+#include "knots/knot_attempts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -267,6 +267,69 @@ TEST(KnotRegistration, WithoutAMapThePredictionStays) {
   for (std::size_t k = 0; k < start.knots.size(); ++k) {
     EXPECT_LT(difference(found.window.knots[k], start.knots[k]).norm(), 1e-9);
   }
+}
+
+KnotRegistration attempts_from(const KnotWindow& start, const KnotPrior& prior,
+                               const UsualFit& usual, int* searches = nullptr) {
+  const Config::Knots config = Config().knots;
+  const VelocityModel model(config);
+  const Workers workers(1);
+  const StepObserver count = [&](Step step) {
+    if (searches != nullptr && step == Step::search) ++*searches;
+  };
+  KnotPoints points = scan_points();
+  return register_in_attempts(points, {true_map(), prior, model, config, workers, count}, start,
+                              usual);
+}
+
+TEST(KnotAttempts, AUsualScanNeedsOne) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  UsualFit usual;
+  usual.learn(one, 1.0);
+  int searches = 0;
+  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
+  EXPECT_EQ(searches, one.iterations);
+  EXPECT_EQ(found.misfit, one.misfit);
+}
+
+TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
+  // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  UsualFit usual;
+  usual.learn(register_from(truth, prior), 1.0);
+  usual.disagreement *= 0.5;
+  KnotWindow start = truth;
+  for (std::size_t k = 2; k < start.knots.size(); ++k) {
+    const double angle = 20.0 * kDegree * static_cast<double>(k - 1) / kSegments;
+    start.knots[k].rotation = start.knots[k].rotation * from_roll_pitch_yaw({0.0, angle, 0.0});
+  }
+  int searches = 0;
+  const KnotRegistration found = attempts_from(start, prior, usual, &searches);
+  ASSERT_TRUE(found.solved);
+  EXPECT_GT(searches, 3 * found.iterations);
+  EXPECT_LE(found.misfit, register_from(start, prior).misfit);
+  const KnotError error = error_of(found.window);
+  std::printf("from a pitch of 20 deg: %.4f m, %.3f deg, misfit %.3f\n", error.translation,
+              error.rotation_deg, found.misfit);
+  EXPECT_LT(error.translation, 0.02);  // as from the truth
+  EXPECT_LT(error.rotation_deg, 0.7);
+}
+
+TEST(KnotAttempts, TheUsualFadesAndWhatIsUnseenCountsLittle) {
+  KnotRegistration found;
+  found.misfit = 0.5;
+  found.unseen = 0.4;  // so that 0.1 are of points that the map has seen
+  UsualFit usual;
+  usual.learn(found, 1.0);
+  EXPECT_DOUBLE_EQ(usual.misfit, 0.5);
+  EXPECT_NEAR(usual.disagreement, 0.1 + 0.2 * 0.4, 1e-12);
+  EXPECT_NEAR(usual.most_misfit(), 1.15, 1e-12);
+  found.misfit = 0.4;
+  usual.learn(found, 0.1);
+  EXPECT_NEAR(usual.misfit, 0.49, 1e-12);
 }
 
 TEST(KnotRegistration, WhatIsNotFiniteIsNotSolved) {

@@ -196,7 +196,6 @@ TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
   }
 }
 
-// The scan of another place has an unusual misfit at whatever pose.
 TEST(KnotRuns, AnUntimedScanAtTheLastInstantDoesNoHarm) {
   const auto motion = straight_walk(0.5);
   std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans);
@@ -266,6 +265,7 @@ TEST(KnotRuns, ADroppedScanLeavesTheCovarianceAsItWas) {
   EXPECT_LT(sigma_without(3), 2.0 * sigma_without(0));
 }
 
+// The scan of another place has an unusual misfit at whatever pose.
 TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
   const std::vector<Scan> scans = take_scans(furnished_hall(), straight_walk(0.5), 10);
   const auto wrong =
