@@ -92,6 +92,7 @@ const Change kSurefootChanges[] = {
 
     {"Map", "finest grid alone", "", "knots.levels=1"},
     {"Map", "coarsest grid alone", "", "knots.levels=1+knots.finest_voxel=3.2"},
+    {"Map", "full at 200 points a voxel", "", "knots.points_per_voxel=200"},
     {"Map", "no poles", "", "knots.slenderness=0"},
     {"Map", "a ring's own plane, too", "", "knots.edge_on=0"},
 };
