@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "odometry/downsample.hpp"
 
@@ -19,16 +20,14 @@ constexpr double kFarTooMany = 2.0;  // of the points wanted: thinned again at o
 
 std::vector<std::uint32_t> PointChoice::thin(const std::vector<Eigen::Vector3f>& places,
                                              const Workers& workers) {
-  const auto once = [&] {
+  const double finest = std::min(cubes_.finest, cubes_.coarsest);
+  for (int attempt = 1;; ++attempt) {
     std::vector<std::uint32_t> thinned = downsample_indices(places, voxel_, workers);
     const double excess = static_cast<double>(thinned.size()) / points_;
-    const double finest = std::min(cubes_.finest, cubes_.coarsest);
-    voxel_ = std::clamp(voxel_ * std::sqrt(excess), finest, cubes_.coarsest);
-    return thinned;
-  };
-  std::vector<std::uint32_t> chosen = once();
-  if (static_cast<double>(chosen.size()) > kFarTooMany * points_) chosen = once();
-  return chosen;
+    const double used =
+        std::exchange(voxel_, std::clamp(voxel_ * std::sqrt(excess), finest, cubes_.coarsest));
+    if (attempt == 2 || excess <= kFarTooMany || voxel_ <= used) return thinned;
+  }
 }
 
 std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan, const Workers& workers) {
