@@ -28,7 +28,7 @@ constexpr double kLeastStride = 0.17;     // [m] of way per scan
 // At a crossing the robot sees two streets, and has seen but one in the first kSettled scans. A map
 // that forgot nothing would grow to several times its size.
 constexpr double kMapGrowth = 1.75;
-constexpr double kMemoryGrowth = 40.0;  // [MB] the arrays of the map double once, at 65,536 voxels
+constexpr double kMemoryGrowth = 25.0;  // [MB]
 constexpr double kDrift = 0.02;         // of the way; measured: 0.007
 
 /// Highest values seen until now.

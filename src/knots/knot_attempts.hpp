@@ -29,8 +29,8 @@ struct UsualFit {
 /// The best of as many registrations as the scan needs. Most need one. One that ends worse than
 /// usual is tried again from several motions: a map has many wrong places where a scan almost fits.
 /// docs/method.md, "Convergence".
-/// @param points      of the scan; their places in the map are left as the last attempt found them
-/// @param predicted   the knots as the velocity model expects them
+/// @param points of the scan; their places in the map are left as the last attempt found them
+/// @param predicted the knots as the velocity model expects them
 [[nodiscard]] KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& problem,
                                                     const KnotWindow& predicted,
                                                     const UsualFit& usual);

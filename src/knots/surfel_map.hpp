@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -85,7 +86,7 @@ class SurfelMap {
     double inverse_size;
     VoxelTable table;
     std::vector<Surfel> surfels;
-    std::vector<Moments> moments;
+    std::deque<Moments> moments;  // the large ones: never copied to grow
     std::vector<bool> full;
     std::vector<std::uint32_t> stale;  // voxels to fit anew
   };
