@@ -4,14 +4,15 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::app {
 
-/// The whole map of a run: every registered scan's deskewed points, one per cube.
+/// The whole map of a run: every registered scan's deskewed points, one per cube, without those of
+/// what moved away.
 class MapBuilder {
  public:
   /// `voxel`: side of the cubes [m].
@@ -20,6 +21,11 @@ class MapBuilder {
   /// Adds a scan whose LiDAR stood at `T_map_lidar` at mid-scan, `seconds` after the first scan.
   void add(const DeskewedScan& scan, const Pose& T_map_lidar, double seconds);
 
+  /// What was seen in these cubes before has moved away.
+  void forget(const Cubes& cubes, double seconds);
+  /// Drops the points that were forgotten.
+  void drop_forgotten();
+
   [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   /// Empty if any scan had no intensities.
   [[nodiscard]] const std::vector<float>& intensities() const { return intensities_; }
@@ -27,10 +33,14 @@ class MapBuilder {
   [[nodiscard]] const std::vector<float>& first_seen() const { return first_seen_; }
 
  private:
+  [[nodiscard]] bool forgotten(std::size_t point) const;
+
   double inverse_voxel_;
   bool has_intensities_ = true;
-  std::unordered_set<std::uint64_t> taken_;
-  std::vector<Eigen::Vector3f> points_;  // [m] map frame
+  std::unordered_map<std::uint64_t, std::uint32_t> taken_;  // by which point
+  double inverse_side_ = 1.0;                               // [1/m] of the emptied cubes
+  std::unordered_map<std::uint64_t, float> emptied_;        // when last [s]
+  std::vector<Eigen::Vector3f> points_;                     // [m] map frame
   std::vector<float> intensities_;
   std::vector<float> first_seen_;  // [s]
 };

@@ -128,6 +128,7 @@ void Run::process(const dataset::ScanItem& item, RunOutput& output) {
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (estimate.trusted() && !options_.no_map) {
     const double seconds = 1e-9 * static_cast<double>(estimate.stamp_ns - first_stamp_ns_);
+    map_.forget(odometry_.emptied_cubes(), seconds);
     map_.add(odometry_.deskewed_scan(), estimate.T_map_lidar, seconds);
   }
   const bool serious = !estimate.trusted() || estimate.status == Status::first_scan;
@@ -166,6 +167,7 @@ int Run::execute() {
   const bool interrupted = interrupt.interrupted();
   std::vector<std::string> notes = notes_;
   notes.insert(notes.end(), own_notes_.begin(), own_notes_.end());
+  map_.drop_forgotten();
   output.finish(options_, config_,
                 {recording_->description(), notes, odometry_.level().message, tally_.scans(),
                  tally_.untrusted(), interrupted},

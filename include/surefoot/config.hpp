@@ -169,6 +169,7 @@ struct Config {
     double flatness;          // largest variance across a plane, of that along it
     double slenderness;       // largest variance across a pole, of that along it
     double edge_on;           // least angle (sine) at which a plane's points were seen
+    int gone_after;           // scans that beams went through a voxel until it is emptied, 0: never
     double min_match_ratio;   // of the registered points
     double noise;             // [m] of a residual
     double independence;      // share of the residuals that count as independent

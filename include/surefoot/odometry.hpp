@@ -44,6 +44,12 @@ struct DeskewedScan {
   std::vector<float> intensities;       ///< empty or one per point
 };
 
+/// Cubes along the axes of the map's frame.
+struct Cubes {
+  double side = 0.0;                     ///< [m]
+  std::vector<Eigen::Vector3d> centres;  ///< [m] world frame
+};
+
 /// LiDAR odometry: one scan in, one estimate out, by the method that the configuration names.
 ///
 /// The same scans give the same bits, at any number of threads. Nothing is printed, no clock is
@@ -69,6 +75,9 @@ class Odometry {
   [[nodiscard]] const DeskewedScan& deskewed_scan() const;
   /// The local map's points, in the world frame [m].
   [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const;
+  /// Where the last scan looked through what had been seen before: it has moved away, and who keeps
+  /// a map of their own may forget it, too. Method::surefoot only; else none.
+  [[nodiscard]] Cubes emptied_cubes() const;
 
   /// Called whenever a step begins (and with Step::idle at the end of a scan). The library reads
   /// no clock; the observer may.

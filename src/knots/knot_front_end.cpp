@@ -66,6 +66,7 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       dependence_(1.0 / config_.knots.independence) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
+  emptied_.centres.clear();
   session_.begin_step(Step::downsample);
   const auto thinned = map_choice_.choose(scan, session_.workers);
   if (map_.empty()) return begin_map(scan, thinned);
@@ -274,7 +275,8 @@ void KnotFrontEnd::integrate(const PreparedScan& scan, const std::vector<std::ui
   for (const std::uint32_t i : thinned) {
     points.push_back(middle * last_scan_.points[i].cast<double>());
   }
-  map_.insert(points, middle.translation, session_.workers);
+  emptied_ = {config_.knots.finest_voxel,
+              map_.insert(points, middle.translation, session_.workers)};
 }
 
 Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {

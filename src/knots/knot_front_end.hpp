@@ -25,6 +25,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] const LevelReport& level() const override { return level_; }
   [[nodiscard]] const DeskewedScan& deskewed_scan() const override { return last_scan_; }
   [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override { return map_.points(); }
+  [[nodiscard]] Cubes emptied_cubes() const override { return emptied_; }
 
  private:
   /// The last two knots, with what is known of them.
@@ -71,6 +72,7 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;
+  Cubes emptied_;  // by the last scan
   int lost_in_a_row_ = 0;
 };
 

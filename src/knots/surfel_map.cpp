@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "knots/surfel_map.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -16,31 +15,30 @@ constexpr double kCleaningShare = 0.05;
 // A surfel is fitted anew when its points grew by this share.
 constexpr double kGrowth = 1.15;
 
-// A pole stands: its axis is within 45 deg of the map's z axis. A lying line is one ring of the
-// LiDAR on a wall or floor, whose place along that surface says nothing.
-constexpr double kStanding = 0.7;
+// A voxel is emptied when the beams of more scans went through it since one last hit it than this,
+// and this share of those that ever hit it.
+constexpr double kGoneShare = 0.25;
 
-// Who sees a plane at a smaller angle than this (sine) may be on either side of it.
-constexpr double kGrazing = 0.05;
+// What no beam is known to have gone through is asked for at every so many-th scan only.
+constexpr std::size_t kTurn = 3;
 
-bool from_behind(const Surfel& surfel, const Eigen::Vector3d& ray) {
-  if (surfel.directions != 1) return false;
-  const double along = surfel.across[0].dot(ray);
-  return along > 0.0 && along * along > kGrazing * kGrazing * ray.squaredNorm();
+// So many points ahead, memory is asked for what the map knows of them: they lie all over it.
+constexpr std::size_t kAhead = 8;
+
+constexpr int kMost = 60'000;  // scans that are counted
+
+/// Of something up to three cache lines large.
+template <typename T>
+void prefetch(const T& value) {
+#if defined(__GNUC__)
+  for (std::size_t at = 0; at < sizeof(T); at += 64) {
+    __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
+  }
+#endif
 }
 
 /// The key of a voxel's back: voxel_key() leaves the first bit free.
 std::uint64_t back_of(std::uint64_t key) { return key | std::uint64_t{1} << 63; }
-
-Products products_of(const Eigen::Vector3d& v) {
-  return (Products() << v.x() * v.x(), v.x() * v.y(), v.x() * v.z(), v.y() * v.y(), v.y() * v.z(),
-          v.z() * v.z())
-      .finished();
-}
-
-Eigen::Matrix3d matrix_of(const Products& p) {
-  return (Eigen::Matrix3d() << p[0], p[1], p[2], p[1], p[3], p[4], p[2], p[4], p[5]).finished();
-}
 
 }  // namespace
 
@@ -58,7 +56,7 @@ const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3
   if (last.asked == finest && last.voxel == index) {
     if (last.level < 0) return nullptr;
     const Surfel& surfel = grids_[last.level].surfels[last.index];
-    if (!from_behind(surfel, ray)) return &surfel;
+    if (!surfel.from_behind(ray)) return &surfel;
   }
   last = {-1, finest, index, 0};
   for (int level = finest; level < static_cast<int>(grids_.size()); ++level) {
@@ -66,10 +64,10 @@ const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3
     const std::uint64_t key = voxel_key(voxel_index(place, grid.inverse_size));
     std::uint32_t found = grid.table.find(key);
     if (found == VoxelTable::kNone) continue;
-    if (from_behind(grid.surfels[found], ray)) {
+    if (grid.surfels[found].from_behind(ray)) {
       last.asked = -1;  // the answer depends on the ray, too
       found = grid.table.find(back_of(key));
-      if (found == VoxelTable::kNone || from_behind(grid.surfels[found], ray)) continue;
+      if (found == VoxelTable::kNone || grid.surfels[found].from_behind(ray)) continue;
     }
     if (grid.surfels[found].directions == 0) continue;
     last.level = level;
@@ -85,86 +83,124 @@ int SurfelMap::level_of(double size) const {
   return static_cast<int>(found - grids_.begin());
 }
 
-/// The side of a voxel that a ray hits, made if there is none yet.
-std::uint32_t SurfelMap::side_of(Grid& grid, const VoxelIndex& index, const Eigen::Vector3d& ray) {
-  const auto side = [&grid, &index](std::uint64_t key) {
-    const auto next = static_cast<std::uint32_t>(grid.moments.size());
-    const auto [at, inserted] = grid.table.find_or_insert(key, next);
-    if (inserted) {
-      grid.surfels.emplace_back();
-      Moments& fresh = grid.moments.emplace_back();
-      fresh.key = key;
-      fresh.index = index;
-      grid.full.push_back(false);
+struct SurfelMap::Sweep {
+  Sweep(const std::vector<Eigen::Vector3d>& of, const Eigen::Vector3d& sensor) : points(of) {
+    rays.reserve(points.size());
+    ranges.reserve(points.size());
+    for (const Eigen::Vector3d& point : points) {
+      const Eigen::Vector3d ray = point - sensor;
+      ranges.push_back(ray.norm());
+      rays.push_back(ray / ranges.back());
     }
-    return at;
-  };
-  const std::uint32_t front = side(voxel_key(index));
-  return from_behind(grid.surfels[front], ray) ? side(back_of(voxel_key(index))) : front;
+  }
+
+  const std::vector<Eigen::Vector3d>& points;
+  std::vector<Eigen::Vector3d> rays;
+  std::vector<double> ranges;
+};
+
+/// The voxel, or its back, made if there is none yet.
+std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
+  const auto next = static_cast<std::uint32_t>(grid.voxels.size());
+  const auto [at, inserted] = grid.table.find_or_insert(key, next);
+  if (inserted) {
+    Voxel& fresh = grid.voxels.emplace_back();
+    fresh.key = key;
+    fresh.index = index;
+    grid.surfels.emplace_back();
+    grid.sights.emplace_back();
+  }
+  return at;
 }
 
-void SurfelMap::add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const {
-  const VoxelIndex index = voxel_index(point, grid.inverse_size);
-  const std::uint32_t at = side_of(grid, index, ray);
-  if (grid.full[at]) return;
-  Moments& voxel = grid.moments[at];
-  const Eigen::Vector3d local = point - index.cast<double>() * grid.size;
-  ++voxel.count;
-  voxel.sum += local;
-  voxel.products += products_of(local);
-  voxel.ray_sum += ray;
-  voxel.rays += products_of(ray);
-  grid.full[at] = voxel.count >= config_.points_per_voxel;  // what was seen first is kept: no drift
-  if (!voxel.stale && voxel.count >= kGrowth * voxel.fitted_at) {
-    voxel.stale = true;
-    grid.stale.push_back(at);
+void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
+  const std::size_t n = sweep.points.size();
+  std::vector<VoxelIndex> indices;
+  indices.reserve(n);
+  for (const Eigen::Vector3d& point : sweep.points) {
+    indices.push_back(voxel_index(point, grid.inverse_size));
+  }
+  std::vector<std::uint32_t> sides(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + kAhead < n) grid.table.prefetch(voxel_key(indices[i + kAhead]));
+    sides[i] = side_of(grid, voxel_key(indices[i]), indices[i]);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + kAhead < n) {
+      prefetch(grid.surfels[sides[i + kAhead]]);
+      prefetch(grid.voxels[sides[i + kAhead]]);
+    }
+    if (grid.surfels[sides[i]].from_behind(sweep.rays[i])) {
+      sides[i] = side_of(grid, back_of(voxel_key(indices[i])), indices[i]);
+    }
+    Sight& sight = grid.sights[sides[i]];
+    sight.now = true;
+    if (sight.full) continue;
+    Voxel& voxel = grid.voxels[sides[i]];
+    voxel.moments.add(sweep.points[i] - indices[i].cast<double>() * grid.size, sweep.rays[i]);
+    const int count = voxel.moments.count();
+    sight.full = count >= config_.points_per_voxel;  // what was seen first is kept: no drift
+    if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
+      voxel.stale = true;
+      grid.stale.push_back(sides[i]);
+    }
   }
 }
 
-void SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
-                       const Workers& workers) {
-  std::vector<Eigen::Vector3d> rays;
-  rays.reserve(points.size());
-  for (const Eigen::Vector3d& point : points) rays.push_back((point - sensor).normalized());
+void SurfelMap::fit(Grid& grid) const {
+  for (const std::uint32_t at : grid.stale) {
+    Voxel& voxel = grid.voxels[at];
+    const Eigen::Vector3d corner = voxel.index.cast<double>() * grid.size;
+    grid.surfels[at] = voxel.moments.fit(corner, grid.size, config_);
+    grid.sights[at].middle = grid.surfels[at].mean.cast<float>();
+    voxel.stale = false;
+    voxel.fitted_at = voxel.moments.count();
+  }
+  grid.stale.clear();
+}
+
+/// What beams went through time and again since one last hit it has moved away.
+std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
+  std::vector<Eigen::Vector3d> emptied;
+  for (std::size_t at = 0; at < grid.sights.size(); ++at) {
+    Sight& sight = grid.sights[at];
+    if (sight.now) {
+      sight.now = false;
+      sight.passed = 0;
+      sight.hits = static_cast<std::uint16_t>(std::min(sight.hits + 1, kMost));
+      continue;
+    }
+    const std::size_t turn = sight.passed > 0 ? 1 : kTurn;
+    if (sight.hits == 0 || (at + scan_) % turn != 0) continue;
+    if (!beams.may_pass(sight.middle) || !beams.pass(grid.surfels[at])) continue;
+    sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
+    if (sight.passed < config_.gone_after + kGoneShare * sight.hits) continue;
+    Voxel& voxel = grid.voxels[at];
+    emptied.push_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
+    voxel.moments = {};
+    voxel.fitted_at = 0;
+    grid.surfels[at] = {};
+    sight = {};
+  }
+  return emptied;
+}
+
+std::vector<Eigen::Vector3d> SurfelMap::insert(const std::vector<Eigen::Vector3d>& points,
+                                               const Eigen::Vector3d& sensor,
+                                               const Workers& workers) {
+  ++scan_;
+  const Sweep sweep(points, sensor);
+  const Beams beams(sensor, sweep.rays, sweep.ranges);
+  std::vector<Eigen::Vector3d> emptied;
   workers.for_each(grids_.size(), [&](std::size_t level) {
     Grid& grid = grids_[level];
-    for (std::size_t i = 0; i < points.size(); ++i) add(grid, points[i], rays[i]);
-    for (const std::uint32_t at : grid.stale) {
-      Moments& voxel = grid.moments[at];
-      grid.surfels[at] = fit(voxel, grid.size);
-      voxel.stale = false;
-      voxel.fitted_at = voxel.count;
-    }
-    grid.stale.clear();
+    add(grid, sweep);
+    fit(grid);
+    if (config_.gone_after == 0) return;
+    std::vector<Eigen::Vector3d> here = empty_passed(grid, beams);
+    if (level == 0) emptied = std::move(here);
   });
-}
-
-Surfel SurfelMap::fit(const Moments& moments, double size) const {
-  Surfel surfel;
-  if (moments.count < config_.min_points) return surfel;
-  const Eigen::Vector3d mean = moments.sum / moments.count;
-  const Eigen::Matrix3d C = matrix_of(moments.products) / moments.count - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(C);
-  const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0.0);
-  const double broad = config_.breadth * config_.breadth * size * size;
-  // A ring that passes through foliage, or whose ranges are noisy, spreads along its rays: its
-  // points lie on the plane that the rays sweep, which goes with the sensor.
-  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
-  const double facing = normal.dot(matrix_of(moments.rays) * normal) / moments.count;
-  const bool plane = spread[1] >= broad && spread[0] <= config_.flatness * spread[1] &&
-                     facing >= config_.edge_on * config_.edge_on;
-  const bool pole = !plane && moments.count >= 2 * config_.min_points && spread[2] >= broad &&
-                    spread[1] <= config_.slenderness * spread[2] &&
-                    std::abs(eigen.eigenvectors()(2, 2)) >= kStanding;
-  surfel.directions = plane ? 1 : pole ? 2 : 0;
-  surfel.mean = mean + moments.index.cast<double>() * size;
-  for (int i = 0; i < 2; ++i) {
-    surfel.across[i] = eigen.eigenvectors().col(i);
-    surfel.variance[i] = spread[i];
-  }
-  if (surfel.across[0].dot(moments.ray_sum) > 0.0) surfel.across[0] *= -1.0;
-  return surfel;
+  return emptied;
 }
 
 void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
@@ -174,19 +210,19 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
   for (Grid& grid : grids_) {
     std::uint32_t kept = 0;
     grid.table.clear();
-    for (std::size_t at = 0; at < grid.moments.size(); ++at) {
-      const Moments& voxel = grid.moments[at];
+    for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
+      const Voxel& voxel = grid.voxels[at];
       const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
-      if ((centre - sensor).norm() > radius_) continue;
+      if (voxel.moments.count() == 0 || (centre - sensor).norm() > radius_) continue;
       grid.table.find_or_insert(voxel.key, kept);
-      grid.moments[kept] = voxel;
+      grid.voxels[kept] = voxel;
       grid.surfels[kept] = grid.surfels[at];
-      grid.full[kept] = grid.full[at];
+      grid.sights[kept] = grid.sights[at];
       ++kept;
     }
-    grid.moments.resize(kept);
+    grid.voxels.resize(kept);
     grid.surfels.resize(kept);
-    grid.full.resize(kept);
+    grid.sights.resize(kept);
   }
 }
 
@@ -194,19 +230,20 @@ void SurfelMap::clear() {
   for (Grid& grid : grids_) {
     grid.table.clear();
     grid.surfels.clear();
-    grid.moments.clear();
-    grid.full.clear();
+    grid.voxels.clear();
+    grid.sights.clear();
     grid.stale.clear();
   }
   cleaned_at_.reset();
 }
 
 std::vector<Eigen::Vector3d> SurfelMap::points() const {
-  const Grid& grid = grids_.front();
   std::vector<Eigen::Vector3d> means;
-  means.reserve(grid.moments.size());
-  for (const Moments& voxel : grid.moments) {
-    means.emplace_back(voxel.index.cast<double>() * grid.size + voxel.sum / voxel.count);
+  const Grid& grid = grids_.front();
+  means.reserve(grid.voxels.size());
+  for (const Voxel& voxel : grid.voxels) {
+    if (voxel.moments.count() == 0) continue;
+    means.emplace_back(voxel.index.cast<double>() * grid.size + voxel.moments.mean());
   }
   return means;
 }

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "knots/beams.hpp"
+#include "knots/surfel.hpp"
 #include "odometry/parallel.hpp"
 #include "odometry/voxel_key.hpp"
 #include "odometry/voxel_table.hpp"
@@ -15,23 +17,15 @@
 
 namespace surefoot {
 
-/// What a voxel's points lie on: a plane (one direction across it) or a pole (two).
-struct Surfel {
-  int directions = 0;                              ///< 0: neither plane nor pole
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
-  Eigen::Vector3d across[2];                       ///< unit vectors; a plane's: to who sees it
-  double variance[2] = {0.0, 0.0};                 ///< of the points along them [m^2]
-};
-
-/// The upper triangle of a sum of v v^T, row by row.
-using Products = Eigen::Matrix<double, 6, 1>;
-
 /// The map around the sensor at several scales: grids of voxels, each twice as coarse as the one
 /// before, each voxel with its points' moments and the surfel fitted to them.
 ///
 /// A wall or a flight of stairs has two sides, a hand apart. A voxel whose plane is later hit from
 /// behind keeps those points apart, as its back, and a point is only ever compared with the side
 /// that its ray can have hit.
+///
+/// What moved away does not stay: a voxel is emptied that beams went through time and again since
+/// one last hit it.
 ///
 /// Where points are dense (a staircase, a corridor) the finest grid answers; far away, or between
 /// the LiDAR's rings, a coarser one. So one set of parameters serves every scale of scene.
@@ -53,53 +47,65 @@ class SurfelMap {
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
                                    int finest, Place& last) const;
 
-  /// Adds points [m, map frame] that were seen from `sensor`, then fits the voxels that changed.
-  void insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
-              const Workers& workers = Workers(1));
+  /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
+  /// and empties those that the beams went through. Returns the centres [m] of the finest grid's
+  /// emptied ones.
+  std::vector<Eigen::Vector3d> insert(const std::vector<Eigen::Vector3d>& points,
+                                      const Eigen::Vector3d& sensor,
+                                      const Workers& workers = Workers(1));
   /// Drops the voxels that lie farther than the radius from the sensor.
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
 
-  [[nodiscard]] bool empty() const { return grids_.front().moments.empty(); }
+  [[nodiscard]] bool empty() const { return grids_.front().voxels.empty(); }
   /// The finest grid whose voxels are at least so large [m], or the coarsest.
   [[nodiscard]] int level_of(double size) const;
   /// The means of the finest grid's voxels [m].
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 
  private:
-  /// Sums over a voxel's points.
-  struct Moments {
+  /// One side of a voxel.
+  struct Voxel {
     std::uint64_t key = 0;
     VoxelIndex index = VoxelIndex::Zero();
-    int count = 0;
+    SurfelMoments moments;
     int fitted_at = 0;  // count when the surfel was fitted
     bool stale = false;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();      // from the voxel's corner
-    Products products = Products::Zero();               // likewise
-    Eigen::Vector3d ray_sum = Eigen::Vector3d::Zero();  // of the rays' directions
-    Products rays = Products::Zero();                   // likewise
   };
-  /// A voxel's side is one index into three arrays: what is searched, what is added to, and the
-  /// little that tells that nothing more is.
+  /// When it was seen, and what else is asked of every voxel at every scan.
+  struct Sight {
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();  // of its points [m]
+    std::uint16_t hits = 0;                            // scans; none: it is empty
+    std::uint16_t passed = 0;  // scans whose beams went through since the last hit
+    bool now = false;          // hit by this scan
+    bool full = false;         // takes no more points
+  };
+  /// A voxel's side is one index into three arrays: what is searched, what is added to, and what
+  /// is gone through at every scan.
   struct Grid {
     double size;
     double inverse_size;
     VoxelTable table;
     std::vector<Surfel> surfels;
-    std::deque<Moments> moments;  // the large ones: never copied to grow
-    std::vector<bool> full;
-    std::vector<std::uint32_t> stale;  // voxels to fit anew
+    std::deque<Voxel> voxels;  // the large ones: never copied to grow
+    std::vector<Sight> sights;
+    std::vector<std::uint32_t> stale;  // to fit anew
   };
 
-  [[nodiscard]] static std::uint32_t side_of(Grid& grid, const VoxelIndex& index,
-                                             const Eigen::Vector3d& ray);
-  void add(Grid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& ray) const;
-  [[nodiscard]] Surfel fit(const Moments& moments, double size) const;
+  /// What a scan adds to the map: points, and the beams that measured them.
+  struct Sweep;
+
+  [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
+                                             const VoxelIndex& index);
+  void add(Grid& grid, const Sweep& sweep) const;
+  void fit(Grid& grid) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
 
   Config::Knots config_;
   double radius_;
   std::vector<Grid> grids_;
   std::optional<Eigen::Vector3d> cleaned_at_;
+  std::size_t scan_ = 0;  // number of the last one
 };
 
 }  // namespace surefoot

@@ -148,6 +148,10 @@ const ConfigField kFields[] = {
      "sine of the angle to a plane at which its points were seen, at least (RMS): below, it is the "
      "plane that one ring sweeps",
      kMethod},
+    {"knots.gone_after", SLOT(knots.gone_after), "2", "scans", 0, 1000,
+     "what so many scans' beams, and a quarter as many as ever hit it, went through since one last "
+     "hit it has moved away and is forgotten; 0: never",
+     kMethod},
     {"knots.min_match_ratio", SLOT(knots.min_match_ratio), "0.1", "", 0.0, 1.0,
      "share of the registered points that must lie on a surfel; a first scan of a forest has few",
      kMethod},

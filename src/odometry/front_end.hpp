@@ -41,6 +41,8 @@ class FrontEnd {
   [[nodiscard]] virtual const DeskewedScan& deskewed_scan() const = 0;
   /// The local map's points [m].
   [[nodiscard]] virtual std::vector<Eigen::Vector3d> local_map() const = 0;
+  /// As Odometry::emptied_cubes(), in the map's frame, by the last scan that was added.
+  [[nodiscard]] virtual Cubes emptied_cubes() const { return {}; }
 };
 
 /// The front-end that config.method names.

@@ -110,6 +110,12 @@ std::vector<Eigen::Vector3d> Odometry::local_map() const {
   return points;
 }
 
+Cubes Odometry::emptied_cubes() const {
+  Cubes cubes = state_->front_end->emptied_cubes();
+  for (Eigen::Vector3d& centre : cubes.centres) centre = state_->T_world_map * centre;
+  return cubes;
+}
+
 void Odometry::set_step_observer(StepObserver observer) {
   state_->session.begin_step = observer ? std::move(observer) : [](Step) {};
 }

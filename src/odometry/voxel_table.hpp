@@ -18,6 +18,13 @@ class VoxelTable {
 
   VoxelTable() : slots_(kInitialSlots) {}
 
+  /// To be asked for soon.
+  void prefetch(std::uint64_t key) const {
+#if defined(__GNUC__)
+    __builtin_prefetch(&slots_[hash_key(key) & mask()]);
+#endif
+  }
+
   /// The index stored for a key, or kNone.
   [[nodiscard]] std::uint32_t find(std::uint64_t key) const {
     for (std::size_t i = hash_key(key) & mask();; i = (i + 1) & mask()) {

@@ -134,6 +134,27 @@ TEST(Simulation, ATrotUpStairsIsFollowed) {
   }
 }
 
+// People cross the plaza: the map does not keep their trails, and keeps the plaza.
+TEST(Simulation, TheMapForgetsWhoWalkedAway) {
+  const ScratchFolder scratch;
+  const ProcessResult made = run_surefoot({"simulate", "plaza", "--robot", "trot", "--scans", "80",
+                                           "--seed", "3", "--no-footprint", "-q", "-o", "plaza"},
+                                          scratch.path());
+  ASSERT_EQ(made.exit_code, 0) << made;
+  const auto map_size = [&scratch](const std::string& gone_after) {
+    const ProcessResult run =
+        run_surefoot({"run", "plaza", "-q", "--set", "knots.gone_after=" + gone_after, "-o", "out"},
+                     scratch.path());
+    EXPECT_EQ(run.exit_code, 0) << run;
+    const std::string map = file_content(scratch.path() / "out/map.ply");
+    const std::string vertices = "element vertex ";
+    return std::stod(map.substr(map.find(vertices) + vertices.size(), 20));
+  };
+  const double forgetful = map_size("2") / map_size("0");
+  EXPECT_LT(forgetful, 0.97);  // measured: 0.938
+  EXPECT_GT(forgetful, 0.90);
+}
+
 TEST(Simulation, EveryRobotSensorMountAndSpeedMakesARecording) {
   const ScratchFolder scratch;
   const std::vector<std::vector<std::string>> choices = {

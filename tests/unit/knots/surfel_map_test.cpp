@@ -315,6 +315,90 @@ TEST(SurfelMap, TheWorldMayLieKilometresAway) {
   EXPECT_GT(found, 500);
 }
 
+/// Scans of a wall that somebody stands in front of, for so many scans, and then no longer.
+class Visitor {
+ public:
+  explicit Visitor(int gone_after) : map_(config(gone_after), 100.0) {}
+
+  void stand(int scans) { look(scans, true); }
+  void leave(int scans) { look(scans, false); }
+
+  /// Points of the map about the place.
+  [[nodiscard]] int left() const {
+    const Points points = map_.points();
+    return static_cast<int>(std::count_if(points.begin(), points.end(), [](const auto& point) {
+      return (point - kPlace).norm() < 0.6;
+    }));
+  }
+  [[nodiscard]] int wall() const { return static_cast<int>(map_.points().size()) - left(); }
+  [[nodiscard]] const Points& emptied() const { return emptied_; }
+
+ private:
+  static Config::Knots config(int gone_after) {
+    Config::Knots config = knots_config();
+    config.gone_after = gone_after;
+    return config;
+  }
+
+  void look(int scans, bool standing) {
+    const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    for (int i = 0; i < scans; ++i) {
+      Points points = cloud(random_, 4000, {12.0, 0.0, 1.0}, axes, {0.0, 6.0, 2.0}, 0.01);
+      if (standing) {
+        const Points body = cloud(random_, 200, kPlace, axes, {0.2, 0.2, 0.5});
+        points.insert(points.end(), body.begin(), body.end());
+      }
+      const Points gone = map_.insert(points, {0.0, 0.0, 0.6});
+      emptied_.insert(emptied_.end(), gone.begin(), gone.end());
+    }
+  }
+
+  inline static const Eigen::Vector3d kPlace{5.0, 0.0, 1.0};
+  Random random_{11};
+  SurfelMap map_;
+  Points emptied_;
+};
+
+TEST(SurfelMap, WhatMovedAwayIsForgotten) {
+  Visitor visitor(2);
+  visitor.stand(5);
+  const int standing = visitor.left(), wall = visitor.wall();
+  ASSERT_GE(standing, 6);
+  EXPECT_TRUE(visitor.emptied().empty());
+  visitor.leave(1);
+  EXPECT_EQ(visitor.left(), standing);  // one scan is not enough
+  visitor.leave(20);
+  EXPECT_EQ(visitor.left(), 0);
+  EXPECT_GE(visitor.wall(), wall);
+  EXPECT_EQ(static_cast<int>(visitor.emptied().size()), standing - visitor.left());
+  for (const Eigen::Vector3d& centre : visitor.emptied()) {
+    EXPECT_LT((centre - Eigen::Vector3d(5.0, 0.0, 1.0)).norm(), 1.0);
+    const Eigen::Array3d cells = centre.array() / 0.4 - 0.5;
+    EXPECT_LT((cells - cells.round()).abs().maxCoeff(), 1e-9);  // a voxel's centre
+  }
+  visitor.stand(3);
+  EXPECT_GT(visitor.left(), standing / 2);  // who comes back is seen again
+}
+
+TEST(SurfelMap, WhatStoodForLongIsForgottenTheLater) {
+  Visitor visitor(2);
+  visitor.stand(60);
+  const int standing = visitor.left();
+  visitor.leave(16);  // a quarter of 60, and 2, are 17
+  EXPECT_EQ(visitor.left(), standing);
+  visitor.leave(30);
+  EXPECT_EQ(visitor.left(), 0);
+}
+
+TEST(SurfelMap, NothingIsForgottenIfNotAskedFor) {
+  Visitor visitor(0);
+  visitor.stand(5);
+  const int standing = visitor.left();
+  visitor.leave(60);
+  EXPECT_EQ(visitor.left(), standing);
+  EXPECT_TRUE(visitor.emptied().empty());
+}
+
 TEST(SurfelMap, LevelsAreNamedByTheSizeOfTheirVoxels) {
   const SurfelMap map(knots_config(), 100.0);  // 0.4, 0.8, 1.6, 3.2 m
   EXPECT_EQ(map.level_of(0.0), 0);

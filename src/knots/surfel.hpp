@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surefoot/config.hpp"
+
+namespace surefoot {
+
+/// What a voxel's points lie on: a plane (one direction across it) or a pole (two).
+struct Surfel {
+  int directions = 0;                              ///< 0: neither plane nor pole
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
+  Eigen::Vector3d across[2] = {Eigen::Vector3d::Zero(),
+                               Eigen::Vector3d::Zero()};  ///< unit; a plane's: to who sees it
+  double variance[2] = {0.0, 0.0};                        ///< of the points along them [m^2]
+  double extent = 0.0;                                    ///< of the points, all ways [m^2]
+
+  /// Whether a ray (of any length, from the sensor) meets a plane's back.
+  [[nodiscard]] bool from_behind(const Eigen::Vector3d& ray) const;
+};
+
+/// Sums over a voxel's points, and over the rays that measured them.
+class SurfelMoments {
+ public:
+  /// `point`: from the voxel's corner [m]; `ray`: unit vector from the sensor.
+  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray);
+
+  [[nodiscard]] int count() const { return count_; }
+  /// From the voxel's corner [m].
+  [[nodiscard]] Eigen::Vector3d mean() const { return sum_ / count_; }
+  /// `corner` [m, map frame] of a voxel of side `size` [m].
+  [[nodiscard]] Surfel fit(const Eigen::Vector3d& corner, double size,
+                           const Config::Knots& config) const;
+
+ private:
+  /// The upper triangle of a sum of v v^T, row by row.
+  using Products = Eigen::Matrix<double, 6, 1>;
+
+  [[nodiscard]] static Products products_of(const Eigen::Vector3d& v);
+  [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
+
+  int count_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Products products_ = Products::Zero();
+  Eigen::Vector3d ray_sum_ = Eigen::Vector3d::Zero();
+  Products rays_ = Products::Zero();
+};
+
+}  // namespace surefoot
