@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "knots/calibration.hpp"
 #include "odometry/deskew.hpp"
 #include "odometry/information.hpp"
 #include "odometry/level.hpp"
@@ -162,9 +163,10 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   estimate.message = std::move(verdict.message);
   if (verdict.status != Status::ok) return estimate;
   // The weights assumed a share of independent residuals; the covariance goes by the measured one.
-  estimate.covariance = config_.knots.independence * kTakenUp * dependence_ *
-                        residual_variance(found, config_.knots) *
-                        found.covariance_at(trajectory.mid_ns());
+  const double scale =
+      config_.knots.independence * kTakenUp * dependence_ * residual_variance(found, config_.knots);
+  estimate.covariance = calibrated(scale * found.covariance_at(trajectory.mid_ns()),
+                                   found.window.mean_velocity(), model_.fluctuation());
   report_weak_directions(found.rigid, found.squared_distance, rigid.T_map_lidar, config_.health,
                          estimate);
   return estimate;
