@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace surefoot {
 
@@ -15,8 +16,8 @@ constexpr double kCleaningShare = 0.05;
 // A surfel is fitted anew when its points grew by this share.
 constexpr double kGrowth = 1.15;
 
-// A voxel is emptied when the beams of more scans went through it since one last hit it than this,
-// and this share of those that ever hit it.
+// A voxel is emptied when the beams of so many scans as knots.gone_after and this share of those
+// that ever hit it went through it since one last did.
 constexpr double kGoneShare = 0.25;
 
 // What no beam is known to have gone through is asked for at every so many-th scan only.
@@ -37,8 +38,8 @@ void prefetch(const T& value) {
 #endif
 }
 
-/// The key of a voxel's back: voxel_key() leaves the first bit free.
-std::uint64_t back_of(std::uint64_t key) { return key | std::uint64_t{1} << 63; }
+// voxel_key() leaves the first bit free: it tells a voxel's back.
+constexpr std::uint64_t kBack = std::uint64_t{1} << 63;
 
 }  // namespace
 
@@ -66,7 +67,7 @@ const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3
     if (found == VoxelTable::kNone) continue;
     if (grid.surfels[found].from_behind(ray)) {
       last.asked = -1;  // the answer depends on the ray, too
-      found = grid.table.find(back_of(key));
+      found = grid.table.find(key | kBack);
       if (found == VoxelTable::kNone || grid.surfels[found].from_behind(ray)) continue;
     }
     if (grid.surfels[found].directions == 0) continue;
@@ -131,7 +132,7 @@ void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
       prefetch(grid.voxels[sides[i + kAhead]]);
     }
     if (grid.surfels[sides[i]].from_behind(sweep.rays[i])) {
-      sides[i] = side_of(grid, back_of(voxel_key(indices[i])), indices[i]);
+      sides[i] = side_of(grid, voxel_key(indices[i]) | kBack, indices[i]);
     }
     Sight& sight = grid.sights[sides[i]];
     sight.now = true;
@@ -176,7 +177,10 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
     sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
     if (sight.passed < config_.gone_after + kGoneShare * sight.hits) continue;
     Voxel& voxel = grid.voxels[at];
-    emptied.push_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
+    const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
+    if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
+      emptied.push_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
+    }
     voxel.moments = {};
     voxel.fitted_at = 0;
     grid.surfels[at] = {};

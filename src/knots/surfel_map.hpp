@@ -49,7 +49,7 @@ class SurfelMap {
 
   /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
   /// and empties those that the beams went through. Returns the centres [m] of the finest grid's
-  /// emptied ones.
+  /// emptied ones (both sides).
   std::vector<Eigen::Vector3d> insert(const std::vector<Eigen::Vector3d>& points,
                                       const Eigen::Vector3d& sensor,
                                       const Workers& workers = Workers(1));
