@@ -38,7 +38,7 @@ void MapBuilder::add(const DeskewedScan& scan, const Pose& T_map_lidar, double s
     const auto [slot, fresh] = taken_.try_emplace(cube_key(point, inverse_voxel_), next);
     if (!fresh && !forgotten(slot->second)) continue;
     slot->second = next;
-    points_.push_back(point.cast<float>());
+    points_.emplace_back(point.cast<float>());
     first_seen_.push_back(static_cast<float>(seconds));
     if (has_intensities_) intensities_.push_back(scan.intensities[i]);
   }

@@ -97,7 +97,7 @@ Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& 
 }
 
 void Beams::find_clear() {
-  std::vector<float> clear(kColumns * kRows, 0.0F);
+  std::vector<float> clear(std::size_t{kColumns} * kRows, 0.0F);
   for (std::size_t cell = 0; cell < clear.size(); ++cell) {
     for (std::uint32_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
       clear[cell] = std::max(clear[cell], static_cast<float>(beams_[i].clear));

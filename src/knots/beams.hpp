@@ -26,7 +26,7 @@ class Beams {
  private:
   struct Beam {
     Eigen::Vector3d ray;
-    double clear;  // [m] up to where it went through
+    double clear = 0.0;  // [m] up to where it went through
   };
 
   void find_clear();

@@ -91,7 +91,7 @@ struct SurfelMap::Sweep {
     for (const Eigen::Vector3d& point : points) {
       const Eigen::Vector3d ray = point - sensor;
       ranges.push_back(ray.norm());
-      rays.push_back(ray / ranges.back());
+      rays.emplace_back(ray / ranges.back());
     }
   }
 
@@ -179,7 +179,7 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
     Voxel& voxel = grid.voxels[at];
     const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
     if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
-      emptied.push_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
+      emptied.emplace_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
     }
     voxel.moments = {};
     voxel.fitted_at = 0;
