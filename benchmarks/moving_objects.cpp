@@ -42,9 +42,9 @@ constexpr double kStatic = simulation::kLabelStatic;
 using Points = std::vector<Eigen::Vector3d>;
 
 /// Those cubes of a grid that hold something.
-class Cubes {
+class CubeSet {
  public:
-  explicit Cubes(double side) : inverse_side_(1.0 / side) {}
+  explicit CubeSet(double side) : inverse_side_(1.0 / side) {}
 
   void add(const Eigen::Vector3d& point) {
     const std::uint64_t key = voxel_key(voxel_index(point, inverse_side_));
@@ -102,8 +102,8 @@ Points points_of(const dataset::PointTable& table) {
 /// What stands, of every scan's true returns.
 struct Truth {
   Trajectory trajectory;
-  Cubes fine{kFine};
-  Cubes coarse{kCoarse};
+  CubeSet fine{kFine};
+  CubeSet coarse{kCoarse};
 };
 
 void add_scan(const fs::path& file, Truth& truth) {
@@ -164,7 +164,7 @@ void print_row(const fs::path& run, const Truth& truth) {
   const Pose T_truth_map = map_in_truth(run / "trajectory.tum", truth);
   const Points map = read_map(run / "map.ply");
   std::size_t moved = 0, found = 0;
-  Cubes mapped(kCoarse);
+  CubeSet mapped(kCoarse);
   for (const Eigen::Vector3d& point : map) {
     const Eigen::Vector3d place = T_truth_map * point;
     if (!truth.fine.near(place, kNear)) ++moved;

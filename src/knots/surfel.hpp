@@ -28,7 +28,7 @@ class SurfelMoments {
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray);
 
   [[nodiscard]] int count() const { return count_; }
-  /// From the voxel's corner [m].
+  /// Of at least one point, from the voxel's corner [m].
   [[nodiscard]] Eigen::Vector3d mean() const { return sum_ / count_; }
   /// `corner` [m, map frame] of a voxel of side `size` [m].
   [[nodiscard]] Surfel fit(const Eigen::Vector3d& corner, double size,

@@ -194,14 +194,15 @@ std::vector<Eigen::Vector3d> SurfelMap::insert(const std::vector<Eigen::Vector3d
                                                const Workers& workers) {
   ++scan_;
   const Sweep sweep(points, sensor);
-  const Beams beams(sensor, sweep.rays, sweep.ranges);
+  std::optional<Beams> beams;
+  if (config_.gone_after > 0) beams.emplace(sensor, sweep.rays, sweep.ranges);
   std::vector<Eigen::Vector3d> emptied;
   workers.for_each(grids_.size(), [&](std::size_t level) {
     Grid& grid = grids_[level];
     add(grid, sweep);
     fit(grid);
-    if (config_.gone_after == 0) return;
-    std::vector<Eigen::Vector3d> here = empty_passed(grid, beams);
+    if (!beams) return;
+    std::vector<Eigen::Vector3d> here = empty_passed(grid, *beams);
     if (level == 0) emptied = std::move(here);
   });
   return emptied;
