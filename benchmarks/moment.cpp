@@ -43,11 +43,11 @@ Moment::Moment()
   for (const Eigen::Vector3d& point : odometry.local_map()) map.insert(point);
 
   prepared = preprocess(scan, config.preprocess);
-  const Motion motion{{last.stamp_ns, last.T_map_lidar}, last.twist};
+  const LastMotion motion{{last.stamp_ns, last.T_map_lidar}, last.twist};
   prior = predict_motion(motion, prepared.start_ns, prepared.end_ns,
                          config.motion_prior.max_extrapolation);
   predicted = predict_trajectory(prior, prepared.start_ns, prepared.end_ns, config.deskew);
-  deskewed = deskew(prepared, predicted, config.deskew, workers);
+  deskewed = deskew(prepared, predicted, workers);
   thinned = thin_scan(deskewed, config.downsample);
   source.points = thinned.source_points;
   registration = register_scan(source, map, predicted.at(0.5), config, workers, [](Step) {});

@@ -6,14 +6,14 @@
 
 #include <vector>
 
-#include "odometry/deskew.hpp"
-#include "odometry/downsample.hpp"
-#include "odometry/local_map.hpp"
-#include "odometry/matches.hpp"
-#include "odometry/motion_prior.hpp"
-#include "odometry/parallel.hpp"
-#include "odometry/preprocess.hpp"
-#include "odometry/registration.hpp"
+#include "core/deskew.hpp"
+#include "core/parallel.hpp"
+#include "core/preprocess.hpp"
+#include "methods/paper/local_map.hpp"
+#include "methods/paper/matches.hpp"
+#include "methods/paper/prediction.hpp"
+#include "methods/paper/registration.hpp"
+#include "methods/paper/thin_scan.hpp"
 #include "surefoot/config.hpp"
 #include "surefoot/scan.hpp"
 

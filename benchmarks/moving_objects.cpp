@@ -16,15 +16,15 @@
 #include <string>
 #include <vector>
 
-#include "dataset/file_reader.hpp"
-#include "dataset/folder_listing.hpp"
-#include "dataset/pcd_reader.hpp"
-#include "dataset/ply_reader.hpp"
-#include "dataset/recording.hpp"
-#include "dataset/trajectory_files.hpp"
+#include "core/voxel_key.hpp"
+#include "core/voxel_table.hpp"
 #include "evaluation/association.hpp"
-#include "odometry/voxel_key.hpp"
-#include "odometry/voxel_table.hpp"
+#include "io/file_reader.hpp"
+#include "io/files/folder_listing.hpp"
+#include "io/files/pcd_reader.hpp"
+#include "io/files/ply_reader.hpp"
+#include "io/recording.hpp"
+#include "io/trajectory_files.hpp"
 #include "simulation/scanner.hpp"
 
 namespace surefoot::benchmarks {
@@ -75,16 +75,16 @@ class CubeSet {
   std::vector<std::uint64_t> keys_;
 };
 
-std::vector<double> numbers_of(const dataset::PointTable& table, const char* name) {
-  const dataset::Column* column = table.find(name);
-  if (column == nullptr) throw dataset::ReadError(fmt::format("its points have no {}", name));
+std::vector<double> numbers_of(const io::PointTable& table, const char* name) {
+  const io::Column* column = table.find(name);
+  if (column == nullptr) throw io::ReadError(fmt::format("its points have no {}", name));
   std::vector<double> numbers(table.size);
-  dataset::for_each_value(*column, table.size,
-                          [&](std::size_t i, auto value) { numbers[i] = double(value); });
+  io::for_each_value(*column, table.size,
+                     [&](std::size_t i, auto value) { numbers[i] = double(value); });
   return numbers;
 }
 
-Points points_of(const dataset::PointTable& table) {
+Points points_of(const io::PointTable& table) {
   const std::vector<double> x = numbers_of(table, "x"), y = numbers_of(table, "y"),
                             z = numbers_of(table, "z");
   Points points;
@@ -92,8 +92,7 @@ Points points_of(const dataset::PointTable& table) {
   for (std::size_t i = 0; i < table.size; ++i) {
     points.emplace_back(x[i], y[i], z[i]);
     if (!(points.back().norm() < kFar)) {  // nor is NaN
-      throw dataset::ReadError(
-          fmt::format("point {} is no place within {:.0f} km", i, 1e-3 * kFar));
+      throw io::ReadError(fmt::format("point {} is no place within {:.0f} km", i, 1e-3 * kFar));
     }
   }
   return points;
@@ -109,8 +108,8 @@ struct Truth {
 void add_scan(const fs::path& file, Truth& truth) {
   try {
     std::vector<std::byte> bytes;
-    dataset::read_whole_file(file, bytes);
-    const dataset::PointTable table = dataset::parse_pcd(bytes);
+    io::read_whole_file(file, bytes);
+    const io::PointTable table = io::parse_pcd(bytes);
     const Points points = points_of(table);
     const std::vector<double> labels = numbers_of(table, "intensity");
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -118,21 +117,21 @@ void add_scan(const fs::path& file, Truth& truth) {
       truth.fine.add(points[i]);
       truth.coarse.add(points[i]);
     }
-  } catch (const dataset::ReadError& error) {
-    throw dataset::ReadError(file.string() + ": " + error.what());
+  } catch (const io::ReadError& error) {
+    throw io::ReadError(file.string() + ": " + error.what());
   }
 }
 
 Truth read_truth(const fs::path& recording) {
   const fs::path folder = recording / "true";
   if (!fs::is_directory(folder)) {
-    throw dataset::ReadError(folder.string() +
-                             ": no such folder; surefoot simulate --true-points makes it");
+    throw io::ReadError(folder.string() +
+                        ": no such folder; surefoot simulate --true-points makes it");
   }
   Truth truth;
-  truth.trajectory = dataset::read_tum(recording / "gt.tum");
-  for (const fs::path& file : dataset::list_folder(folder, "pcd").files) add_scan(file, truth);
-  if (truth.fine.keys().empty()) throw dataset::ReadError(folder.string() + ": nothing stands");
+  truth.trajectory = io::read_tum(recording / "gt.tum");
+  for (const fs::path& file : io::list_folder(folder, "pcd").files) add_scan(file, truth);
+  if (truth.fine.keys().empty()) throw io::ReadError(folder.string() + ": nothing stands");
   return truth;
 }
 
@@ -140,23 +139,23 @@ Truth read_truth(const fs::path& recording) {
 Pose map_in_truth(const fs::path& trajectory, const Truth& truth) {
   try {
     const auto both =
-        evaluation::associate(truth.trajectory, dataset::read_tum(trajectory),
+        evaluation::associate(truth.trajectory, io::read_tum(trajectory),
                               {.method = evaluation::AssociationMethod::kInterpolate});
     return both.reference.back().pose * both.estimate.back().pose.inverse();
-  } catch (const dataset::ReadError&) {
+  } catch (const io::ReadError&) {
     throw;  // names the file
   } catch (const std::exception& error) {
-    throw dataset::ReadError(trajectory.string() + " and the truth: " + error.what());
+    throw io::ReadError(trajectory.string() + " and the truth: " + error.what());
   }
 }
 
 Points read_map(const fs::path& file) {
   try {
     std::vector<std::byte> bytes;
-    dataset::read_whole_file(file, bytes);
-    return points_of(dataset::parse_ply(bytes));
-  } catch (const dataset::ReadError& error) {
-    throw dataset::ReadError(file.string() + ": " + error.what());
+    io::read_whole_file(file, bytes);
+    return points_of(io::parse_ply(bytes));
+  } catch (const io::ReadError& error) {
+    throw io::ReadError(file.string() + ": " + error.what());
   }
 }
 

@@ -6,9 +6,9 @@
 
 #include <string>
 
+#include "methods/paper/horizontal.hpp"
+#include "methods/paper/vertical.hpp"
 #include "moment.hpp"
-#include "odometry/horizontal.hpp"
-#include "odometry/vertical.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::benchmarks {
@@ -34,13 +34,10 @@ void time_deskew(benchmark::State& state, DeskewMode mode) {
   for (auto _ : state) {
     const ScanTrajectory predicted =
         predict_trajectory(at.prior, at.prepared.start_ns, at.prepared.end_ns, config);
-    benchmark::DoNotOptimize(deskew(at.prepared, predicted, config, at.workers));
+    benchmark::DoNotOptimize(deskew(at.prepared, predicted, at.workers));
   }
   count_points(state, at.prepared.points.size());
 }
-BENCHMARK_CAPTURE(time_deskew, none, DeskewMode::none)
-    ->Name("deskew/none")
-    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(time_deskew, constant_velocity, DeskewMode::constant_velocity)
     ->Name("deskew/constant_velocity")
     ->Unit(benchmark::kMicrosecond);

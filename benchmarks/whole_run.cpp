@@ -23,9 +23,9 @@
 #include <utility>
 #include <vector>
 
-#include "dataset/recording.hpp"
-#include "machine.hpp"
+#include "io/recording.hpp"
 #include "memory.hpp"
+#include "process/machine.hpp"
 #include "simulated_walk.hpp"
 #include "support/synthetic_run.hpp"
 #include "surefoot/odometry.hpp"
@@ -61,7 +61,7 @@ ScanSource open_source(const Arguments& arguments, const std::vector<Scan>& walk
       return walk[next++];
     };
   }
-  std::shared_ptr<dataset::Recording> recording = dataset::open_recording(arguments.recording);
+  std::shared_ptr<io::Recording> recording = io::open_recording(arguments.recording);
   return [recording]() -> std::optional<Scan> {
     while (auto item = recording->next()) {
       if (item->scan && item->remark.empty()) return std::move(item->scan);
@@ -119,7 +119,7 @@ double quantile(std::vector<double> values, double share) {
 void print_head(const Arguments& arguments, const Measured& measured) {
   std::vector<double> points;
   for (const Estimate& estimate : measured.estimates) points.push_back(estimate.points);
-  fmt::print("machine    {}, {} cores\n", app::processor_name(), app::processor_cores());
+  fmt::print("machine    {}, {} cores\n", process::processor_name(), process::processor_cores());
   fmt::print("recording  {}: {} scans, {:.0f} valid points in the median one\n",
              arguments.recording.empty() ? "simulated campus" : arguments.recording, points.size(),
              quantile(points, 0.5));

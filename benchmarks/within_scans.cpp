@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
-#include "dataset/recording.hpp"
-#include "dataset/trajectory_files.hpp"
 #include "evaluation/association.hpp"
 #include "geometry/so3.hpp"
+#include "io/recording.hpp"
+#include "io/trajectory_files.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::benchmarks {
@@ -48,7 +48,7 @@ std::int64_t instant(const ScanTrajectory& scan, int i) {
 }
 
 std::vector<Pair> run(const std::string& recording, const std::string& method) {
-  const Trajectory truth = dataset::read_tum(std::filesystem::path(recording) / "gt.tum");
+  const Trajectory truth = io::read_tum(std::filesystem::path(recording) / "gt.tum");
   const auto true_pose = [&truth](std::int64_t stamp) -> std::optional<Pose> {
     if (stamp < truth.front().stamp_ns || stamp > truth.back().stamp_ns) return std::nullopt;
     return evaluation::associate(truth, {{stamp, {}}},
@@ -58,7 +58,7 @@ std::vector<Pair> run(const std::string& recording, const std::string& method) {
   };
   Odometry odometry(method_config(method));
   std::vector<Pair> pairs;
-  const auto scans = dataset::open_recording(recording);
+  const auto scans = io::open_recording(recording);
   while (const auto item = scans->next()) {
     if (!item->scan || !item->remark.empty()) continue;
     Pair pair{odometry.add_scan(*item->scan), {}};

@@ -8,12 +8,32 @@ function(surefoot_common target)
                                            -Wno-sign-conversion)
 endfunction()
 
+# Headers that most sources parse again and again, parsed once. Sources still include what they use:
+# the dev preset builds without.
+if(SUREFOOT_PRECOMPILE)
+  file(WRITE ${CMAKE_BINARY_DIR}/precompiled/empty.cpp "")
+  add_library(surefoot_precompiled STATIC ${CMAKE_BINARY_DIR}/precompiled/empty.cpp)
+  surefoot_common(surefoot_precompiled)
+  find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+  target_link_libraries(surefoot_precompiled PRIVATE Eigen3::Eigen)
+  set(SUREFOOT_PRECOMPILED <Eigen/Cholesky> <Eigen/Core> <Eigen/Eigenvalues> <Eigen/Geometry>
+    <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <set>
+    <span> <sstream> <string> <string_view> <vector>)
+  target_precompile_headers(surefoot_precompiled PRIVATE ${SUREFOOT_PRECOMPILED})
+endif()
+function(surefoot_precompile target)
+  if(SUREFOOT_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM surefoot_precompiled)
+  endif()
+endfunction()
+
 # An internal static library of the program: surefoot_component(dataset a.cpp b.cpp).
 function(surefoot_component name)
   add_library(surefoot_${name} STATIC ${ARGN})
   surefoot_common(surefoot_${name})
   target_include_directories(surefoot_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(surefoot_${name} PUBLIC surefoot)
+  surefoot_precompile(surefoot_${name})
 endfunction()
 
 # A GoogleTest program: surefoot_test(unit_geometry LIBS surefoot SOURCES a.cpp [LABELS long]).
@@ -26,6 +46,15 @@ function(surefoot_test name)
     SUREFOOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     SUREFOOT_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
   target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gtest_main)
+  if(SUREFOOT_PRECOMPILE)
+    if(NOT TARGET surefoot_test_precompiled)
+      add_executable(surefoot_test_precompiled ${CMAKE_BINARY_DIR}/precompiled/empty.cpp)
+      surefoot_common(surefoot_test_precompiled)
+      target_link_libraries(surefoot_test_precompiled PRIVATE surefoot GTest::gtest_main)
+      target_precompile_headers(surefoot_test_precompiled PRIVATE ${SUREFOOT_PRECOMPILED} <gtest/gtest.h>)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM surefoot_test_precompiled)
+  endif()
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND ${name})

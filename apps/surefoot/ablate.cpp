@@ -8,13 +8,15 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "ablation_plan.hpp"
 #include "commands.hpp"
-#include "comparison_engine.hpp"
-#include "dataset/file_writer.hpp"
+#include "compare_options.hpp"
 #include "evaluation/ablation_tables.hpp"
+#include "experiments/ablation_plan.hpp"
+#include "experiments/comparison_engine.hpp"
+#include "io/file_writer.hpp"
+#include "process/exit_codes.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
-#include "ablation_figure.hpp"
+#include "experiments/ablation_figure.hpp"
 #endif
 
 namespace surefoot::app {
@@ -22,19 +24,20 @@ namespace surefoot::app {
 namespace {
 
 struct AblateOptions {
-  CompareOptions comparison;
+  experiments::CompareOptions comparison;
   std::string method = "paper";
 };
 
 /// The files of the ablation, beside those of the comparison that it stands on.
 void write_ablation(const AblateOptions& ablate_options, const evaluation::Ablation& ablation,
                     const evaluation::Comparison& comparison) {
-  const CompareOptions& options = ablate_options.comparison;
+  const experiments::CompareOptions& options = ablate_options.comparison;
   const auto write = [&](const char* name, const std::string& text) {
-    dataset::write_whole_file(options.output / name, text);
+    io::write_whole_file(options.output / name, text);
   };
 #ifdef SUREFOOT_HAS_PICTURES
-  if (options.figures) draw_ablation(ablation, ablate_options.method, options.output / "figures");
+  if (options.figures)
+    experiments::draw_ablation(ablation, ablate_options.method, options.output / "figures");
 #endif
   write("ablation.md", evaluation::ablation_markdown(ablation, comparison));
   write("ablation.csv", evaluation::ablation_csv(ablation));
@@ -42,25 +45,19 @@ void write_ablation(const AblateOptions& ablate_options, const evaluation::Ablat
 }
 
 int ablate(const AblateOptions& options) {
-  const AblationPlan plan = ablation_plan(options.method);
-  for (const MethodVariant& variant : plan.variants) {
-    (void)variant_config(variant, options.comparison.settings);
-  }
-  const auto inputs = prepare_inputs(options.comparison);
-  if (!inputs) return kInterrupted;
-  for (const CompareInput& input : *inputs) (void)read_truth(input);  // throws where there is none
-  const auto results = run_comparison(options.comparison, *inputs, plan.variants);
-  if (!results) return kInterrupted;
+  const experiments::AblationPlan plan = experiments::ablation_plan(options.method);
+  const auto results = experiments::compare_variants(options.comparison, plan.variants);
+  if (!results) return process::kInterrupted;
   const evaluation::Comparison& comparison = results->comparison;
   const evaluation::Ablation ablation =
       evaluation::ablate(comparison, plan.changes, plan.references);
-  CompareOptions without_figures = options.comparison;
+  experiments::CompareOptions without_figures = options.comparison;
   without_figures.figures = false;  // dozens of paths in one panel show nothing
-  write_results(without_figures, *results);
+  experiments::write_results(without_figures, *results);
   write_ablation(options, ablation, comparison);
   fmt::print("{}\nresults: {}\n", evaluation::ablation_markdown(ablation, comparison),
              options.comparison.output.string());
-  return exit_code_of(comparison);
+  return experiments::exit_code_of(comparison);
 }
 
 }  // namespace
@@ -69,11 +66,12 @@ void add_ablate_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<AblateOptions>();
   options->comparison.output = "results/ablation";
   options->comparison.no_map = true;
+  options->comparison.needs_every_truth = true;
   CLI::App* command = app.add_subcommand(
       "ablate", "Switch a method's contributions one by one, on recordings with truth");
   command
       ->add_option("--method", options->method,
-                   fmt::format("One of {}", fmt::join(ablated_methods(), ", ")))
+                   fmt::format("One of {}", fmt::join(experiments::ablated_methods(), ", ")))
       ->capture_default_str();
   add_shared_options(*command, options->comparison);
   command->callback([options, &exit_code] {

@@ -9,14 +9,17 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "comparison_engine.hpp"
+#include "compare_options.hpp"
 #include "evaluation/comparison_tables.hpp"
+#include "experiments/comparison_engine.hpp"
+#include "process/exit_codes.hpp"
 
 namespace surefoot::app {
 
 namespace {
 
-void print_results(const CompareOptions& options, const evaluation::Comparison& comparison) {
+void print_results(const experiments::CompareOptions& options,
+                   const evaluation::Comparison& comparison) {
   const bool terminal = isatty(STDOUT_FILENO) != 0;
   fmt::print("{}",
              evaluation::tables_markdown(comparison, terminal ? evaluation::terminal_marks()
@@ -24,22 +27,20 @@ void print_results(const CompareOptions& options, const evaluation::Comparison& 
   fmt::print("\nresults: {}\n", options.output.string());
 }
 
-int compare(const CompareOptions& options) {
-  const std::vector<MethodVariant> variants = parse_variants(options.methods);
-  for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
-  const auto inputs = prepare_inputs(options);
-  if (!inputs) return kInterrupted;
-  const auto results = run_comparison(options, *inputs, variants);
-  if (!results) return kInterrupted;
-  write_results(options, *results);
+int compare(const experiments::CompareOptions& options) {
+  const std::vector<experiments::MethodVariant> variants =
+      experiments::parse_variants(options.methods);
+  const auto results = experiments::compare_variants(options, variants);
+  if (!results) return process::kInterrupted;
+  experiments::write_results(options, *results);
   print_results(options, results->comparison);
-  return exit_code_of(results->comparison);
+  return experiments::exit_code_of(results->comparison);
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<CompareOptions>();
+  auto options = std::make_shared<experiments::CompareOptions>();
   CLI::App* command =
       app.add_subcommand("compare", "Run methods on recordings with truth; tables and figures");
   add_compare_options(*command, *options);

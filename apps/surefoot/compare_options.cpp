@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 
 #include "evaluation_options.hpp"
 #include "option_checks.hpp"
@@ -15,7 +14,7 @@ namespace surefoot::app {
 
 namespace {
 
-void add_input_options(CLI::App& command, CompareOptions& options) {
+void add_input_options(CLI::App& command, experiments::CompareOptions& options) {
   command.add_option("recordings", options.recordings,
                      "Folders or captures, as for 'surefoot run', with gt.tum in the folder");
   command.add_option("--truth", options.truths,
@@ -27,7 +26,7 @@ void add_input_options(CLI::App& command, CompareOptions& options) {
       ->allow_extra_args(false);
 }
 
-void add_work_options(CLI::App& command, CompareOptions& options) {
+void add_work_options(CLI::App& command, experiments::CompareOptions& options) {
   command.add_option("-o,--output", options.output, "Folder of all results")->capture_default_str();
   command
       .add_option("--repeat", options.repeats,
@@ -41,7 +40,7 @@ void add_work_options(CLI::App& command, CompareOptions& options) {
   command.add_flag("-q,--quiet", options.quiet, "No progress; the tables alone");
 }
 
-void add_run_options(CLI::App& command, CompareOptions& options) {
+void add_run_options(CLI::App& command, experiments::CompareOptions& options) {
   constexpr const char* kGroup = "Runs";
   command.add_option("--threads", options.threads, "Threads of each run")
       ->check(CLI::Range(1, 1024))
@@ -62,30 +61,26 @@ void add_run_options(CLI::App& command, CompareOptions& options) {
       ->group(kGroup);
 }
 
-void add_verdict_options(CLI::App& command, CompareOptions& options) {
+void add_verdict_options(CLI::App& command, experiments::CompareOptions& options) {
   constexpr const char* kGroup = "Evaluation";
-  const std::map<std::string, Cover> words = {
-      {"auto", Cover::kAuto}, {"truth", Cover::kTruth}, {"recording", Cover::kRecording}};
-  command
-      .add_option("--cover", options.cover,
-                  "What a run has to cover: truth, recording (the truth from its first scan to its "
-                  "last), or auto: the truth, unless --start or --count leave scans out")
-      ->transform(CLI::CheckedTransformer(words))
+  using experiments::Cover;
+  add_choice<Cover>(
+      command, "--cover", options.cover,
+      "What a run has to cover: truth, recording (the truth from its first scan to its last), or "
+      "auto: the truth, unless --start or --count leave scans out",
+      {{"auto", Cover::kAuto}, {"truth", Cover::kTruth}, {"recording", Cover::kRecording}})
       ->group(kGroup);
   command
       .add_option("--full-coverage", options.rules.full_coverage,
                   "Share of it that a run must have an estimate for to be ranked")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_within(0.0, 1.0))
       ->capture_default_str()
       ->group(kGroup);
 }
 
 }  // namespace
 
-void add_shared_options(CLI::App& command, CompareOptions& options) {
-  auto& stretches = options.evaluation.stretches;
-  stretches = {.delta = 10.0, .unit = evaluation::DeltaUnit::kMetres, .all_pairs = true};
-  options.evaluation.stretches_from_reference = true;
+void add_shared_options(CLI::App& command, experiments::CompareOptions& options) {
   add_input_options(command, options);
   add_work_options(command, options);
   add_run_options(command, options);
@@ -94,7 +89,7 @@ void add_shared_options(CLI::App& command, CompareOptions& options) {
   add_verdict_options(command, options);
 }
 
-void add_compare_options(CLI::App& command, CompareOptions& options) {
+void add_compare_options(CLI::App& command, experiments::CompareOptions& options) {
   add_shared_options(command, options);
   command
       .add_option("--methods", options.methods,
@@ -104,19 +99,6 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
       ->delimiter(',')
       ->capture_default_str();
   command.add_flag("--no-map", options.no_map, "Do not write map.ply")->group("Runs");
-}
-
-std::vector<std::string> run_arguments(const CompareOptions& options) {
-  std::vector<std::string> arguments = {"--threads", std::to_string(options.threads)};
-  const auto add = [&](const char* flag, std::size_t value) {
-    arguments.insert(arguments.end(), {flag, std::to_string(value)});
-  };
-  if (options.start > 0) add("--start", options.start);
-  if (options.count > 0) add("--count", options.count);
-  if (options.stride > 1) add("--stride", options.stride);
-  if (options.no_map) arguments.push_back("--no-map");
-  arguments.insert(arguments.end(), options.passed.begin(), options.passed.end());
-  return arguments;
 }
 
 }  // namespace surefoot::app

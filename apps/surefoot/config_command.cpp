@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// surefoot config: every parameter with default, unit, range, meaning and source.
+// surefoot config: every parameter of a method with default, unit, range, meaning and source.
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <memory>
 
 #include "commands.hpp"
-#include "config_file.hpp"
+#include "runs/config_file.hpp"
+#include "runs/method_parameters.hpp"
+#include "runs/run_yaml.hpp"
 
 namespace surefoot::app {
 
@@ -26,6 +28,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 void print_text(const Config& config) {
   for (const ParameterInfo& info : parameters()) {
+    if (!runs::reads_parameter(config.method, info.name)) continue;
     fmt::print("{} = {}\n    {}\n    range: {}; default: {}; from: {}\n", info.name,
                with_unit(get_parameter(config, info.name), info.unit), info.help,
                with_unit(info.range, info.unit), info.default_value, info.source);
@@ -52,10 +55,10 @@ void print_markdown() {
   }
 }
 
-void print_yaml(const Config& config) {
+void print_yaml(const std::string& method, const Config& config) {
   YAML::Emitter out;
-  emit_parameters(out, config);
-  fmt::print("{}\n", out.c_str());
+  runs::emit_parameters(out, runs::parameter_texts(config));
+  fmt::print("method: {}\n{}\n", method, out.c_str());
 }
 
 }  // namespace
@@ -63,17 +66,19 @@ void print_yaml(const Config& config) {
 void add_config_command(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "config", "Print every parameter with its value, unit, range, meaning and source");
+      "config",
+      "Print every parameter of a method with its value, unit, range, meaning and source");
   command->add_option("--method", options->method, "the method whose parameters are printed");
   CLI::Option* yaml =
       command->add_flag("--yaml", options->yaml, "as a file for `surefoot run --config`");
-  command->add_flag("--markdown", options->markdown, "as the page docs/config.md")->excludes(yaml);
+  command->add_flag("--markdown", options->markdown, "all of them, as the page docs/config.md")
+      ->excludes(yaml);
   command->callback([options] {
     const Config config = method_config(options->method);
     if (options->markdown) {
       print_markdown();
     } else if (options->yaml) {
-      print_yaml(config);
+      print_yaml(options->method, config);
     } else {
       print_text(config);
     }

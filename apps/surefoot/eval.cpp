@@ -15,12 +15,15 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "dataset/trajectory_files.hpp"
 #include "evaluation/evaluate.hpp"
 #include "evaluation/tables.hpp"
 #include "evaluation_options.hpp"
+#include "io/trajectory_files.hpp"
+#include "option_checks.hpp"
+#include "process/exit_codes.hpp"
+#include "runs/run_files.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
-#include "compare_figures.hpp"
+#include "experiments/compare_figures.hpp"
 #endif
 
 namespace surefoot::app {
@@ -31,8 +34,7 @@ using evaluation::AssociationMethod;
 using evaluation::DeltaUnit;
 using evaluation::Evaluation;
 
-constexpr int kSomeFailed = 1;
-constexpr int kAllFailed = 2;
+constexpr const char* kTruthFile = "gt.tum";
 
 enum class FileFormat { kAuto, kTum, kKitti };
 enum class TableFormat { kText, kJson, kCsv, kLatex };
@@ -45,6 +47,23 @@ struct EvalOptions {
   TableFormat table = TableFormat::kText;
   std::vector<fs::path> figures;  ///< to draw: .svg or .png
 };
+
+/// The trajectory in a run's folder, the truth in a recording's; any other path as it is.
+fs::path trajectory_file(const fs::path& path) {
+  for (const char* name : {runs::kTrajectoryFile, kTruthFile}) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored) && fs::exists(path / name, ignored)) return path / name;
+  }
+  return path;
+}
+
+/// What an estimate is called: its file without extension, or the run's folder.
+std::string name_of(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return path.stem().string();
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
 
 /// By the number of values in the first row: TUM has 8, KITTI 12.
 FileFormat format_of(const fs::path& file) {
@@ -63,22 +82,22 @@ FileFormat format_of(const fs::path& file) {
 
 /// KITTI's poses have no stamps; they get their row's number, which is never compared.
 Trajectory read_trajectory(const fs::path& file, FileFormat format) {
-  if (format == FileFormat::kTum) return dataset::read_tum(file);
+  if (format == FileFormat::kTum) return io::read_tum(file);
   Trajectory trajectory;
-  for (const Pose& pose : dataset::read_kitti_poses(file)) {
+  for (const Pose& pose : io::read_kitti_poses(file)) {
     trajectory.push_back({static_cast<std::int64_t>(trajectory.size()), pose});
   }
   return trajectory;
 }
 
-/// The files' names without extension, or the whole paths if these are not unique.
+/// The names, or the whole paths where these are not unique.
 std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   std::map<std::string, int> uses;
-  for (const fs::path& file : files) ++uses[file.stem().string()];
+  for (const fs::path& file : files) ++uses[name_of(file)];
   std::vector<std::string> names;
   for (const fs::path& file : files) {
-    const std::string stem = file.stem().string();
-    names.push_back(uses[stem] == 1 ? stem : file.string());
+    const std::string name = name_of(file);
+    names.push_back(uses[name] == 1 ? name : file.string());
   }
   return names;
 }
@@ -105,7 +124,7 @@ void draw_figures([[maybe_unused]] const EvalOptions& options,
   std::vector<std::string> names;
   for (const Evaluation& evaluation : evaluations) names.push_back(evaluation.name);
   for (const fs::path& file : options.figures) {
-    draw_views(reference, names, paths, file);
+    experiments::draw_views(reference, names, paths, file);
   }
 #else
   if (!options.figures.empty()) {
@@ -116,6 +135,9 @@ void draw_figures([[maybe_unused]] const EvalOptions& options,
 
 /// An estimate that cannot be evaluated is told and left out; the others go on.
 int evaluate_all(EvalOptions options) {
+  options.reference = trajectory_file(options.reference);
+  const std::vector<std::string> names = names_of(options.estimates);
+  for (fs::path& estimate : options.estimates) estimate = trajectory_file(estimate);
   const bool find_format = options.format == FileFormat::kAuto;
   const FileFormat format = find_format ? format_of(options.reference) : options.format;
   if (format == FileFormat::kKitti) {
@@ -125,7 +147,6 @@ int evaluate_all(EvalOptions options) {
     }
   }
   const Trajectory reference = read_trajectory(options.reference, format);
-  const std::vector<std::string> names = names_of(options.estimates);
   std::vector<Evaluation> evaluations;
   std::vector<Trajectory> paths;  // aligned
   for (std::size_t i = 0; i < options.estimates.size(); ++i) {
@@ -138,17 +159,16 @@ int evaluate_all(EvalOptions options) {
       fmt::print(stderr, "surefoot: {}: {}\n", names[i], error.what());
     }
   }
-  if (evaluations.empty()) return kAllFailed;
+  if (evaluations.empty()) return process::kBadInput;
   draw_figures(options, reference, evaluations, paths);
   fmt::print("{}", table_of(evaluations, options.table));
-  return evaluations.size() == options.estimates.size() ? 0 : kSomeFailed;
+  return evaluations.size() == options.estimates.size() ? process::kDone : process::kSomeFailed;
 }
 
 void add_format_option(CLI::App& command, FileFormat& format) {
-  const std::map<std::string, FileFormat> formats = {
-      {"auto", FileFormat::kAuto}, {"tum", FileFormat::kTum}, {"kitti", FileFormat::kKitti}};
-  command.add_option("--format", format, "Of all files: auto, tum or kitti")
-      ->transform(CLI::CheckedTransformer(formats));
+  add_choice<FileFormat>(
+      command, "--format", format, "Of all files: auto, tum or kitti",
+      {{"auto", FileFormat::kAuto}, {"tum", FileFormat::kTum}, {"kitti", FileFormat::kKitti}});
 }
 
 }  // namespace
@@ -157,14 +177,20 @@ void add_eval_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<EvalOptions>();
   CLI::App* command =
       app.add_subcommand("eval", "Compare trajectories with a reference (TUM or KITTI files)");
-  command->add_option("reference", options->reference, "The true trajectory")->required();
-  command->add_option("estimates", options->estimates, "One trajectory or more")->required();
+  command
+      ->add_option("reference", options->reference,
+                   "The true trajectory, or a recording with a gt.tum")
+      ->required();
+  command
+      ->add_option("estimates", options->estimates,
+                   "One trajectory or more, or folders that surefoot run has written")
+      ->required();
   add_format_option(*command, options->format);
   add_pairing_options(*command, options->evaluation.association);
   add_error_options(*command, options->evaluation);
   command
       ->add_option("--figure", options->figures,
-                   "Draw the aligned trajectories to this .svg or .png file; may be repeated")
+                   "Draw the aligned trajectories to this .svg, .pdf or .png file; may be repeated")
       ->allow_extra_args(false);
   CLI::Option_group* output = command->add_option_group("output");
   const auto add_table = [&](const char* flag, TableFormat format, const char* help) {

@@ -9,21 +9,23 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "dataset/decimal_time.hpp"
-#include "dataset/recording.hpp"
-#include "dataset/recording_summary.hpp"
+#include "io/decimal_time.hpp"
+#include "io/recording.hpp"
+#include "io/recording_summary.hpp"
+#include "process/exit_codes.hpp"
 #include "reader_options.hpp"
+#include "runs/length_unit.hpp"
 
 namespace surefoot::app {
 namespace {
 
-using dataset::format_seconds;
-using dataset::RecordingSummary;
-using dataset::Spread;
+using io::format_seconds;
+using io::RecordingSummary;
+using io::Spread;
 
 struct InfoOptions {
   std::filesystem::path input;
-  dataset::OpenOptions reader;
+  io::OpenOptions reader;
   bool json = false;
 };
 
@@ -50,17 +52,18 @@ nlohmann::ordered_json to_json(const RecordingSummary& summary) {
     json["intensity"] = to_json(summary.intensity);
   }
   json["rings"] = summary.rings;
-  const dataset::CaptureCounts& counts = summary.capture;
+  const io::CaptureCounts& counts = summary.capture;
   if (counts.packets > 0) {
     json["packets"] = {{"all", counts.packets},
                        {"data", counts.data_packets},
                        {"position", counts.position_packets},
                        {"truncated", counts.truncated},
                        {"other", counts.other},
+                       {"fragments", counts.fragments},
                        {"lost", counts.lost}};
   }
   json["odd"] = nlohmann::ordered_json::array();
-  for (const dataset::Oddity& oddity : summary.oddities) {
+  for (const io::Oddity& oddity : summary.oddities) {
     json["odd"].push_back(
         {{"what", oddity.what}, {"scans", oddity.scans}, {"first", oddity.first}});
   }
@@ -90,12 +93,13 @@ void print_stamps(const RecordingSummary& summary) {
   }
 }
 
-void print_counts(const dataset::CaptureCounts& counts) {
+void print_counts(const io::CaptureCounts& counts) {
   print_row("packets", std::to_string(counts.packets) + ": " + std::to_string(counts.data_packets) +
                            " data, " + std::to_string(counts.position_packets) + " position, " +
                            std::to_string(counts.truncated) + " truncated, " +
-                           std::to_string(counts.other) + " other; " + std::to_string(counts.lost) +
-                           " lost");
+                           std::to_string(counts.other) + " other, " +
+                           std::to_string(counts.fragments) + " fragments of longer ones; " +
+                           std::to_string(counts.lost) + " lost");
 }
 
 void print(const RecordingSummary& summary) {
@@ -126,9 +130,10 @@ void print(const RecordingSummary& summary) {
   for (const std::string& note : summary.notes) {
     print_row("found out", note);
   }
-  for (const dataset::Oddity& oddity : summary.oddities) {
-    print_row("odd",
-              oddity.what + ": " + std::to_string(oddity.scans) + " (first: " + oddity.first + ")");
+  for (const io::Oddity& oddity : summary.oddities) {
+    print_row("odd", oddity.first.empty() ? oddity.what
+                                          : oddity.what + ": " + std::to_string(oddity.scans) +
+                                                " (first: " + oddity.first + ")");
   }
 }
 
@@ -137,13 +142,17 @@ void print(const RecordingSummary& summary) {
 void add_info_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Say what a recording holds and what is odd");
-  command->add_option("input", options->input, "Folder of scans, one scan, or a capture")
+  command->add_option("input", options->input, "Folder of scans, one scan, a bag, or a capture")
       ->required();
   command->add_flag("--json", options->json, "Print JSON");
   add_reader_options(*command, options->reader);
   command->callback([options, &exit_code] {
-    const auto recording = dataset::open_recording(options->input, options->reader);
-    const RecordingSummary summary = dataset::summarise(*recording);
+    options->reader.repair_stamps = false;  // what is odd is told, not mended
+    const auto recording = io::open_recording(options->input, options->reader);
+    RecordingSummary summary = io::summarise(*recording);
+    if (const auto odd = runs::odd_range(summary.range_m.median)) {
+      summary.oddities.push_back({*odd, summary.scans, ""});
+    }
     if (options->json) {
       using ErrorHandler = nlohmann::ordered_json::error_handler_t;
       // File names may hold any bytes.
@@ -151,7 +160,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
     } else {
       print(summary);
     }
-    exit_code = summary.unreadable > 0 ? 1 : 0;
+    exit_code = summary.unreadable > 0 ? process::kSomeFailed : process::kDone;
   });
 }
 

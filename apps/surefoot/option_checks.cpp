@@ -3,8 +3,10 @@
 #include "option_checks.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <string>
 
@@ -32,6 +34,15 @@ CLI::Validator number_within(double low, double high) {
     return good ? std::string() : fmt::format("'{}'; expected a number {}", text, range);
   };
   return {check, range};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [words](std::string& text) {
+    const bool known = std::find(words.begin(), words.end(), text) != words.end();
+    return known ? std::string()
+                 : fmt::format("'{}'; expected one of {}", text, fmt::join(words, ", "));
+  };
+  return {check, fmt::format("{}", fmt::join(words, "|"))};
 }
 
 }  // namespace surefoot::app

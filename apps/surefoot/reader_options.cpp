@@ -3,36 +3,21 @@
 #include "reader_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <limits>
-#include <map>
-#include <string>
+
+#include "option_checks.hpp"
 
 namespace surefoot::app {
 namespace {
 
-using dataset::OpenOptions;
-using dataset::ReturnChoice;
-using dataset::StampAt;
-using dataset::TimeReference;
-using dataset::TimeUnit;
+using io::DeriveTimes;
+using io::OpenOptions;
+using io::ReturnChoice;
+using io::Spin;
+using io::StampAt;
+using io::TimeReference;
+using io::TimeUnit;
 
 constexpr const char* kGroup = "Reading";
-
-// An option whose values are words.
-template <typename Choice>
-void add_choice(CLI::App& command, const char* flag, Choice& choice, const char* help,
-                const std::map<std::string, Choice>& words) {
-  command.add_option(flag, choice, help)
-      ->transform(CLI::CheckedTransformer(words).description(""))
-      ->option_text([&words] {
-        std::string text;
-        for (const auto& [word, value] : words) {
-          text += (text.empty() ? "" : "|") + word;
-        }
-        return text;
-      }())
-      ->group(kGroup);
-}
 
 void add_time_options(CLI::App& command, OpenOptions& options) {
   command
@@ -45,25 +30,42 @@ void add_time_options(CLI::App& command, OpenOptions& options) {
                         {"s", TimeUnit::kSeconds},
                         {"ms", TimeUnit::kMilliseconds},
                         {"us", TimeUnit::kMicroseconds},
-                        {"ns", TimeUnit::kNanoseconds}});
+                        {"ns", TimeUnit::kNanoseconds}})
+      ->group(kGroup);
   add_choice<TimeReference>(command, "--time-reference", options.time_reference,
                             "Whether point times count from the stamp or from the epoch",
                             {{"auto", TimeReference::kAuto},
                              {"relative", TimeReference::kRelative},
-                             {"absolute", TimeReference::kAbsolute}});
+                             {"absolute", TimeReference::kAbsolute}})
+      ->group(kGroup);
   add_choice<StampAt>(command, "--stamp-at", options.stamp_at,
                       "Instant of a scan that its stamp names",
-                      {{"start", StampAt::kStart}, {"end", StampAt::kEnd}});
+                      {{"start", StampAt::kStart}, {"end", StampAt::kEnd}})
+      ->group(kGroup);
+  add_choice<DeriveTimes>(command, "--derive-times", options.derive_times,
+                          "Make up point times: azimuth: of a spinning LiDAR, from --cut on",
+                          {{"no", DeriveTimes::kNo}, {"azimuth", DeriveTimes::kAzimuth}})
+      ->group(kGroup);
+  add_choice<Spin>(command, "--spin", options.spin, "How that LiDAR turns, seen from above",
+                   {{"clockwise", Spin::kClockwise}, {"counterclockwise", Spin::kCounterclockwise}})
+      ->group(kGroup);
   command
       .add_option("--stamps", options.stamps_file,
                   "File of stamps, one a scan (times.txt beside the scans)")
+      ->type_name(kFileType)
+      ->group(kGroup);
+  command
+      .add_flag("--repair-stamps,!--no-repair-stamps", options.repair_stamps,
+                "Mend stamps that go back, stand still or are wild (default: yes)")
       ->group(kGroup);
   command.add_option("--rate", options.rate_hz, "Scans a second where nothing gives stamps [Hz]")
-      ->check(CLI::Range(1e-3, 1e4))
+      ->check(number_within(1e-3, 1e4))
       ->group(kGroup);
 }
 
 void add_format_options(CLI::App& command, OpenOptions& options) {
+  command.add_option("--topic", options.topic, "Topic of a bag (the only one with scans)")
+      ->group(kGroup);
   command.add_option("--format", options.format, "Kind of scans to read in a mixed folder")
       ->check(CLI::IsMember({"pcd", "ply", "bin"}))
       ->group(kGroup);
@@ -71,23 +73,35 @@ void add_format_options(CLI::App& command, OpenOptions& options) {
       .add_flag("--kitti-correction", options.kitti_hdl64_correction,
                 "Turn HDL-64E points up by 0.205 deg (KITTI's calibration error)")
       ->group(kGroup);
-  command.add_option("--udp-port", options.udp_port, "Port of the sensor's packets in a capture")
+  command
+      .add_option("--udp-port", options.udp_port,
+                  "Port of the sensor's packets in a capture (the first LiDAR's)")
       ->check(CLI::Range(1, 65535))
       ->group(kGroup);
-  add_choice<ReturnChoice>(command, "--return", options.dual_return,
-                           "Return to keep of two (VLP-16 in dual mode)",
-                           {{"strongest", ReturnChoice::kStrongest},
-                            {"last", ReturnChoice::kLast},
-                            {"both", ReturnChoice::kBoth}});
   command
-      .add_option("--cut", options.cut_azimuth_deg,
-                  "Azimuth that begins a revolution of a capture [deg]")
-      ->check(CLI::Range(0.0, 359.99))
+      .add_option("--sensor", options.sensor,
+                  "Sensor of a capture's or bag's packets (found from the packets)")
       ->group(kGroup);
   command
-      .add_flag("--vertical-correction,!--no-vertical-correction",
-                options.vlp16_vertical_correction,
-                "Whether VLP-16 points start at their laser's own height (default: yes)")
+      .add_option("--calibration", options.calibration_file,
+                  "Calibration or metadata file of that sensor (its manual's table)")
+      ->type_name(kFileType)
+      ->group(kGroup);
+  add_choice<ReturnChoice>(command, "--return", options.dual_return,
+                           "Return to keep of two (packets of a sensor in dual mode)",
+                           {{"strongest", ReturnChoice::kStrongest},
+                            {"last", ReturnChoice::kLast},
+                            {"both", ReturnChoice::kBoth}})
+      ->group(kGroup);
+  command
+      .add_option("--cut", options.cut_azimuth_deg,
+                  "Azimuth that begins a revolution of a capture, or of --derive-times (there "
+                  "counter-clockwise from x) [deg]")
+      ->check(number_within(0.0, 359.99))
+      ->group(kGroup);
+  command
+      .add_flag("--vertical-correction,!--no-vertical-correction", options.beam_origins,
+                "Whether points of packets start at their laser's own height (default: yes)")
       ->group(kGroup);
 }
 

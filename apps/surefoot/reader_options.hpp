@@ -6,11 +6,11 @@
 
 #include <CLI/App.hpp>
 
-#include "dataset/recording.hpp"
+#include "io/recording.hpp"
 
 namespace surefoot::app {
 
 /// Adds the flags to a command; `options` must live until the command line is parsed.
-void add_reader_options(CLI::App& command, dataset::OpenOptions& options);
+void add_reader_options(CLI::App& command, io::OpenOptions& options);
 
 }  // namespace surefoot::app

@@ -8,18 +8,18 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "comparison_folder.hpp"
-#include "dataset/recording.hpp"
+#include "experiments/comparison_folder.hpp"
+#include "io/recording.hpp"
 #include "option_checks.hpp"
-#include "report_maker.hpp"
+#include "process/exit_codes.hpp"
+#include "runs/report_maker.hpp"
+#include "runs/run_files.hpp"
 
 namespace surefoot::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kSomeFailed = 1;
 
 struct ReportOptions {
   std::vector<fs::path> folders;
@@ -31,34 +31,35 @@ struct ReportOptions {
 
 /// Within the folder if there is one, otherwise where the program was called.
 fs::path default_output(const std::vector<fs::path>& folders) {
-  return folders.size() == 1 ? folders.front() / "report.html" : fs::path("report.html");
+  return folders.size() == 1 ? folders.front() / runs::kReportFile : fs::path(runs::kReportFile);
 }
 
 /// A folder that cannot be read is told and left out; the others go on.
 int make_report(const ReportOptions& options) {
-  ReportMaker maker(options.truth);
+  runs::ReportMaker maker(options.truth);
   std::size_t added = 0;
   for (const fs::path& folder : options.folders) {
     try {
-      if (is_comparison_folder(folder)) {
-        add_comparison(folder, maker);
+      if (experiments::is_comparison_folder(folder)) {
+        experiments::add_comparison(folder, maker);
       } else {
         maker.add_run(folder);
       }
       ++added;
-    } catch (const dataset::ReadError& error) {
+    } catch (const io::ReadError& error) {
       if (options.folders.size() == 1) throw;
       fmt::print(stderr, "surefoot: left out: {}\n", error.what());
     }
   }
-  if (added == 0) throw dataset::ReadError("none of the folders holds a run");
+  if (added == 0) throw io::ReadError("none of the folders holds a run");
   for (const std::string& problem : maker.problems()) {
     fmt::print(stderr, "surefoot: {}\n", problem);
   }
   const fs::path file = options.output.empty() ? default_output(options.folders) : options.output;
-  write_report(maker.take(options.title), file, options.map_points);
+  runs::write_report(maker.take(options.title), file, options.map_points);
   fmt::print("{}\n", file.string());
-  return added == options.folders.size() && maker.problems().empty() ? 0 : kSomeFailed;
+  return added == options.folders.size() && maker.problems().empty() ? process::kDone
+                                                                     : process::kSomeFailed;
 }
 
 }  // namespace

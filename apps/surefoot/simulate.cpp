@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "option_checks.hpp"
-#include "progress.hpp"
-#include "recording_maker.hpp"
+#include "process/exit_codes.hpp"
+#include "process/interrupt.hpp"
+#include "process/progress.hpp"
+#include "recordings/recording_maker.hpp"
 #include "simulation/scene_picture.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
-#include "animation.hpp"
+#include "recordings/animation.hpp"
 #include "report/canvas.hpp"
 #endif
 
@@ -27,11 +28,10 @@ namespace surefoot::app {
 
 namespace {
 
-constexpr int kInterrupted = 1;
 constexpr int kMostScans = 100'000;  // nearly three hours; the motion is held in memory
 
 struct SimulateArguments {
-  RecordingRequest request;
+  recordings::RecordingRequest request;
   double duration = 0.0;
   std::vector<std::string> formats = {"pcd"};
   std::vector<double> mount;
@@ -54,7 +54,7 @@ void list_scenes() {
 void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
 #ifdef SUREFOOT_HAS_PICTURES
   constexpr int kWidth = 480;
-  const simulation::Scene scene = scene_of(arguments.request);
+  const simulation::Scene scene = recordings::scene_of(arguments.request);
   const simulation::RayCaster rays(scene);
   simulation::SceneImage image = simulation::render_scene(scene, rays, kWidth);
   report::Canvas canvas(image.width, image.height, report::PageFormat::kPng);
@@ -69,14 +69,14 @@ void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
 
 void draw_moving_picture([[maybe_unused]] const SimulateArguments& arguments) {
 #ifdef SUREFOOT_HAS_PICTURES
-  draw_animation(arguments.request, arguments.animation);
+  recordings::draw_animation(arguments.request, arguments.animation);
 #else
   throw std::runtime_error("--animation: this program was built without pictures");
 #endif
 }
 
 void complete_request(SimulateArguments& arguments) {
-  RecordingRequest& request = arguments.request;
+  recordings::RecordingRequest& request = arguments.request;
   if (arguments.duration > 0.0) {
     const double turn = 1e-9 * simulation::lidar_model(request.lidar).turn_ns;
     request.scans = static_cast<std::uint64_t>(std::ceil(arguments.duration / turn - 1e-9));
@@ -94,17 +94,20 @@ void complete_request(SimulateArguments& arguments) {
   };
   request.format.pcd = wanted("pcd");
   request.format.pcap = wanted("pcap");
+  request.format.mcap = wanted("mcap");
+  request.format.rosbag2 = wanted("rosbag2");
 }
 
 void simulate(const SimulateArguments& arguments, int& exit_code) {
-  const RecordingRequest& request = arguments.request;
+  const recordings::RecordingRequest& request = arguments.request;
   const auto begin = std::chrono::steady_clock::now();
-  const InterruptGuard guard;
-  Progress progress("scans", arguments.quiet);
-  const std::uint64_t done = make_recording(request, arguments.output, [&](std::uint64_t scans) {
-    progress.update(scans, static_cast<double>(scans) / static_cast<double>(request.scans));
-    return !guard.interrupted();
-  });
+  const process::InterruptGuard guard;
+  process::Progress progress("scans", arguments.quiet);
+  const std::uint64_t done =
+      recordings::make_recording(request, arguments.output, [&](std::uint64_t scans) {
+        progress.update(scans, static_cast<double>(scans) / static_cast<double>(request.scans));
+        return !guard.interrupted();
+      });
   progress.finish();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -112,11 +115,11 @@ void simulate(const SimulateArguments& arguments, int& exit_code) {
     fmt::print(stderr, "{}: {} scans in {:.1f} s to {}\n", request.scene, done, seconds,
                arguments.output);
   }
-  if (done < request.scans) exit_code = kInterrupted;
+  if (done < request.scans) exit_code = process::kInterrupted;
 }
 
 void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
-  RecordingRequest& request = arguments.request;
+  recordings::RecordingRequest& request = arguments.request;
   command.add_option("--robot", request.robot, "How it moves; absent: what suits the scene")
       ->check(CLI::IsMember(simulation::gait_names()));
   command.add_option("--speed", request.speed, "Walking speed [m/s]; absent: the robot's own")
@@ -129,7 +132,7 @@ void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
 }
 
 void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
-  RecordingRequest& request = arguments.request;
+  recordings::RecordingRequest& request = arguments.request;
   command.add_option("--lidar", request.lidar, "Sensor")
       ->check(CLI::IsMember(simulation::lidar_names()))
       ->capture_default_str();
@@ -141,21 +144,20 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
       ->check(number_within(-180.0, 180.0));
   command.add_flag("--dual", request.dual_return, "Two returns: the strongest and the last");
   command.add_flag("--body", request.robot_body, "The robot's own body is in view");
+  const auto share = [&](const char* flag, double& value, const char* help) {
+    command.add_option(flag, value, help)->check(number_within(0.0, 0.5))->capture_default_str();
+  };
+  share("--rain", request.air.rain, "Share of the beams that end in a drop");
+  share("--dust", request.air.dust, "Share of the beams that end in a cloud of dust");
+  command.add_option("--people", request.people, "Who go with the robot and stop in front of it")
+      ->check(CLI::Range(0, 20))
+      ->capture_default_str();
   command.add_flag("--no-footprint", arguments.no_footprint,
                    "One ray a beam: faster, no mixed pixels");
 }
 
-/// Formats that people will ask for are told apart from misspelt ones.
-std::string known_format(const std::string& name) {
-  if (name == "pcd" || name == "pcap") return {};
-  if (name == "rosbag2" || name == "mcap") {
-    return name + " cannot be written yet; there are: pcd, pcap";
-  }
-  return "no format is called '" + name + "'; there are: pcd, pcap";
-}
-
 void add_output_options(CLI::App& command, SimulateArguments& arguments) {
-  RecordingRequest& request = arguments.request;
+  recordings::RecordingRequest& request = arguments.request;
   auto* scans = command.add_option("--scans", request.scans, "Number of scans")
                     ->check(CLI::Range(1, kMostScans))
                     ->capture_default_str();
@@ -166,14 +168,21 @@ void add_output_options(CLI::App& command, SimulateArguments& arguments) {
       ->check(whole_number(0))
       ->capture_default_str();
   command
+      .add_option(
+          "--layout", request.layout,
+          "Buildings, ground, ramps, stairs, route; absent: the seed. 1: as without layouts")
+      ->check(whole_number(0));
+  command
       .add_option("--format", arguments.formats,
-                  "pcd, pcap (VLP-16 packets), or both; rosbag2 and mcap cannot be written yet")
+                  "pcd, pcap (VLP-16 packets), mcap, rosbag2 (both ROS 2), or several with commas")
       ->delimiter(',')
-      ->check(known_format);
+      ->check(CLI::IsMember({"pcd", "pcap", "mcap", "rosbag2"}));
   command.add_flag("--true-points", request.format.true_points,
                    "Every point's exact position in the map, too");
   command.add_flag("-q,--quiet", arguments.quiet, "Say nothing");
   command.add_option("-o,--output", arguments.output, "Folder to write to");
+  command.add_flag("--overwrite", request.overwrite,
+                   "Write also where scans lie that no simulation has left");
 }
 
 }  // namespace

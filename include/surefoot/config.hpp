@@ -169,6 +169,8 @@ struct Config {
     double flatness;          // largest variance across a plane, of that along it
     double slenderness;       // largest variance across a pole, of that along it
     double edge_on;           // least angle (sine) at which a plane's points were seen
+    double ring_gap;          // [rad] between a LiDAR's rings: a cloud is known no finer
+    double cloud_weight;      // of a cloud's residuals, those of planes and poles being 1
     int gone_after;           // scans that beams went through a voxel until it is emptied, 0: never
     double min_match_ratio;   // of the registered points
     double noise;             // [m] of a residual
@@ -180,8 +182,17 @@ struct Config {
     double kernel_end;        // [m] and at the end
     double kernel_decay;      // per iteration
     int max_iterations;
-    double convergence;   // [m, rad]
-    bool second_attempt;  // where the misfit is worse than usual
+    double convergence;       // [m, rad]
+    bool second_attempt;      // where the misfit is worse than usual
+    double suspicious;        // by so many times
+    double misfit_margin;     // beyond twice the usual and this, a registration is wrong
+    double usual_rate;        // of usual misfit and dependence, per scan
+    double unseen_weight;     // of a point where the map has no surfel, among attempts
+    double swing;             // [rad/s] attempts that roll and pitch by so much more
+    double swing_kernel;      // [m] of these
+    double looser;            // of the last attempts, times the usual fluctuation
+    double gone_share;        // of the scans that ever hit a voxel, besides gone_after
+    double covariance_scale;  // variance beyond the residuals'
   } knots;
 
   // The baselines' parameters, under their originals' names.

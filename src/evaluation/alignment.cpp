@@ -35,6 +35,17 @@ Moments moments(const AssociatedTrajectories& pairs, std::size_t count) {
   return result;
 }
 
+/// Adds the orientations as if each pose had three more points, a metre from it along its axes:
+/// |R A_i - B_i|_F^2 has its minimum where tr(R A_i B_i^T) is largest, as for positions.
+void add_orientations(const AssociatedTrajectories& pairs, std::size_t count, Moments& m) {
+  const auto n = static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Matrix3d x = pairs.estimate[i].pose.rotation.toRotationMatrix();
+    const Eigen::Matrix3d y = pairs.reference[i].pose.rotation.toRotationMatrix();
+    m.covariance_yx += y * x.transpose() / n;
+  }
+}
+
 constexpr double kRankTolerance = 1e-12;  // relative to the largest singular value
 
 /// Entries of the covariance that may come from rounding alone.
@@ -90,6 +101,11 @@ Alignment find_alignment(const AssociatedTrajectories& pairs, AlignmentMethod me
       return yaw_translation(moments(pairs, count));
     case AlignmentMethod::kRigid:
       return umeyama(moments(pairs, count), false);
+    case AlignmentMethod::kPoses: {
+      Moments m = moments(pairs, count);
+      add_orientations(pairs, count, m);
+      return umeyama(m, false);
+    }
     case AlignmentMethod::kSimilarity:
       return umeyama(moments(pairs, count), true);
     case AlignmentMethod::kScale:

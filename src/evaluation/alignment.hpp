@@ -15,7 +15,8 @@ enum class AlignmentMethod {
   kOrigin,          ///< the first poses coincide
   kYawTranslation,  ///< least squares over positions; roll and pitch stay as estimated
   kRigid,           ///< least squares over positions, SE(3) (Umeyama 1991)
-  kSimilarity,      ///< the same with scale, Sim(3)
+  kPoses,           ///< the same over positions and orientations, a radian counting as a metre
+  kSimilarity,      ///< least squares over positions with scale, Sim(3)
   kScale,           ///< only the scale of Sim(3); rotation and origin stay as estimated
 };
 
@@ -27,7 +28,8 @@ struct Alignment {
 
 /// The alignment of the estimate to the reference, found from the first `poses` pairs (0: all).
 /// Throws std::runtime_error if the positions do not determine it (all in one place; for kRigid
-/// and kSimilarity also all on one line).
+/// and kSimilarity also all on one line). kPoses is always determined: on a straight way, where
+/// positions leave the turn about it open, orientations decide.
 [[nodiscard]] Alignment find_alignment(const AssociatedTrajectories& pairs, AlignmentMethod method,
                                        std::size_t poses = 0);
 

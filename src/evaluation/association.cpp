@@ -8,11 +8,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "surefoot/seconds.hpp"
+
 namespace surefoot::evaluation {
 
 namespace {
 
-double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
+/// Differences of stamps within it fit 64 bits: 146 years before and after 1970.
+constexpr std::int64_t kFarthestStamp = (std::int64_t{1} << 62) - 1;
+
+constexpr double kLongest = 4.6e9;  // [s], below kFarthestStamp
+
+bool is_far(std::int64_t stamp_ns) {
+  return stamp_ns > kFarthestStamp || stamp_ns < -kFarthestStamp;
+}
 
 void check(const Trajectory& trajectory, const std::string& name, bool stamps_matter) {
   if (trajectory.empty()) throw std::invalid_argument("the " + name + " has no poses");
@@ -21,6 +30,11 @@ void check(const Trajectory& trajectory, const std::string& name, bool stamps_ma
     if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite()) {
       throw std::invalid_argument("pose " + std::to_string(i) + " of the " + name +
                                   " is not finite");
+    }
+    if (stamps_matter && is_far(trajectory[i].stamp_ns)) {
+      throw std::invalid_argument("pose " + std::to_string(i) + " of the " + name + " is stamped " +
+                                  std::to_string(seconds(trajectory[i].stamp_ns)) +
+                                  " s, which is no time since 1970");
     }
     if (stamps_matter && i > 0 && trajectory[i].stamp_ns < trajectory[i - 1].stamp_ns) {
       throw std::invalid_argument(
@@ -56,6 +70,7 @@ AssociatedTrajectories by_nearest(const Trajectory& reference, const Trajectory&
   AssociatedTrajectories result;
   for (const StampedPose& stamped : shorter) {
     const std::int64_t stamp_ns = stamped.stamp_ns + shift_ns;
+    if (is_far(stamp_ns)) continue;
     const StampedPose& partner = nearest(longer, stamp_ns);
     if (std::abs(partner.stamp_ns - stamp_ns) > limit_ns) continue;
     result.reference.push_back(estimate_longer ? stamped : partner);
@@ -77,6 +92,7 @@ AssociatedTrajectories by_interpolation(const Trajectory& reference, const Traje
   AssociatedTrajectories result;
   for (const StampedPose& stamped : estimate) {
     const std::int64_t stamp_ns = stamped.stamp_ns + offset_ns;
+    if (is_far(stamp_ns)) continue;
     const auto after = not_before(reference, stamp_ns);
     if (after == reference.end()) break;
     const bool exact = after->stamp_ns == stamp_ns;
@@ -105,8 +121,9 @@ AssociatedTrajectories associate(const Trajectory& reference, const Trajectory& 
   const bool stamps_matter = options.method != AssociationMethod::kIndex;
   check(reference, "reference", stamps_matter);
   check(estimate, "estimate", stamps_matter);
+  // Nothing of use is longer, and added to a stamp it still fits 64 bits.
   const auto nanoseconds = [](double value) {
-    return static_cast<std::int64_t>(std::llround(1e9 * value));
+    return static_cast<std::int64_t>(std::llround(1e9 * std::clamp(value, -kLongest, kLongest)));
   };
   const std::int64_t offset_ns = nanoseconds(options.offset);
   AssociatedTrajectories result;

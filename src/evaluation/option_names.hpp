@@ -17,11 +17,12 @@ namespace surefoot::evaluation {
 template <typename Choice, std::size_t count>
 using ChoiceNames = std::array<std::pair<std::string_view, Choice>, count>;
 
-inline constexpr ChoiceNames<AlignmentMethod, 6> kAlignmentNames = {
+inline constexpr ChoiceNames<AlignmentMethod, 7> kAlignmentNames = {
     {{"none", AlignmentMethod::kNone},
      {"origin", AlignmentMethod::kOrigin},
      {"yaw", AlignmentMethod::kYawTranslation},
      {"se3", AlignmentMethod::kRigid},
+     {"poses", AlignmentMethod::kPoses},
      {"sim3", AlignmentMethod::kSimilarity},
      {"scale", AlignmentMethod::kScale}}};
 

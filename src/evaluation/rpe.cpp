@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "surefoot/seconds.hpp"
+
 namespace surefoot::evaluation {
 
 namespace {
@@ -24,7 +26,7 @@ std::vector<double> steps(const Trajectory& trajectory, DeltaUnit unit) {
         result.push_back((to.pose.translation - from.pose.translation).norm());
         break;
       case DeltaUnit::kSeconds:
-        result.push_back(1e-9 * static_cast<double>(to.stamp_ns - from.stamp_ns));
+        result.push_back(seconds(to.stamp_ns - from.stamp_ns));
         break;
       case DeltaUnit::kDegrees:
         result.push_back(
@@ -101,6 +103,9 @@ std::vector<IndexPair> turned_by_delta(const Trajectory& trajectory, const PairO
   return pairs;
 }
 
+// [m] No truth resolves less, and a share of it says nothing.
+constexpr double kShortestDistance = 1e-5;
+
 /// Both motions over one stretch.
 struct Motions {
   Pose reference, estimate;  // T_i_j
@@ -150,7 +155,7 @@ std::vector<double> relative_distance_error_percents(const AssociatedTrajectorie
   for (const IndexPair& stretch : stretches) {
     const Motions motion = motions(pairs, stretch);
     const double distance = motion.reference.translation.norm();
-    if (distance == 0.0) continue;
+    if (distance < kShortestDistance) continue;
     errors.push_back(100.0 * std::abs(distance - motion.estimate.translation.norm()) / distance);
   }
   return errors;

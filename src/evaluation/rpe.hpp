@@ -43,8 +43,8 @@ struct IndexPair {
 /// | |t_ref| - |t_est| | of each stretch [m]: distances alone, whatever the directions.
 [[nodiscard]] std::vector<double> relative_distance_errors(const AssociatedTrajectories& pairs,
                                                            const std::vector<IndexPair>& stretches);
-/// The same in percent of |t_ref|; stretches over which the reference returns to the same place are
-/// left out.
+/// The same in percent of |t_ref|; stretches over which the reference stays within, or returns to,
+/// 10 um of its start are left out.
 [[nodiscard]] std::vector<double> relative_distance_error_percents(
     const AssociatedTrajectories& pairs, const std::vector<IndexPair>& stretches);
 

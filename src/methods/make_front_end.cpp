@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The one place that knows every method.
-#include "baselines/ct_icp_front_end.hpp"
-#include "baselines/floam_front_end.hpp"
-#include "baselines/genz_icp_front_end.hpp"
-#include "baselines/icp_front_end.hpp"
-#include "baselines/kiss_icp_front_end.hpp"
-#include "knots/knot_front_end.hpp"
-#include "odometry/front_end.hpp"
-#include "odometry/paper_front_end.hpp"
+#include "core/front_end.hpp"
+#include "methods/ct_icp/ct_icp_front_end.hpp"
+#include "methods/floam/floam_front_end.hpp"
+#include "methods/genz_icp/genz_icp_front_end.hpp"
+#include "methods/icp/icp_front_end.hpp"
+#include "methods/kiss_icp/kiss_icp_front_end.hpp"
+#include "methods/knots/knot_front_end.hpp"
+#include "methods/paper/paper_front_end.hpp"
 
 namespace surefoot {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/canvas.hpp"
 
+#include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -86,19 +87,28 @@ void set_font(cairo_t* cairo, const TextStyle& style) {
   cairo_set_font_size(cairo, style.size);
 }
 
+cairo_surface_t* make_surface(PageFormat format, std::string& bytes, int width, int height,
+                              int scale) {
+  switch (format) {
+    case PageFormat::kSvg:
+      return cairo_svg_surface_create_for_stream(append, &bytes, width, height);
+    case PageFormat::kPdf:
+      return cairo_pdf_surface_create_for_stream(append, &bytes, width, height);
+    case PageFormat::kPng:
+      break;
+  }
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, scale * width, scale * height);
+}
+
 }  // namespace
 
 struct Canvas::Page {
-  std::string svg;  // filled by cairo when an SVG page is finished
+  std::string bytes;  // filled by cairo when an SVG or PDF page is finished
   cairo_surface_t* surface = nullptr;
   cairo_t* cairo = nullptr;
 
   Page(int width, int height, PageFormat format, int scale)
-      : surface(
-            format == PageFormat::kSvg
-                ? cairo_svg_surface_create_for_stream(append, &svg, width, height)
-                : cairo_image_surface_create(CAIRO_FORMAT_RGB24, scale * width, scale * height)),
-        cairo(cairo_create(surface)) {
+      : surface(make_surface(format, bytes, width, height, scale)), cairo(cairo_create(surface)) {
     if (format == PageFormat::kPng) cairo_scale(cairo, scale, scale);
   }
   Page(const Page&) = delete;
@@ -110,11 +120,15 @@ struct Canvas::Page {
 };
 
 PageFormat page_format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   if (extension == ".png") return PageFormat::kPng;
   if (extension == ".svg") return PageFormat::kSvg;
-  throw std::runtime_error(path.string() + ": a picture's name ends in .png or .svg, not in \"" +
-                           extension + "\"");
+  if (extension == ".pdf") return PageFormat::kPdf;
+  throw std::runtime_error(path.string() +
+                           ": a picture's name ends in .png, .svg or .pdf, not in \"" + extension +
+                           "\"");
 }
 
 Canvas::Canvas(int width, int height, PageFormat format, int scale)
@@ -242,10 +256,10 @@ void Canvas::save(const std::filesystem::path& path) {
   std::string bytes;
   cairo_status_t status = cairo_status(page_->cairo);
   if (status == CAIRO_STATUS_SUCCESS) {
-    if (cairo_surface_get_type(page_->surface) == CAIRO_SURFACE_TYPE_SVG) {
+    if (cairo_surface_get_type(page_->surface) != CAIRO_SURFACE_TYPE_IMAGE) {
       cairo_surface_finish(page_->surface);
       status = cairo_surface_status(page_->surface);
-      bytes = std::move(page_->svg);
+      bytes = std::move(page_->bytes);
     } else {
       status = cairo_surface_write_to_png_stream(page_->surface, append, &bytes);
     }

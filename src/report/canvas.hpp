@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// A page to draw on, kept in memory until it is saved as PNG or SVG. Pixels, y down.
+// A page to draw on, kept in memory until it is saved as PNG, SVG or PDF. Pixels, y down.
 #pragma once
 
 #include <Eigen/Core>
@@ -52,13 +52,14 @@ struct TextStyle {
   bool upward = false;  ///< turned by 90 degrees, read from below to above
 };
 
-enum class PageFormat { kPng, kSvg };
-/// By the extension of a picture's name. Throws std::runtime_error if it is neither .png nor .svg.
+enum class PageFormat { kPng, kSvg, kPdf };
+/// By the extension of a picture's name, in any case. Throws std::runtime_error if it is none of
+/// .png, .svg and .pdf.
 [[nodiscard]] PageFormat page_format_of(const std::filesystem::path& path);
 
 class Canvas {
  public:
-  /// `scale`: dots of a PNG for each pixel; an SVG has no dots.
+  /// `scale`: dots of a PNG for each pixel; SVG and PDF have no dots.
   Canvas(int width, int height, PageFormat format, int scale = 1);
   ~Canvas();
 

@@ -14,12 +14,13 @@ namespace surefoot::report {
 
 namespace style {
 inline constexpr Color kPath{0.84, 0.10, 0.26};
-inline constexpr Color kReference{0.10, 0.11, 0.14};
+inline constexpr Color kReference{0.16, 0.32, 0.62, 0.45};
 inline constexpr Color kStart{0.13, 0.40, 0.95};
 inline constexpr Color kEnd{1.0, 0.82, 0.10};
 inline constexpr Color kUntrusted{0.98, 0.56, 0.08, 0.4};
 inline constexpr Color kHalo{1.0, 1.0, 1.0, 0.9};
-inline constexpr double kBandWidth = 26.0;  // of untrusted stretches of a path [px]
+inline constexpr double kBandWidth = 26.0;       // of untrusted stretches of a path [px]
+inline constexpr double kReferenceWidth = 10.0;  // a band, so that the path can be seen on it [px]
 inline constexpr double kMarkerRadius = 12.0;
 }  // namespace style
 
@@ -40,7 +41,7 @@ struct Run {
 
 /// The map, seen obliquely, with the path and a colour bar.
 void draw_map_panel(Canvas& canvas, const Rect& rect, const Run& run);
-/// Top view x-y into `top`, and below it the side view x-z into `side`, with one x axis.
+/// Top view x-y into `top`, and height over the way into `side`.
 void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const Run& run);
 /// z, roll and pitch over time.
 void draw_time_panels(Canvas& canvas, const Rect& rect, const Run& run);

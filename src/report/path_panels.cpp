@@ -11,8 +11,9 @@ namespace surefoot::report {
 
 namespace {
 
-constexpr double kSmallestExtent = 2.0;   // [m] a shorter path is not blown up beyond this
-constexpr double kSmallestHeight = 0.05;  // [m]
+constexpr double kSmallestExtent = 2.0;  // [m] a shorter path is not blown up beyond this
+// A level floor must look level: its centimetres are not stretched to a hill.
+constexpr double kSmallestHeight = 1.0;  // [m]
 
 std::vector<double> coordinates(const Run& run, int axis) {
   std::vector<double> values;
@@ -24,28 +25,65 @@ std::vector<double> coordinates(const Run& run, int axis) {
   return values;
 }
 
-std::vector<Pixel> to_pixels(const Trajectory& trajectory, const PlotArea& area, int y_axis) {
+std::vector<Pixel> seen_from_above(const Trajectory& trajectory, const PlotArea& area) {
   std::vector<Pixel> pixels;
   pixels.reserve(trajectory.size());
   for (const StampedPose& stamped : trajectory) {
-    pixels.push_back(area.at(stamped.pose.translation.x(), stamped.pose.translation[y_axis]));
+    pixels.push_back(area.at(stamped.pose.translation.x(), stamped.pose.translation.y()));
   }
   return pixels;
 }
 
-/// The z range of the side view: equal aspect if the path fills it, else exaggerated by a round
+/// The way over ground up to each pose [m]: the path unrolled, whichever way it turns.
+std::vector<double> distances_along(const Trajectory& path) {
+  std::vector<double> distances;
+  distances.reserve(path.size());
+  double distance = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i > 0) {
+      distance += (path[i].pose.translation - path[i - 1].pose.translation).head<2>().norm();
+    }
+    distances.push_back(distance);
+  }
+  return distances;
+}
+
+/// The reference is laid out by the path's distance at the same instant, since a denser or less
+/// shaken trajectory has another length. What it has before and after the path is left out.
+std::vector<Pixel> unrolled_reference(const Run& run, const std::vector<double>& distances,
+                                      const PlotArea& area) {
+  std::vector<Pixel> pixels;
+  std::size_t next = 0;
+  for (const StampedPose& stamped : run.reference) {
+    while (next < run.path.size() && run.path[next].stamp_ns < stamped.stamp_ns) ++next;
+    if (next == run.path.size()) break;
+    const bool exact = run.path[next].stamp_ns == stamped.stamp_ns;
+    if (next == 0 && !exact) continue;
+    double distance = distances[next];
+    if (!exact) {
+      const auto before = static_cast<double>(run.path[next - 1].stamp_ns);
+      const double share = (static_cast<double>(stamped.stamp_ns) - before) /
+                           (static_cast<double>(run.path[next].stamp_ns) - before);
+      distance = distances[next - 1] + share * (distances[next] - distances[next - 1]);
+    }
+    pixels.push_back(area.at(distance, stamped.pose.translation.z()));
+  }
+  return pixels;
+}
+
+/// The z range of the height panel: equal aspect if the path fills it, else exaggerated by a round
 /// factor.
-struct SideRange {
+struct HeightRange {
   Range z;
   double exaggeration = 1.0;
 };
 
-SideRange side_range(const Rect& rect, const Range& x, const Range& z) {
-  const double equal_height = x.width() * rect.height / rect.width;
+HeightRange height_range(const Rect& rect, const Range& way, const Range& z) {
+  const double equal_height = way.width() * rect.height / rect.width;
   const Range needed = padded(z, 0.12, kSmallestHeight);
   double exaggeration = 1.0;
   const double possible = equal_height / needed.width();
-  for (const double factor : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+  for (const double factor : {2.0, 5.0, 10.0, 20.0}) {
     if (factor <= possible) exaggeration = factor;
   }
   return {padded(needed, 0.0, equal_height / exaggeration), exaggeration};
@@ -63,14 +101,38 @@ void draw_untrusted(Canvas& canvas, const std::vector<Pixel>& path,
   }
 }
 
+/// The path unrolled: height over the way, so that a ramp is a ramp in whichever direction it
+/// leads.
+void draw_height_panel(Canvas& canvas, const Rect& rect, const Run& run) {
+  const std::vector<double> distances = distances_along(run.path);
+  const Range way = padded(range_of(distances), 0.03, kSmallestExtent);
+  const HeightRange range = height_range(rect, way, range_of(coordinates(run, 2)));
+  const PlotArea area{rect, way, range.z};
+  const AxisLabels labels{.x = "way [m]", .y = "z [m]", .y_ticks = 5};
+  std::vector<Pixel> path;
+  for (std::size_t i = 0; i < run.path.size(); ++i) {
+    path.push_back(area.at(distances[i], run.path[i].pose.translation.z()));
+  }
+  draw_grid(canvas, area, labels);
+  canvas.clip(rect);
+  draw_path(canvas, path, unrolled_reference(run, distances, area), run.untrusted);
+  canvas.unclip();
+  draw_axes(canvas, area, labels);
+  const std::string scale =
+      range.exaggeration > 1.0
+          ? ", height \u00d7" + std::to_string(static_cast<int>(range.exaggeration))
+          : "";
+  draw_heading(canvas, rect, "Height along the way" + scale);
+}
+
 }  // namespace
 
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
                const std::vector<bool>& untrusted) {
   draw_untrusted(canvas, path, untrusted);
   canvas.line(path, {style::kHalo, 9.0});
-  canvas.line(path, {style::kPath, 4.5});
-  canvas.line(reference, {style::kReference, 2.5, LineStyle::kDashed});
+  canvas.line(reference, {style::kReference, style::kReferenceWidth});
+  canvas.line(path, {style::kPath, 3.5});
   if (path.empty()) return;
   const Stroke edge{{0.1, 0.1, 0.12}, 2.0};
   canvas.circle(path.front(), style::kMarkerRadius, style::kStart, edge);
@@ -80,31 +142,17 @@ void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector
 void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const Run& run) {
   const Range x = padded(range_of(coordinates(run, 0)), 0.12, kSmallestExtent);
   const Range y = padded(range_of(coordinates(run, 1)), 0.12, kSmallestExtent);
-  const PlotArea top_area = equal_aspect(top, x, y);
-  const AxisLabels top_labels{.x = "x [m]", .y = "y [m]"};
-  draw_grid(canvas, top_area, top_labels);
+  const PlotArea area = equal_aspect(top, x, y);
+  const AxisLabels labels{.x = "x [m]", .y = "y [m]"};
+  draw_grid(canvas, area, labels);
   canvas.clip(top);
-  canvas.image(draw_points(run.map_points, top_view(top_area), run.heights), top, 0.4);
-  draw_path(canvas, to_pixels(run.path, top_area, 1), to_pixels(run.reference, top_area, 1),
+  canvas.image(draw_points(run.map_points, top_view(area), run.heights), top, 0.4);
+  draw_path(canvas, seen_from_above(run.path, area), seen_from_above(run.reference, area),
             run.untrusted);
   canvas.unclip();
-  draw_axes(canvas, top_area, top_labels);
+  draw_axes(canvas, area, labels);
   draw_heading(canvas, top, "From above");
-
-  const SideRange range = side_range(side, top_area.x, range_of(coordinates(run, 2)));
-  const PlotArea side_area{side, top_area.x, range.z};
-  const AxisLabels side_labels{.x = "x [m]", .y = "z [m]", .y_ticks = 5};
-  draw_grid(canvas, side_area, side_labels);
-  canvas.clip(side);
-  draw_path(canvas, to_pixels(run.path, side_area, 2), to_pixels(run.reference, side_area, 2),
-            run.untrusted);
-  canvas.unclip();
-  draw_axes(canvas, side_area, side_labels);
-  const std::string scale =
-      range.exaggeration > 1.0
-          ? ", height \u00d7" + std::to_string(static_cast<int>(range.exaggeration))
-          : "";
-  draw_heading(canvas, side, "From the side" + scale);
+  draw_height_panel(canvas, side, run);
 }
 
 }  // namespace surefoot::report

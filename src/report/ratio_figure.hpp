@@ -32,9 +32,9 @@ struct RatioFigure {
 /// Powers of ten, their doubles and fives within the range; both ends must be above zero.
 [[nodiscard]] std::vector<double> logarithmic_ticks(double low, double high);
 
-/// Writes the figure as PNG or SVG, by the extension of `path`. Ratios beyond 1/50 and 50 are drawn
-/// at the border. Throws std::invalid_argument if there is no row or one has another number of
-/// figures than there are names, std::runtime_error naming the path if it cannot be written.
+/// Writes the figure as PNG, SVG or PDF, by the extension of `path`. Ratios beyond 1/50 and 50 are
+/// drawn at the border. Throws std::invalid_argument if there is no row or one has another number
+/// of figures than there are names, std::runtime_error naming the path if it cannot be written.
 void draw_ratio_figure(const RatioFigure& figure, const std::filesystem::path& path);
 
 }  // namespace surefoot::report

@@ -14,7 +14,7 @@ namespace surefoot::report {
 
 namespace {
 
-// The page, from the top: title and legend; map | top view; time plots | side view.
+// The page, from the top: title and legend; map | top view; time plots | height along the way.
 constexpr Rect kHeader{48.0, 40.0, 1904.0, 80.0};
 constexpr Rect kMap{48.0, 140.0, 1190.0, 780.0};
 constexpr Rect kTop{1345.0, 180.0, 607.0, 680.0};
@@ -114,7 +114,7 @@ void draw_header(Canvas& canvas, const std::string& title, const Run& run) {
     right = draw_entry(canvas, right, "not trustworthy", {style::kUntrusted, style::kBandWidth});
   }
   if (!run.reference.empty()) {
-    right = draw_entry(canvas, right, "reference", {style::kReference, 2.5, LineStyle::kDashed});
+    right = draw_entry(canvas, right, "reference", {style::kReference, style::kReferenceWidth});
   }
   draw_entry(canvas, right, "estimate", {style::kPath, 4.5});
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// One picture that tells how a run went: the map, the path from above and from the side, and
-// height, roll and pitch over time.
+// One picture that tells how a run went: the map, the path from above, its height along
+// the way, and height, roll and pitch over time.
 #pragma once
 
 #include <Eigen/Core>

@@ -86,8 +86,8 @@ void draw_quantity(Canvas& canvas, const Rect& rect, const Run& run, const Quant
   draw_grid(canvas, area, labels);
   canvas.clip(rect);
   shade_untrusted(canvas, area, path.times, run.untrusted);
-  canvas.line(to_pixels(path, area), {style::kPath, 3.0});
-  canvas.line(to_pixels(reference, area), {style::kReference, 2.0, LineStyle::kDashed});
+  canvas.line(to_pixels(reference, area), {style::kReference, 0.7 * style::kReferenceWidth});
+  canvas.line(to_pixels(path, area), {style::kPath, 2.5});
   canvas.unclip();
   draw_axes(canvas, area, labels);
 }

@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "report/trajectory_figure.hpp"
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "report/box_view.hpp"
 #include "report/canvas.hpp"
 #include "report/figure_curves.hpp"
+#include "report/figure_page.hpp"
 #include "report/plot.hpp"
 
 namespace surefoot::report {
 
 namespace {
-
-constexpr int kDots = 2;                // of a PNG for each pixel of the page
-constexpr double kPageMargin = 24.0;    // [px]
-constexpr double kLegendLine = 44.0;    // [px]
-constexpr double kLegendSample = 52.0;  // [px]
-constexpr double kTextSize = 21.0;      // [px]
 
 const Stroke kShadow{{0.72, 0.74, 0.78}, 1.5};  // of the reference, on the floor
 
@@ -39,16 +32,6 @@ Frame frame_of(FigureView view) {
       break;
   }
   return {0.82, 96.0, 18.0, 44.0, 74.0};
-}
-
-struct Layout {
-  int columns;
-  double panel_width;  // [px]
-};
-
-Layout layout_for(std::size_t panels) {
-  if (panels == 1) return {1, 760.0};
-  return panels <= 4 ? Layout{2, 620.0} : Layout{3, 560.0};
 }
 
 void draw_space(Canvas& canvas, const Rect& rect, const Curves& curves) {
@@ -77,24 +60,6 @@ void draw_plane(Canvas& canvas, const Rect& rect, const Curves& curves, int up) 
   draw_axes(canvas, area, labels);
 }
 
-void draw_remarks(Canvas& canvas, const Rect& rect, const std::vector<std::string>& remarks) {
-  double baseline = rect.y + 24.0;
-  for (const std::string& remark : remarks) {
-    const TextStyle text{.size = 17.0, .color = {0.35, 0.37, 0.42}, .anchor = Anchor::kRight};
-    const double width = canvas.text_width(remark, text);
-    canvas.fill({rect.right() - width - 14.0, baseline - 17.0, width + 8.0, 23.0},
-                {1.0, 1.0, 1.0, 0.8});
-    canvas.text(remark, {rect.right() - 10.0, baseline}, text);
-    baseline += 23.0;
-  }
-}
-
-/// "(a) title" above the axes, as figures with several panels are cited.
-std::string numbered(std::size_t index, std::size_t count, const std::string& title) {
-  if (count == 1 || index > 25) return title;
-  return std::string("(") + static_cast<char>('a' + index) + ") " + title;
-}
-
 void draw_panel(Canvas& canvas, const Rect& rect, const FigurePanel& panel,
                 const std::string& title) {
   const Frame frame = frame_of(panel.view);
@@ -111,65 +76,14 @@ void draw_panel(Canvas& canvas, const Rect& rect, const FigurePanel& panel,
   draw_remarks(canvas, axes, panel.remarks);
 }
 
-/// An entry of the legend: a line, or one of the two markers.
-struct Entry {
-  std::string name;
-  Stroke stroke;
-  enum class Kind { kLine, kStart, kEnd } kind = Kind::kLine;
-};
-
-std::vector<Entry> legend_entries(const TrajectoryFigure& figure) {
-  std::vector<Entry> entries = {{"reference", reference_stroke()}};
+std::vector<LegendEntry> legend_entries(const TrajectoryFigure& figure) {
+  std::vector<LegendEntry> entries = {{"reference", reference_stroke()}};
   for (std::size_t i = 0; i < figure.names.size(); ++i) {
     entries.push_back({figure.names[i], stroke_of(i)});
   }
-  entries.push_back({"start", {}, Entry::Kind::kStart});
-  entries.push_back({"end", {}, Entry::Kind::kEnd});
+  entries.push_back({"start", {}, LegendEntry::Kind::kStart});
+  entries.push_back({"end", {}, LegendEntry::Kind::kEnd});
   return entries;
-}
-
-double sample_width(const Entry& entry) {
-  return entry.kind == Entry::Kind::kLine ? kLegendSample : 22.0;
-}
-
-/// The entries that share a line, and how long it is.
-struct LegendLine {
-  std::vector<Entry> entries;
-  double width = 0.0;
-};
-
-constexpr double kEntryGap = 26.0;
-constexpr double kSampleGap = 10.0;
-
-std::vector<LegendLine> legend_lines(Canvas& canvas, const TrajectoryFigure& figure, double width) {
-  std::vector<LegendLine> lines(1);
-  for (const Entry& entry : legend_entries(figure)) {
-    const double wide = sample_width(entry) + kSampleGap +
-                        canvas.text_width(entry.name, {.size = kTextSize}) + kEntryGap;
-    if (!lines.back().entries.empty() && lines.back().width + wide > width) lines.emplace_back();
-    lines.back().entries.push_back(entry);
-    lines.back().width += wide;
-  }
-  return lines;
-}
-
-void draw_legend(Canvas& canvas, const std::vector<LegendLine>& lines, double page_width) {
-  double baseline = kPageMargin + 24.0;
-  for (const LegendLine& line : lines) {
-    double x = 0.5 * (page_width - line.width + kEntryGap);
-    for (const Entry& entry : line.entries) {
-      const Pixel middle(x + 0.5 * sample_width(entry), baseline - 7.0);
-      const std::array<Pixel, 2> sample = {Pixel(x, middle.y()),
-                                           Pixel(x + sample_width(entry), middle.y())};
-      if (entry.kind == Entry::Kind::kLine) canvas.line(sample, entry.stroke);
-      if (entry.kind == Entry::Kind::kStart) draw_start(canvas, middle);
-      if (entry.kind == Entry::Kind::kEnd) draw_end(canvas, middle);
-      x += sample_width(entry) + kSampleGap;
-      canvas.text(entry.name, {x, baseline}, {.size = kTextSize});
-      x += canvas.text_width(entry.name, {.size = kTextSize}) + kEntryGap;
-    }
-    baseline += kLegendLine;
-  }
 }
 
 void check(const TrajectoryFigure& figure) {
@@ -192,32 +106,14 @@ void check(const TrajectoryFigure& figure) {
 
 void draw_trajectory_figure(const TrajectoryFigure& figure, const std::filesystem::path& path) {
   check(figure);
-  const PageFormat format = page_format_of(path);
-  const std::size_t count = figure.panels.size();
-  const Layout layout = layout_for(count);
-  const auto columns = static_cast<std::size_t>(layout.columns);
-  const double page_width = 2.0 * kPageMargin + layout.columns * layout.panel_width;
-  Canvas ruler(1, 1, PageFormat::kPng);  // measures text before the page's height is known
-  const std::vector<LegendLine> legend =
-      legend_lines(ruler, figure, page_width - 2.0 * kPageMargin);
-  std::vector<double> tops = {kPageMargin + kLegendLine * static_cast<double>(legend.size())};
-  for (std::size_t first = 0; first < count; first += columns) {
-    double height = 0.0;
-    for (std::size_t i = first; i < std::min(first + columns, count); ++i) {
-      height = std::max(height, frame_of(figure.panels[i].view).height * layout.panel_width);
-    }
-    tops.push_back(tops.back() + height);
-  }
-  Canvas canvas(static_cast<int>(page_width), static_cast<int>(tops.back() + kPageMargin), format,
-                kDots);
-  draw_legend(canvas, legend, page_width);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t row = i / columns;
-    const double left = kPageMargin + static_cast<double>(i % columns) * layout.panel_width;
-    draw_panel(canvas, {left, tops[row], layout.panel_width, tops[row + 1] - tops[row]},
-               figure.panels[i], numbered(i, count, figure.panels[i].title));
-  }
-  canvas.save(path);
+  FigurePage page{.legend = legend_entries(figure)};
+  for (const FigurePanel& panel : figure.panels)
+    page.heights.push_back(frame_of(panel.view).height);
+  page.draw = [&](Canvas& canvas, const Rect& rect, std::size_t i) {
+    const FigurePanel& panel = figure.panels[i];
+    draw_panel(canvas, rect, panel, numbered_title(i, figure.panels.size(), panel.title));
+  };
+  draw_figure_page(page, path);
 }
 
 }  // namespace surefoot::report

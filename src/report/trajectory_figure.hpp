@@ -37,7 +37,7 @@ struct TrajectoryFigure {
   std::vector<FigurePanel> panels;
 };
 
-/// Writes the figure as PNG or SVG, by the extension of `path`. Poses that are not finite, or
+/// Writes the figure as PNG, SVG or PDF, by the extension of `path`. Poses that are not finite, or
 /// farther than 1e9 m, are left out. The same input gives the same PNG, byte for byte, on one
 /// machine. Throws std::invalid_argument if there is no panel or if one
 /// has another number of estimates than there are names, or of

@@ -119,25 +119,58 @@ std::vector<PoseAngles> support_over_lap(const std::vector<Eigen::Vector3d>& way
   return support;
 }
 
-}  // namespace
+/// Round a closed way, seen from above [m].
+double plan_length(const std::vector<Eigen::Vector3d>& way) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    length += (way[(i + 1) % way.size()] - way[i]).head<2>().norm();
+  }
+  return length;
+}
 
-GroundPath::GroundPath(const Scene& scene, const RayCaster& rays, const Stance& stance,
-                       double length) {
+constexpr double kShortestLap = 1.0;  // [m]
+constexpr double kLongestLap = 1e5;
+
+/// @throws std::invalid_argument that says the length, where nobody could walk it.
+void check_length(const Scene& scene, const std::vector<Eigen::Vector3d>& way) {
+  const double length = plan_length(way);
+  if (length >= kShortestLap && length <= kLongestLap) return;
+  std::ostringstream message;
+  message << "the route of scene '" << scene.name << "' is " << length
+          << " m long seen from above and with its corners rounded, expected " << kShortestLap
+          << " m to " << kLongestLap / 1000.0 << " km";
+  throw std::invalid_argument(message.str());
+}
+
+void check_corners(const Scene& scene) {
   if (scene.route.size() < 3) {
     throw std::invalid_argument("the route of scene '" + scene.name + "' has " +
                                 std::to_string(scene.route.size()) +
                                 " corners, a closed way needs at least 3");
   }
+  for (std::size_t i = 0; i < scene.route.size(); ++i) {
+    if (scene.route[i].allFinite()) continue;
+    std::ostringstream message;
+    message << "corner " << i + 1 << " of the route of scene '" << scene.name << "' is ("
+            << scene.route[i].transpose() << "), expected finite metres";
+    throw std::invalid_argument(message.str());
+  }
+  check_length(scene, scene.route);
+}
+
+}  // namespace
+
+GroundPath::GroundPath(const Scene& scene, const RayCaster& rays, const Stance& stance,
+                       double length) {
+  check_corners(scene);
   std::vector<Eigen::Vector3d> way = resample_closed(scene.route, kSpacing);
   way = blur_closed(way, scene.corner_rounding / kSpacing);
   // Smoothing shortens the corners; evened out again, a step of the spline is a step of the way.
+  check_length(scene, way);
   way = resample_closed(way, kSpacing);
   const std::vector<PoseAngles> support = support_over_lap(way, rays, stance);
 
-  double lap = 0.0;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    lap += (way[(i + 1) % way.size()] - way[i]).head<2>().norm();
-  }
+  const double lap = plan_length(way);
   lap_ = lap;
   const double step = lap / static_cast<double>(way.size());
   const auto count = static_cast<std::size_t>(std::ceil(std::max(length, lap) / step)) + 4;

@@ -25,8 +25,8 @@ struct Stance {
 class GroundPath {
  public:
   /// Walks the scene's route round and round until `length` metres are covered, at least one lap.
-  /// @throws std::invalid_argument for a route of fewer than three corners, and where there is no
-  /// ground under it.
+  /// @throws std::invalid_argument for a route of fewer than three corners, one that is not finite,
+  /// shorter than 1 m or longer than 100 km, and where there is no ground under it.
   GroundPath(const Scene& scene, const RayCaster& rays, const Stance& stance, double length);
 
   [[nodiscard]] double length() const { return spline_.end(); }

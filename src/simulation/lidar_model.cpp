@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "sensor/vlp16.hpp"
+#include "sensors/velodyne/vlp16.hpp"
 
 namespace surefoot::simulation {
 

@@ -52,6 +52,35 @@ RTCScene make_scene(RTCDevice device, const TriangleMesh& mesh) {
   return scene;
 }
 
+void set_ray(RTCRayHit16& packet, std::size_t i, const Ray& ray, float max_distance) {
+  packet.ray.org_x[i] = ray.origin.x();
+  packet.ray.org_y[i] = ray.origin.y();
+  packet.ray.org_z[i] = ray.origin.z();
+  packet.ray.dir_x[i] = ray.direction.x();
+  packet.ray.dir_y[i] = ray.direction.y();
+  packet.ray.dir_z[i] = ray.direction.z();
+  packet.ray.tnear[i] = 0.0F;
+  packet.ray.tfar[i] = max_distance;
+  packet.ray.time[i] = ray.time;
+  packet.ray.mask[i] = 0xffffffffU;
+  packet.ray.id[i] = 0;
+  packet.ray.flags[i] = 0;
+  packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+}
+
+/// What of a mesh bears a foot.
+TriangleMesh firm_part(const TriangleMesh& mesh) {
+  TriangleMesh firm;
+  firm.vertices = mesh.vertices;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (is_soft(mesh.materials[i])) continue;
+    firm.triangles.push_back(mesh.triangles[i]);
+    firm.materials.push_back(mesh.materials[i]);
+  }
+  return firm;
+}
+
 std::array<float, 12> column_major_3x4(const Pose& pose) {
   const Eigen::Matrix<float, 3, 4> matrix = pose.matrix().topRows<3>().cast<float>();
   std::array<float, 12> values{};
@@ -73,9 +102,12 @@ struct RayCaster::Impl {
       : device(rtcNewDevice("threads=1")), static_materials(scene.mesh.materials) {
     if (device == nullptr) throw std::runtime_error("Embree did not start");
     fixed = make_scene(device, scene.mesh);
+    has_panes = std::find(static_materials.begin(), static_materials.end(), Material::kPane) !=
+                static_materials.end();
+    if (std::any_of(static_materials.begin(), static_materials.end(), is_soft)) {
+      firm = make_scene(device, firm_part(scene.mesh));
+    }
     if (scene.moving.empty()) return;
-    movers = rtcNewScene(device);
-    rtcSetSceneFlags(movers, RTC_SCENE_FLAG_ROBUST);
     for (const MovingObject& object : scene.moving) add_instance(object);
     rtcCommitScene(movers);
   }
@@ -85,6 +117,7 @@ struct RayCaster::Impl {
       rtcReleaseScene(instance.scene);
     }
     if (movers != nullptr) rtcReleaseScene(movers);
+    if (firm != nullptr) rtcReleaseScene(firm);
     if (fixed != nullptr) rtcReleaseScene(fixed);
     rtcReleaseDevice(device);
   }
@@ -92,6 +125,10 @@ struct RayCaster::Impl {
   Impl& operator=(const Impl&) = delete;
 
   void add_instance(const MovingObject& object) {
+    if (movers == nullptr) {
+      movers = rtcNewScene(device);
+      rtcSetSceneFlags(movers, RTC_SCENE_FLAG_ROBUST);
+    }
     Instance instance;
     instance.scene = make_scene(device, object.mesh);
     instance.geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
@@ -114,13 +151,18 @@ struct RayCaster::Impl {
     rtcCommitGeometry(instance.geometry);
   }
 
-  void cast_packet(std::span<const Ray> rays, float max_distance, std::span<Hit> hits) const;
+  void cast_packet(std::span<const Ray> rays, float max_distance, std::span<Hit> hits,
+                   int panes_passed = 0) const;
+  void go_on_behind_panes(std::span<const Ray> rays, std::span<const Eigen::Vector3f> normals,
+                          float max_distance, std::span<Hit> hits, int panes_passed) const;
 
   RTCDevice device;
   // What moves has a scene of its own: it is built anew for every scan, the fixed one never.
   RTCScene fixed = nullptr;
   RTCScene movers = nullptr;  ///< null: nothing moves
+  RTCScene firm = nullptr;    ///< the fixed one without leaves; null: it has none
   std::vector<Material> static_materials;
+  bool has_panes = false;
   std::vector<Instance> instances;  ///< the index is the geometry's id in `movers`
 };
 
@@ -129,6 +171,11 @@ RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
+void RayCaster::add(const MovingObject& object) {
+  impl_->add_instance(object);
+  rtcCommitScene(impl_->movers);
+}
+
 void RayCaster::set_interval(double begin, double end) {
   if (impl_->instances.empty()) return;
   for (const Impl::Instance& instance : impl_->instances) Impl::place(instance, begin, end);
@@ -136,34 +183,24 @@ void RayCaster::set_interval(double begin, double end) {
 }
 
 void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
-                                  std::span<Hit> hits) const {
+                                  std::span<Hit> hits, int panes_passed) const {
   alignas(64) RTCRayHit16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     valid[i] = -1;
-    packet.ray.org_x[i] = rays[i].origin.x();
-    packet.ray.org_y[i] = rays[i].origin.y();
-    packet.ray.org_z[i] = rays[i].origin.z();
-    packet.ray.dir_x[i] = rays[i].direction.x();
-    packet.ray.dir_y[i] = rays[i].direction.y();
-    packet.ray.dir_z[i] = rays[i].direction.z();
-    packet.ray.tnear[i] = 0.0F;
-    packet.ray.tfar[i] = max_distance;
-    packet.ray.time[i] = rays[i].time;
-    packet.ray.mask[i] = 0xffffffffU;
-    packet.ray.id[i] = 0;
-    packet.ray.flags[i] = 0;
-    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    set_ray(packet, i, rays[i], max_distance);
   }
   intersect_coherent16(valid.data(), fixed, packet);
   // Rays now end where they met something fixed; only what is nearer takes its place.
   if (movers != nullptr) intersect_coherent16(valid.data(), movers, packet);
 
+  std::array<Eigen::Vector3f, kPacket> normals;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = Hit{};
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    const Eigen::Vector3f normal(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]);
+    const Eigen::Vector3f normal =
+        Eigen::Vector3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]).normalized();
+    normals[i] = normal;
     const unsigned instance = packet.hit.instID[0][i];
     const bool moving = instance != RTC_INVALID_GEOMETRY_ID;
     hits[i].met = moving ? Met::kMoving : Met::kStatic;
@@ -178,10 +215,62 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
       direction = T_map_object.leftCols<3>().transpose() * direction;
     }
     hits[i].distance = packet.ray.tfar[i];
-    hits[i].cos_incidence = std::min(1.0F, std::abs(normal.normalized().dot(direction)));
+    hits[i].cos_incidence = std::min(1.0F, std::abs(normal.dot(direction)));
     const std::vector<Material>& materials =
         moving ? instances[instance].materials : static_materials;
     hits[i].material = materials[packet.hit.primID[i]];
+  }
+  if (has_panes) {
+    go_on_behind_panes(rays, {normals.data(), rays.size()}, max_distance, hits, panes_passed);
+  }
+}
+
+/// Fresnel's law after Schlick, both faces of a pane together: 8 % when looked at straight.
+float pane_reflectance(float cos_incidence) {
+  constexpr float kStraight = 0.08F;
+  return kStraight + (1.0F - kStraight) * std::pow(1.0F - cos_incidence, 5.0F);
+}
+
+void RayCaster::Impl::go_on_behind_panes(std::span<const Ray> rays,
+                                         std::span<const Eigen::Vector3f> normals,
+                                         float max_distance, std::span<Hit> hits,
+                                         int panes_passed) const {
+  constexpr int kMostPanes = 6;
+  constexpr float kGlint = 0.99996F;  // within 0.5 deg of straight the pane itself shines back
+  constexpr float kMirrors = 0.5F;    // what reflects more than this is a mirror, else a window
+  constexpr float kClear = 1e-3F;     // the next ray starts this far from the pane [m]
+  std::array<Ray, kPacket> onward;
+  std::array<std::size_t, kPacket> whose{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const bool pane = hits[i].valid() && hits[i].material == Material::kPane;
+    if (!pane || hits[i].met == Met::kMoving || hits[i].cos_incidence > kGlint) continue;
+    const float reflectance = pane_reflectance(hits[i].cos_incidence);
+    const bool mirrored = reflectance > kMirrors;
+    const float there = mirrored ? reflectance : 1.0F - reflectance;
+    Ray& ray = onward[count];
+    ray = rays[i];
+    ray.origin += hits[i].distance * ray.direction;
+    if (mirrored) ray.direction -= 2.0F * normals[i].dot(ray.direction) * normals[i];
+    ray.origin += kClear * ray.direction;
+    hits[i].passed = there * there;
+    hits[i].met = mirrored ? Met::kMirrored : Met::kStatic;
+    whose[count++] = i;
+  }
+  if (count == 0) return;
+  std::array<Hit, kPacket> behind{};
+  if (panes_passed < kMostPanes) {
+    cast_packet({onward.data(), count}, max_distance, {behind.data(), count}, panes_passed + 1);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    Hit& hit = hits[whose[k]];
+    const Hit pane = hit;
+    hit = behind[k];
+    if (!hit.valid()) continue;
+    hit.distance += pane.distance + kClear;
+    hit.passed *= pane.passed;
+    hit.met = std::max(hit.met, pane.met);
+    if (hit.distance > max_distance) hit = Hit{};
   }
 }
 
@@ -193,11 +282,14 @@ void RayCaster::cast(std::span<const Ray> rays, float max_distance, std::span<Hi
 }
 
 std::optional<double> RayCaster::ground_below(const Eigen::Vector3d& point, double depth) const {
-  const Ray ray{point.cast<float>(), -Eigen::Vector3f::UnitZ(), 0.0F};
-  Hit hit;
-  cast({&ray, 1}, static_cast<float>(depth), {&hit, 1});
-  if (!hit.valid()) return std::nullopt;
-  return point.z() - static_cast<double>(hit.distance);
+  alignas(64) RTCRayHit16 packet;
+  alignas(64) std::array<int, kPacket> valid{};
+  valid[0] = -1;
+  set_ray(packet, 0, {point.cast<float>(), -Eigen::Vector3f::UnitZ(), 0.0F},
+          static_cast<float>(depth));
+  intersect_coherent16(valid.data(), impl_->firm == nullptr ? impl_->fixed : impl_->firm, packet);
+  if (packet.hit.geomID[0] == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return point.z() - static_cast<double>(packet.ray.tfar[0]);
 }
 
 }  // namespace surefoot::simulation

@@ -45,7 +45,8 @@ void add_hit(Echo& echo, const LidarModel& model, const Hit& hit, double share) 
   const double cosine = (static_cast<double>(hit.cos_incidence) + kRoughness) / (1.0 + kRoughness);
   const double brightness = reflectivity(hit.material) * cosine;
   const double spread = model.half_detection_range / range;
-  const double power = share * brightness / kReferenceReflectivity * spread * spread;
+  const double power = share * static_cast<double>(hit.passed) * brightness /
+                       kReferenceReflectivity * spread * spread;
   if (echo.power == 0.0) echo.nearest = range;
   echo.farthest = range;
   echo.power += power;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace surefoot::simulation {
@@ -30,6 +31,8 @@ Scene robot_body() {
 
 PointLabel label_of(const BeamReturn& value) {
   if (value.met == Met::kRobot) return kLabelRobot;
+  if (value.met == Met::kAir) return kLabelAir;
+  if (value.met == Met::kMirrored) return kLabelMirrored;
   if (value.mixed) return kLabelMixed;
   return value.met == Met::kMoving ? kLabelMoving : kLabelStatic;
 }
@@ -63,6 +66,7 @@ Scanner::Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
       motion_(motion),
       options_(options),
       random_(options.seed, kPurposeBeam),
+      air_(options.air, options.seed),
       footprint_(footprint_rays(options.footprint)) {
   for (const Laser& laser : model_.lasers) {
     RotorBeam beam;
@@ -170,6 +174,26 @@ void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& fi
   result.labels.push_back(label_of(value));
 }
 
+void Scanner::add_airborne(std::uint64_t sequence, std::size_t laser, BeamReturns& returns) const {
+  double surface = model_.max_range;
+  for (int k = 0; k < returns.count; ++k) {
+    surface = std::min(surface, returns.values[static_cast<std::size_t>(k)].true_range);
+  }
+  const std::optional<double> range =
+      air_.range(sequence * model_.lasers.size() + laser,
+                 reported_azimuth(sequence, laser) + model_.lasers[laser].azimuth_offset,
+                 1e-9 * firing_ns(sequence, laser), surface);
+  if (!range || *range < model_.min_range) return;
+  // It hides what is behind it from a sensor that reports one return a beam.
+  returns.values[1] = returns.values[0];
+  returns.values[0] = BeamReturn{};
+  returns.values[0].true_range = *range;
+  returns.values[0].range = std::round(*range / model_.range_unit) * model_.range_unit;
+  returns.values[0].intensity = 1;
+  returns.values[0].met = Met::kAir;
+  returns.count = std::min(returns.count + 1, 2);
+}
+
 void Scanner::collect(const Block& block, SimulatedScan& result) const {
   std::array<Hit, kMaxFootprint> met{};
   const std::size_t parts = std::min(footprint_.size(), met.size());
@@ -182,8 +206,9 @@ void Scanner::collect(const Block& block, SimulatedScan& result) const {
         if (body_hit) met[part].met = Met::kRobot;
       }
       const std::uint64_t sequence = block.first + i;
-      const BeamReturns returns = detect(model_, footprint_, {met.data(), parts}, random_,
-                                         sequence * model_.lasers.size() + laser);
+      BeamReturns returns = detect(model_, footprint_, {met.data(), parts}, random_,
+                                   sequence * model_.lasers.size() + laser);
+      if (!options_.air.clear()) add_airborne(sequence, laser, returns);
       const int wanted = std::min(returns.count, options_.dual_return ? 2 : 1);
       for (int k = 0; k < wanted; ++k) {
         const BeamReturn& value = returns.values[static_cast<std::size_t>(k)];

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "simulation/airborne.hpp"
 #include "simulation/lidar_model.hpp"
 #include "simulation/motion.hpp"
 #include "simulation/ray_caster.hpp"
@@ -26,6 +27,7 @@ struct ScannerOptions {
   bool footprint = true;     ///< several rays a beam: mixed pixels, slanted surfaces
   bool dual_return = false;  ///< strongest and last instead of the strongest alone
   bool robot_body = false;   ///< the robot's own trunk is in view
+  AirOptions air;            ///< rain and dust
 };
 
 /// One return, for the sensor's own packets.
@@ -47,7 +49,14 @@ struct SimulatedScan {
   std::uint64_t end_sequence = 0;
 };
 
-enum PointLabel : std::uint8_t { kLabelStatic, kLabelMoving, kLabelMixed, kLabelRobot };
+enum PointLabel : std::uint8_t {
+  kLabelStatic,
+  kLabelMoving,
+  kLabelMixed,
+  kLabelRobot,
+  kLabelMirrored,  ///< seen in a pane: nothing is at this place
+  kLabelAir        ///< a drop or dust
+};
 
 class Scanner {
  public:
@@ -92,6 +101,7 @@ class Scanner {
   void aim(const Block& block, double begin_ns, double end_ns);
   void aim_at_body(const Block& block);
   void collect(const Block& block, SimulatedScan& result) const;
+  void add_airborne(std::uint64_t sequence, std::size_t laser, BeamReturns& returns) const;
   void report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
               const BeamReturn& value, bool last, SimulatedScan& result) const;
   [[nodiscard]] std::size_t slot(std::size_t laser, std::size_t sequence) const;
@@ -101,6 +111,7 @@ class Scanner {
   Motion motion_;
   ScannerOptions options_;
   CounterRandom random_;
+  Airborne air_;
   std::span<const FootprintRay> footprint_;
   std::vector<RotorBeam> beams_;  ///< one a laser
   std::unique_ptr<RayCaster> body_;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/layout.hpp"
 #include "simulation/triangle_mesh.hpp"
 #include "surefoot/pose.hpp"
 
@@ -40,11 +41,15 @@ struct Scene {
 struct SceneEntry {
   std::string name;
   std::string description;
-  Scene (*build)(std::uint64_t seed);
+  Scene (*build)(const SceneSeeds& seeds);
 };
 /// All of them, in the order in which they are listed.
 [[nodiscard]] const std::vector<SceneEntry>& scene_catalogue();
 /// @throws std::invalid_argument that names the scenes there are.
-[[nodiscard]] Scene build_scene(const std::string& name, std::uint64_t seed);
+[[nodiscard]] Scene build_scene(const std::string& name, const SceneSeeds& seeds);
+/// Layout and things from the same seed.
+[[nodiscard]] inline Scene build_scene(const std::string& name, std::uint64_t seed) {
+  return build_scene(name, SceneSeeds::of(seed));
+}
 
 }  // namespace surefoot::simulation

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace surefoot::simulation {
@@ -16,8 +18,10 @@ struct SuiteEntry {
   std::uint64_t scans;
 };
 
-/// Long enough for the ramps, the stairs and a lap where the scene has one.
-inline constexpr std::array<SuiteEntry, 13> kStandardSuite = {{{"campus", "trot", 800},
+/// Long enough for the ramps, the stairs and a lap where the scene has one. The last kNatureEntries
+/// came later: sets made before do not hold them.
+inline constexpr std::size_t kNatureEntries = 5;
+inline constexpr std::array<SuiteEntry, 18> kStandardSuite = {{{"campus", "trot", 800},
                                                                {"campus", "run", 400},
                                                                {"campus", "wheel", 600},
                                                                {"parking", "trot", 900},
@@ -29,16 +33,33 @@ inline constexpr std::array<SuiteEntry, 13> kStandardSuite = {{{"campus", "trot"
                                                                {"rubble", "walk", 600},
                                                                {"plaza", "trot", 600},
                                                                {"plaza", "handheld", 400},
-                                                               {"campus", "handheld", 600}}};
+                                                               {"campus", "handheld", 600},
+                                                               {"hillside", "trot", 800},
+                                                               {"hilltop", "trot", 600},
+                                                               {"forest-path", "trot", 800},
+                                                               {"forest-path", "walk", 600},
+                                                               {"foyer", "trot", 500}}};
 
 /// The suite's sets of recordings, and the seed of the first recording of each. What was tuned on
 /// is never reported: no two sets share a seed. Several reporting sets show the seeds' spread.
 struct SuiteSet {
   const char* name;
   std::uint64_t first_seed;
+  /// Whether every recording has a layout of its own, and nature is there; else all have the first
+  /// layout, so that these sets share buildings, ramps, stairs and most routes.
+  bool own_layouts;
+
+  [[nodiscard]] constexpr std::span<const SuiteEntry> entries() const {
+    const std::size_t count = kStandardSuite.size() - (own_layouts ? 0 : kNatureEntries);
+    return {kStandardSuite.data(), count};
+  }
 };
-inline constexpr std::array<SuiteSet, 4> kSuiteSets = {
-    {{"tuning", 1000}, {"reporting", 5000}, {"reporting-2", 5100}, {"reporting-3", 5200}}};
+inline constexpr std::array<SuiteSet, 6> kSuiteSets = {{{"tuning", 1000, false},
+                                                        {"reporting", 5000, false},
+                                                        {"reporting-2", 5100, false},
+                                                        {"reporting-3", 5200, false},
+                                                        {"tuning-2", 1100, true},
+                                                        {"reporting-4", 5300, true}}};
 
 /// nullptr if there is no such set.
 [[nodiscard]] constexpr const SuiteSet* find_suite_set(std::string_view name) {

@@ -16,7 +16,7 @@ struct Surface {
 };
 
 /// In the order of Material.
-constexpr std::array<Surface, 11> kSurfaces = {{{0.17, 0x5a5d63},
+constexpr std::array<Surface, 14> kSurfaces = {{{0.17, 0x5a5d63},
                                                 {0.35, 0xb4b2ac},
                                                 {0.40, 0xb5795a},
                                                 {0.50, 0x7d9a55},
@@ -26,7 +26,10 @@ constexpr std::array<Surface, 11> kSurfaces = {{{0.17, 0x5a5d63},
                                                 {0.45, 0x8893a3},
                                                 {0.40, 0xc2554b},
                                                 {0.30, 0x8d8478},
-                                                {0.05, 0x2b2b2d}}};
+                                                {0.05, 0x2b2b2d},
+                                                {0.25, 0x7a6650},
+                                                {0.50, 0x93a04e},
+                                                {0.80, 0xa9cfdd}}};
 
 const Surface& surface(Material material) {
   return kSurfaces.at(static_cast<std::size_t>(material));
@@ -35,6 +38,9 @@ const Surface& surface(Material material) {
 }  // namespace
 
 double reflectivity(Material material) { return surface(material).reflectivity; }
+bool is_soft(Material material) {
+  return material == Material::kFoliage || material == Material::kBlade;
+}
 std::uint32_t color(Material material) { return surface(material).color; }
 
 std::uint32_t TriangleMesh::add_vertex(const Eigen::Vector3d& vertex) {

@@ -25,8 +25,13 @@ enum class Material : std::uint8_t {
   kCloth,
   kRock,
   kRubber,
+  kEarth,
+  kBlade,  ///< of grass, straw
+  kPane,   ///< clear glass: seen through, or a mirror where it is met at a low angle
 };
 [[nodiscard]] double reflectivity(Material material);
+/// Whether a foot sinks through it: leaves, grass.
+[[nodiscard]] bool is_soft(Material material);
 /// For pictures: 0xRRGGBB.
 [[nodiscard]] std::uint32_t color(Material material);
 

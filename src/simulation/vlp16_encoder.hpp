@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "sensor/vlp16.hpp"
+#include "sensors/velodyne/vlp16.hpp"
 #include "simulation/scanner.hpp"
 
 namespace surefoot::simulation {

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "capture.hpp"
-#include "dataset/pcd_writer.hpp"
-#include "dataset/trajectory_files.hpp"
+#include "io/files/pcd_writer.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 
@@ -34,9 +34,7 @@ std::string ply(const std::string& format, const std::string& vertices, const st
          "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + data;
 }
 
-std::string good_pcd() {
-  return dataset::format_pcd(hall_scans(1).front(), dataset::PcdData::kBinary);
-}
+std::string good_pcd() { return io::format_pcd(hall_scans(1).front(), io::PcdData::kBinary); }
 
 Scan uniform_scan(std::size_t points, const Eigen::Vector3f& point) {
   Scan scan;
@@ -45,7 +43,7 @@ Scan uniform_scan(std::size_t points, const Eigen::Vector3f& point) {
 }
 
 std::string uniform_pcd(std::size_t points, const Eigen::Vector3f& point) {
-  return dataset::format_pcd(uniform_scan(points, point), dataset::PcdData::kBinary);
+  return io::format_pcd(uniform_scan(points, point), io::PcdData::kBinary);
 }
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -155,7 +153,7 @@ TEST_P(BadPcdAmongGoodOnes, IsLeftOut) {
   const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
   EXPECT_NE(result.errors.find(scan_name(2)), std::string::npos) << "file not named\n" << result;
-  EXPECT_EQ(dataset::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 3U) << result;
+  EXPECT_EQ(io::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 3U) << result;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadPcdAmongGoodOnes, testing::ValuesIn(bad_pcd_scans()),
@@ -260,20 +258,28 @@ std::size_t rejected_scans(const ScratchFolder& scratch) {
   return count;
 }
 
-TEST(BadStampOrder, EqualStampsAreRejected) {
+TEST(BadStampOrder, EqualStampsAreMendedOrRejected) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(4));
   write_content(scratch.path() / "in" / "times.txt", "5.0\n5.0\n5.0\n5.0\n");
-  const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
+  const ProcessResult mended = run_surefoot({"run", "in", "-o", "mended"}, scratch.path());
+  EXPECT_EQ(mended.exit_code, 0) << mended;
+  EXPECT_NE(mended.errors.find("stand still"), std::string::npos) << mended;
+  const ProcessResult result =
+      run_surefoot({"run", "in", "-o", "out", "--no-repair-stamps"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(rejected_scans(scratch), 3U) << result;
 }
 
-TEST(BadStampOrder, BackwardStampsAreRejected) {
+TEST(BadStampOrder, BackwardStampsAreMendedOrRejected) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(4));
   write_content(scratch.path() / "in" / "times.txt", "5.0\n5.1\n4.0\n5.2\n");
-  const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
+  const ProcessResult mended = run_surefoot({"run", "in", "-o", "mended"}, scratch.path());
+  EXPECT_EQ(mended.exit_code, 0) << mended;
+  EXPECT_NE(mended.errors.find("fits neither side"), std::string::npos) << mended;
+  const ProcessResult result =
+      run_surefoot({"run", "in", "-o", "out", "--no-repair-stamps"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(rejected_scans(scratch), 1U) << result;
 }
@@ -304,7 +310,7 @@ TEST(BadCapture, CutInTheMiddleIsReadToTheCut) {
   write_content(scratch.path() / "cut.pcap", whole.substr(0, whole.size() * 5 / 6));
   const ProcessResult result = run_surefoot({"run", "cut.pcap", "-o", "out"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
-  EXPECT_GE(dataset::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 2U) << result;
+  EXPECT_GE(io::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 2U) << result;
 }
 
 }  // namespace

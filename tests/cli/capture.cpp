@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <numbers>
 
-#include "dataset/file_writer.hpp"
-#include "sensor/vlp16.hpp"
+#include "io/file_writer.hpp"
+#include "sensors/velodyne/vlp16.hpp"
 #include "support/scene.hpp"
 
 namespace surefoot::test {
 
 namespace {
 
-using dataset::append_bytes;
+using io::append_bytes;
 
 constexpr double kSequencesPerTurn = 0.1e9 / vlp16::kSequenceNs;
 constexpr double kPacketNs = 2.0 * vlp16::kBlocks * vlp16::kSequenceNs;

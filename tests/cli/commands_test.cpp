@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "dataset/file_writer.hpp"
+#include "io/file_writer.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 
@@ -38,6 +38,20 @@ TEST(Commands, VersionIsTheFileVersion) {
   const ProcessResult result = run_surefoot({"--version"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(result.output, file_content(std::string(SUREFOOT_SOURCE_DIR) + "/VERSION"));
+}
+
+TEST(Commands, ConfigPrintsWhatTheMethodReads) {
+  const ScratchFolder scratch;
+  for (const char* flag : {"--yaml", "--method"}) {  // the latter as it is anyway
+    std::vector<std::string> arguments = {"config", "--method", "icp"};
+    if (flag == std::string("--yaml")) arguments.emplace_back(flag);
+    const ProcessResult printed = run_surefoot(arguments, scratch.path());
+    EXPECT_EQ(printed.exit_code, 0) << printed;
+    EXPECT_NE(printed.output.find("icp"), std::string::npos) << printed;
+    for (const char* foreign : {"\nknots", "\ndeskew", "\nmap"}) {
+      EXPECT_EQ(printed.output.find(foreign), std::string::npos) << printed;
+    }
+  }
 }
 
 TEST(Commands, PrintedConfigIsTakenBack) {

@@ -124,9 +124,11 @@ TEST_F(Compare, TablesFilesAndFiguresOfTwoByTwo) {
     }
   }
 #ifdef SUREFOOT_HAS_PICTURES
-  for (const char* view : {"3d", "side", "top"}) {
-    const std::string name = std::string("out/figures/trajectories_") + view;
+  for (const char* figure :
+       {"trajectories_3d", "trajectories_side", "trajectories_top", "errors_over_time"}) {
+    const std::string name = std::string("out/figures/") + figure;
     EXPECT_NE(content(name + ".svg").find("<svg"), std::string::npos);
+    EXPECT_EQ(content(name + ".pdf").substr(0, 4), "%PDF");
     EXPECT_EQ(content(name + ".png").substr(1, 3), "PNG");
   }
 #endif

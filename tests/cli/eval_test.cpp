@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "dataset/trajectory_files.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 
 namespace surefoot::test {
@@ -39,8 +39,8 @@ Trajectory zigzag(Trajectory walk) {
 class Eval : public testing::Test {
  protected:
   Eval() {
-    dataset::write_tum(scratch_.path() / "truth.tum", winding_walk());
-    dataset::write_tum(scratch_.path() / "zigzag.tum", zigzag(winding_walk()));
+    io::write_tum(scratch_.path() / "truth.tum", winding_walk());
+    io::write_tum(scratch_.path() / "zigzag.tum", zigzag(winding_walk()));
   }
   [[nodiscard]] ProcessResult eval(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "eval");
@@ -120,18 +120,19 @@ TEST_F(Eval, LatexPrintsTheBestBold) {
 #ifdef SUREFOOT_HAS_PICTURES
 TEST_F(Eval, FiguresAreDrawn) {
   const ProcessResult result = eval({"truth.tum", "zigzag.tum", "truth.tum", "--figure", "a.svg",
-                                     "--figure", "a.png", "--align", "none"});
+                                     "--figure", "a.png", "--figure", "a.pdf", "--align", "none"});
   EXPECT_EQ(result.exit_code, 0) << result;
   EXPECT_NE(file_content(scratch_.path() / "a.svg").find("<svg"), std::string::npos);
   EXPECT_EQ(file_content(scratch_.path() / "a.png").substr(1, 3), "PNG");
-  expect_refused({"truth.tum", "truth.tum", "--align", "none", "--figure", "a.pdf"},
-                 ".png or .svg");
+  EXPECT_TRUE(file_content(scratch_.path() / "a.pdf").starts_with("%PDF"));
+  expect_refused({"truth.tum", "truth.tum", "--align", "none", "--figure", "a.gif"},
+                 ".png, .svg or .pdf");
 }
 #endif
 
 TEST_F(Eval, KittiFilesAreFoundOutAndPairedByRow) {
-  dataset::write_kitti_poses(scratch_.path() / "truth.txt", winding_walk());
-  dataset::write_kitti_poses(scratch_.path() / "zigzag.txt", zigzag(winding_walk()));
+  io::write_kitti_poses(scratch_.path() / "truth.txt", winding_walk());
+  io::write_kitti_poses(scratch_.path() / "zigzag.txt", zigzag(winding_walk()));
   const nlohmann::json json = eval_json({"truth.txt", "zigzag.txt", "--align", "none"});
   EXPECT_EQ(json[0]["pairs"], kPoses);
   EXPECT_NEAR(json[0]["errors"]["ape_translation"]["rmse"].get<double>(), 0.1, 1e-8);
@@ -141,7 +142,7 @@ TEST_F(Eval, BadInputIsRefused) {
   write_content(scratch_.path() / "words.tum", "once upon a time\n");
   write_content(scratch_.path() / "empty.tum", "");
   write_content(scratch_.path() / "later.tum",
-                dataset::format_tum({{1'000'000'000'000, Pose()}, {1'000'100'000'000, Pose()}}));
+                io::format_tum({{1'000'000'000'000, Pose()}, {1'000'100'000'000, Pose()}}));
   expect_refused({"none.tum", "truth.tum"}, "none.tum");
   expect_refused({"words.tum", "truth.tum"}, "words.tum: line 1");
   expect_refused({"empty.tum", "truth.tum"}, "");

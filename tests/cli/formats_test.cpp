@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "capture.hpp"
-#include "dataset/pcd_writer.hpp"
-#include "dataset/ply_writer.hpp"
-#include "dataset/trajectory_files.hpp"
+#include "io/files/pcd_writer.hpp"
+#include "io/files/ply_writer.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 
@@ -29,23 +29,21 @@ struct ScanFormat {
 
 void PrintTo(const ScanFormat& format, std::ostream* out) { *out << format.name; }
 
-std::string ply(const Scan& scan, dataset::PlyFlavour flavour) {
-  return dataset::format_ply(scan.points, scan.intensities, flavour);
+std::string ply(const Scan& scan, io::PlyFlavour flavour) {
+  return io::format_ply(scan.points, scan.intensities, flavour);
 }
 
 const ScanFormat kFormats[] = {
     {"pcd_ascii", ".pcd", true,
-     [](const Scan& scan) { return dataset::format_pcd(scan, dataset::PcdData::kAscii); }},
+     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::kAscii); }},
     {"pcd_binary", ".pcd", true,
-     [](const Scan& scan) { return dataset::format_pcd(scan, dataset::PcdData::kBinary); }},
+     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::kBinary); }},
     {"pcd_compressed", ".pcd", true,
-     [](const Scan& scan) {
-       return dataset::format_pcd(scan, dataset::PcdData::kBinaryCompressed);
-     }},
+     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::kBinaryCompressed); }},
     {"ply_ascii", ".ply", false,
-     [](const Scan& scan) { return ply(scan, dataset::PlyFlavour::kAscii); }},
+     [](const Scan& scan) { return ply(scan, io::PlyFlavour::kAscii); }},
     {"ply_little", ".ply", false,
-     [](const Scan& scan) { return ply(scan, dataset::PlyFlavour::kBinary); }},
+     [](const Scan& scan) { return ply(scan, io::PlyFlavour::kBinary); }},
     {"ply_big", ".ply", false, big_endian_ply},
     {"kitti", ".bin", false, kitti_bin},
 };
@@ -74,7 +72,7 @@ TEST_P(Format, SameTrajectoryAsBinaryPcd) {
   EXPECT_EQ(file_content(scratch.path() / "out" / "trajectory.tum"),
             file_content(scratch.path() / "expected" / "trajectory.tum"))
       << result;
-  EXPECT_EQ(dataset::read_tum(scratch.path() / "out" / "trajectory.tum").size(), scans.size());
+  EXPECT_EQ(io::read_tum(scratch.path() / "out" / "trajectory.tum").size(), scans.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Format, testing::ValuesIn(kFormats),
@@ -89,7 +87,7 @@ TEST(Output, AGlideIsFollowed) {
   write_pcd_recording(scratch.path() / "in", scans);
   const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
   ASSERT_EQ(result.exit_code, 0) << result;
-  const Trajectory found = dataset::read_tum(scratch.path() / "out" / "trajectory.tum");
+  const Trajectory found = io::read_tum(scratch.path() / "out" / "trajectory.tum");
   ASSERT_EQ(found.size(), scans.size()) << result;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const double seconds = 1e-9 * static_cast<double>(scans[i].stamp_ns - scans[0].stamp_ns);
@@ -111,7 +109,7 @@ TEST_P(CaptureFormat, StandingSensorStays) {
                 name == "walk.pcap" ? pcap_file(packets) : pcapng_file(packets));
   const ProcessResult result = run_surefoot({"run", name, "-o", "out"}, scratch.path());
   ASSERT_EQ(result.exit_code, 0) << result;
-  const Trajectory found = dataset::read_tum(scratch.path() / "out" / "trajectory.tum");
+  const Trajectory found = io::read_tum(scratch.path() / "out" / "trajectory.tum");
   ASSERT_GE(found.size(), 4U) << result;
   for (const StampedPose& stamped : found) {
     EXPECT_LT(stamped.pose.translation.norm(), 0.02) << result;
@@ -147,7 +145,7 @@ TEST(Capture, PartOfARevolutionThatIsAllThereIsIsUsed) {
   const ProcessResult result = run_surefoot({"run", "walk.pcap", "-o", "out"}, scratch.path());
   ASSERT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(result.errors.find("left out"), std::string::npos) << result;
-  EXPECT_EQ(dataset::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 1U) << result;
+  EXPECT_EQ(io::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 1U) << result;
 }
 
 TEST(Output, StampsAreMidScanExactly) {
@@ -157,7 +155,7 @@ TEST(Output, StampsAreMidScanExactly) {
   write_pcd_recording(scratch.path() / "in", scans);
   const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
   ASSERT_EQ(result.exit_code, 0) << result;
-  const Trajectory found = dataset::read_tum(scratch.path() / "out" / "trajectory.tum");
+  const Trajectory found = io::read_tum(scratch.path() / "out" / "trajectory.tum");
   ASSERT_EQ(found.size(), scans.size());
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const auto [first, last] =

@@ -9,7 +9,7 @@
 #include "capture.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
-#include "sensor/vlp16.hpp"
+#include "sensors/velodyne/vlp16.hpp"
 
 namespace surefoot::test {
 namespace {

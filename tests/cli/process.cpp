@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -28,7 +29,6 @@ constexpr rlim_t kMemory = 2'147'483'648;
 constexpr rlim_t kMemory = RLIM_INFINITY;  // sanitizers reserve terabytes of addresses
 #endif
 
-constexpr const char* kOutput = "stdout.txt";
 constexpr const char* kErrors = "stderr.txt";
 
 void redirect(int stream, const fs::path& file, int flags) {
@@ -36,13 +36,19 @@ void redirect(int stream, const fs::path& file, int flags) {
   if (opened < 0 || dup2(opened, stream) < 0) _exit(127);
 }
 
-[[noreturn]] void become_surefoot(std::vector<char*> arguments, const fs::path& folder) {
+[[noreturn]] void become_surefoot(std::vector<char*> arguments, const fs::path& folder,
+                                  const Surroundings& surroundings) {
   if (chdir(folder.c_str()) != 0) _exit(127);
   redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
-  redirect(STDOUT_FILENO, kOutput, O_WRONLY | O_CREAT | O_TRUNC);
+  redirect(STDOUT_FILENO, surroundings.output, O_WRONLY | O_CREAT | O_TRUNC);
   redirect(STDERR_FILENO, kErrors, O_WRONLY | O_CREAT | O_TRUNC);
   const rlimit memory{kMemory, kMemory};
   setrlimit(RLIMIT_AS, &memory);
+  if (surroundings.most_file_bytes != UINT64_MAX) {
+    const rlimit bytes{surroundings.most_file_bytes, surroundings.most_file_bytes};
+    setrlimit(RLIMIT_FSIZE, &bytes);
+    std::signal(SIGXFSZ, SIG_IGN);  // writing fails, as it does where there is no room
+  }
   alarm(kSeconds);
   execv(arguments[0], arguments.data());
   _exit(127);
@@ -56,8 +62,9 @@ std::ostream& operator<<(std::ostream& out, const ProcessResult& result) {
              << result.errors;
 }
 
-Process::Process(const std::vector<std::string>& arguments, const fs::path& folder)
-    : folder_(folder) {
+Process::Process(const std::vector<std::string>& arguments, const fs::path& folder,
+                 const Surroundings& surroundings)
+    : folder_(folder), output_(surroundings.output) {
   std::vector<std::string> words{SUREFOOT_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -65,7 +72,7 @@ Process::Process(const std::vector<std::string>& arguments, const fs::path& fold
   pointers.push_back(nullptr);
   id_ = fork();
   if (id_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (id_ == 0) become_surefoot(pointers, folder);
+  if (id_ == 0) become_surefoot(pointers, folder, surroundings);
 }
 
 void Process::send(int signal) const { kill(id_, signal); }
@@ -78,13 +85,14 @@ ProcessResult Process::wait() const {
   ProcessResult result;
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
-  result.output = file_content(folder_ / kOutput);
+  if (output_ != "/dev/full") result.output = file_content(folder_ / output_);
   result.errors = file_content(folder_ / kErrors);
   return result;
 }
 
-ProcessResult run_surefoot(const std::vector<std::string>& arguments, const fs::path& folder) {
-  return Process(arguments, folder).wait();
+ProcessResult run_surefoot(const std::vector<std::string>& arguments, const fs::path& folder,
+                           const Surroundings& surroundings) {
+  return Process(arguments, folder, surroundings).wait();
 }
 
 ScratchFolder::ScratchFolder() {
@@ -103,6 +111,11 @@ ScratchFolder::~ScratchFolder() {
 std::string file_content(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::size_t lines_of(const fs::path& file) {
+  const std::string content = file_content(file);
+  return static_cast<std::size_t>(std::count(content.begin(), content.end(), '\n'));
 }
 
 void write_content(const fs::path& file, const std::string& content) {

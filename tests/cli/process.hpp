@@ -6,6 +6,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <string>
@@ -22,24 +23,33 @@ struct ProcessResult {
 };
 std::ostream& operator<<(std::ostream& out, const ProcessResult& result);
 
+/// What a program finds around it.
+struct Surroundings {
+  std::string output = "stdout.txt";           ///< file that what it prints goes to
+  std::uint64_t most_file_bytes = UINT64_MAX;  ///< that it can write into a file: a full disk
+};
+
 /// A started program. Its memory is limited to 2 GiB, so that an allocation by a number found in a
 /// file shows, and its time to a minute.
 class Process {
  public:
   /// Starts `surefoot ARGUMENTS` in `folder`, where its two output streams are kept, too. Throws
   /// std::system_error.
-  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+  Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+          const Surroundings& surroundings = {});
   void send(int signal) const;
   /// Waits for the end; to be called once.
   [[nodiscard]] ProcessResult wait() const;
 
  private:
   std::filesystem::path folder_;
+  std::string output_;
   pid_t id_;
 };
 
 [[nodiscard]] ProcessResult run_surefoot(const std::vector<std::string>& arguments,
-                                         const std::filesystem::path& folder);
+                                         const std::filesystem::path& folder,
+                                         const Surroundings& surroundings = {});
 
 /// A folder of its own for every test, removed with the object.
 class ScratchFolder {
@@ -56,6 +66,8 @@ class ScratchFolder {
 
 /// A whole file's bytes; empty where there is none.
 [[nodiscard]] std::string file_content(const std::filesystem::path& file);
+/// How many lines it has that are finished.
+[[nodiscard]] std::size_t lines_of(const std::filesystem::path& file);
 void write_content(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace surefoot::test

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "dataset/file_writer.hpp"
-#include "dataset/pcd_writer.hpp"
-#include "dataset/trajectory_files.hpp"
+#include "io/file_writer.hpp"
+#include "io/files/pcd_writer.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "support/synthetic_run.hpp"
 
@@ -47,7 +47,7 @@ void write_bend_recording(const fs::path& folder, double yaw_rate, std::size_t c
   for (int i = 5; i <= 10 * scans_count - 5; ++i) {
     truth.push_back({std::int64_t{i} * 10'000'000, motion(0.01 * i)});
   }
-  dataset::write_tum(folder / "gt.tum", truth);
+  io::write_tum(folder / "gt.tum", truth);
 }
 
 std::string big_endian_ply(const Scan& scan) {
@@ -57,7 +57,7 @@ std::string big_endian_ply(const Scan& scan) {
   for (const Eigen::Vector3f& point : scan.points) {
     for (int axis = 0; axis < 3; ++axis) {
       std::string value;
-      dataset::append_bytes(value, point[axis]);
+      io::append_bytes(value, point[axis]);
       bytes.append(value.rbegin(), value.rend());
     }
   }
@@ -67,8 +67,8 @@ std::string big_endian_ply(const Scan& scan) {
 std::string kitti_bin(const Scan& scan) {
   std::string bytes;
   for (const Eigen::Vector3f& point : scan.points) {
-    for (int axis = 0; axis < 3; ++axis) dataset::append_bytes(bytes, point[axis]);
-    dataset::append_bytes(bytes, 0.5F);
+    for (int axis = 0; axis < 3; ++axis) io::append_bytes(bytes, point[axis]);
+    io::append_bytes(bytes, 0.5F);
   }
   return bytes;
 }
@@ -85,10 +85,18 @@ void write_pcd_recording(const fs::path& folder, const std::vector<Scan>& scans)
   fs::create_directories(folder);
   std::string times;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    dataset::write_pcd(folder / scan_name(i), scans[i]);
+    io::write_pcd(folder / scan_name(i), scans[i]);
     times += stamp_line(scans[i]);
   }
   write_content(folder / "times.txt", times);
+}
+
+void write_long_recording(const fs::path& folder, int scans) {
+  fs::create_directory(folder);
+  io::write_pcd(folder / scan_name(0), hall_scans(1).front());
+  for (int i = 1; i < scans; ++i) {
+    fs::create_hard_link(folder / scan_name(0), folder / scan_name(static_cast<std::size_t>(i)));
+  }
 }
 
 std::string scan_name(std::size_t index) {

@@ -33,6 +33,8 @@ void write_bend_recording(const std::filesystem::path& folder, double yaw_rate, 
 
 /// Writes the scans as binary PCD files and their stamps beside them; makes the folder.
 void write_pcd_recording(const std::filesystem::path& folder, const std::vector<Scan>& scans);
+/// A recording of one scan over and over, far longer than a test waits for; makes the folder.
+void write_long_recording(const std::filesystem::path& folder, int scans);
 /// Name of the scan's file in such a folder: 000012.pcd.
 [[nodiscard]] std::string scan_name(std::size_t index);
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <thread>
 
-#include "dataset/pcd_writer.hpp"
-#include "dataset/ply_reader.hpp"
+#include "io/files/pcd_writer.hpp"
+#include "io/files/ply_reader.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 
@@ -39,20 +39,6 @@ TEST(Repeat, SameBytesForAnyNumberOfThreads) {
   }
 }
 
-/// A recording of one scan over and over, far longer than the test waits for.
-void write_long_recording(const fs::path& folder, int scans) {
-  fs::create_directory(folder);
-  dataset::write_pcd(folder / scan_name(0), hall_scans(1).front());
-  for (int i = 1; i < scans; ++i) {
-    fs::create_hard_link(folder / scan_name(0), folder / scan_name(static_cast<std::size_t>(i)));
-  }
-}
-
-std::size_t lines_of(const fs::path& file) {
-  const std::string content = file_content(file);
-  return static_cast<std::size_t>(std::count(content.begin(), content.end(), '\n'));
-}
-
 class Interrupt : public testing::TestWithParam<int> {};
 
 TEST_P(Interrupt, LeavesWholeFiles) {
@@ -78,7 +64,7 @@ TEST_P(Interrupt, LeavesWholeFiles) {
   }
   EXPECT_NE(file_content(out / "run.yaml").find("interrupted: true"), std::string::npos);
   const std::string map = file_content(out / "map.ply");
-  EXPECT_NO_THROW((void)dataset::parse_ply(std::as_bytes(std::span(map))));
+  EXPECT_NO_THROW((void)io::parse_ply(std::as_bytes(std::span(map))));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Interrupt, testing::Values(SIGINT, SIGTERM));

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "dataset/trajectory_files.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 
@@ -50,12 +50,12 @@ class ReportCommand : public testing::Test {
   }
   /// The estimate itself as truth, so that every error is nothing.
   void write_own_truth(const std::string& name, double later = 0.0) const {
-    Trajectory truth = dataset::read_tum(path("run/trajectory.tum"));
+    Trajectory truth = io::read_tum(path("run/trajectory.tum"));
     for (std::size_t i = 0; i < truth.size(); ++i) {
       truth[i].stamp_ns += static_cast<std::int64_t>(later * 1e9);
       truth[i].pose.translation.y() += 0.05 * static_cast<double>(i * i);  // no straight line
     }
-    dataset::write_tum(path(name), truth);
+    io::write_tum(path(name), truth);
   }
 
   ScratchFolder scratch_;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "dataset/trajectory_files.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 
@@ -41,12 +41,25 @@ TEST(Simulation, SameSeedSameBytes) {
   const ScratchFolder scratch;
   simulate("a", scratch);
   simulate("b", scratch);
-  EXPECT_GT(dataset::read_tum(scratch.path() / "a" / "gt.tum").size(), 15U);
+  EXPECT_GT(io::read_tum(scratch.path() / "a" / "gt.tum").size(), 15U);
   for (const char* name : {"gt.tum", "times.txt", "scene.json", "000000.pcd", "000014.pcd"}) {
     const std::string content = file_content(scratch.path() / "a" / name);
     EXPECT_FALSE(content.empty()) << name;
     EXPECT_TRUE(content == file_content(scratch.path() / "b" / name)) << name;
   }
+}
+
+TEST(Simulation, RainDustAndPeopleAreMadeAndToldInTheSceneFile) {
+  const ScratchFolder scratch;
+  const ProcessResult result =
+      run_surefoot({"simulate", "corridor", "--scans", "3", "--no-footprint", "--rain", "0.05",
+                    "--dust", "0.1", "--people", "2", "-o", "wet"},
+                   scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const auto scene = nlohmann::json::parse(file_content(scratch.path() / "wet" / "scene.json"));
+  EXPECT_EQ(scene.at("rain"), 0.05);
+  EXPECT_EQ(scene.at("dust"), 0.1);
+  EXPECT_EQ(scene.at("people"), 2);
 }
 
 TEST(Simulation, DrawsAnAnimation) {
@@ -64,16 +77,31 @@ TEST(Simulation, DrawsAnAnimation) {
   EXPECT_NE(gif.errors.find(".png"), std::string::npos) << gif;
 }
 
+TEST(Simulation, BagsHoldWhatThePcdFilesHold) {
+  const ScratchFolder scratch;
+  const ProcessResult result = run_surefoot(
+      {"simulate", "parking", "--scans", "2", "--format", "pcd,mcap,rosbag2", "-o", "out"},
+      scratch.path());
+  ASSERT_EQ(result.exit_code, 0) << result;
+  for (const char* bag : {"out/recording.mcap", "out/rosbag2"}) {
+    fs::remove_all(scratch.path() / "back");
+    const ProcessResult back = run_surefoot({"convert", bag, "back"}, scratch.path());
+    ASSERT_EQ(back.exit_code, 0) << back;
+    for (const char* name : {"000000.pcd", "000001.pcd", "times.txt"}) {
+      EXPECT_EQ(file_content(scratch.path() / "back" / name),
+                file_content(scratch.path() / "out" / name))
+          << bag << " " << name;
+    }
+  }
+}
+
 TEST(Simulation, FormatsThatItCannotWriteAreNamed) {
   const ScratchFolder scratch;
-  for (const char* format : {"mcap", "rosbag2"}) {
-    const ProcessResult result = run_surefoot(
-        {"simulate", "parking", "--scans", "1", "--format", format, "-o", "out"}, scratch.path());
-    EXPECT_EQ(result.exit_code, 2) << result;
-    EXPECT_NE(result.errors.find("cannot be written yet"), std::string::npos) << result;
-    EXPECT_NE(result.errors.find("pcap"), std::string::npos) << result;
-    EXPECT_FALSE(fs::exists(scratch.path() / "out"));
-  }
+  const ProcessResult result = run_surefoot(
+      {"simulate", "parking", "--scans", "1", "--format", "las", "-o", "out"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 2) << result;
+  EXPECT_NE(result.errors.find("pcap"), std::string::npos) << result;
+  EXPECT_FALSE(fs::exists(scratch.path() / "out"));
 }
 
 TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
@@ -181,7 +209,7 @@ TEST(Sweep, HasARowForEachValue) {
   const ScratchFolder scratch;
   simulate("walk", scratch);
   const ProcessResult result =
-      run_surefoot({"sweep", "walk", "--vary", "deskew.segments=1,2", "--count", "12", "-j", "2"},
+      run_surefoot({"sweep", "walk", "--vary", "knots.segments=1:2:1", "--count", "12", "-j", "2"},
                    scratch.path());
   ASSERT_EQ(result.exit_code, 0) << result;
   std::istringstream table(result.output);
@@ -191,9 +219,13 @@ TEST(Sweep, HasARowForEachValue) {
   EXPECT_TRUE(lines[0].starts_with("| parameter | walk | APE ratio | step ratio |")) << result;
   EXPECT_TRUE(lines[2].starts_with("| unchanged | 0.")) << result;
   EXPECT_NE(lines[2].find("| 1.00 | 1.00 |"), std::string::npos) << result;
-  EXPECT_TRUE(lines[3].starts_with("| deskew.segments = 1 | ")) << result;
-  EXPECT_TRUE(lines[4].starts_with("| deskew.segments = 2 | ")) << result;
+  EXPECT_TRUE(lines[3].starts_with("| knots.segments = 1 | ")) << result;
+  EXPECT_TRUE(lines[4].starts_with("| knots.segments = 2 | ")) << result;
   EXPECT_EQ(result.output.find("nan"), std::string::npos) << result;
+  const std::filesystem::path folder = scratch.path() / "results/sweep";
+  EXPECT_EQ(file_content(folder / "sweep.md"), result.output);
+  EXPECT_EQ(lines_of(folder / "sweep.csv"), 4U);
+  EXPECT_NE(file_content(folder / "sweep.json").find("\"ape_ratio\""), std::string::npos);
 }
 
 TEST(Sweep, BadInputIsRefused) {
@@ -206,11 +238,13 @@ TEST(Sweep, BadInputIsRefused) {
     EXPECT_TRUE(result.output.empty()) << result;
     return result.errors;
   };
-  EXPECT_NE(refusal({"nowhere", "--vary", "map.voxel_size=1"}).find("nowhere"), std::string::npos);
-  EXPECT_NE(refusal({"in", "--vary", "map.voxel_size=1"}).find("gt.tum"), std::string::npos);
+  EXPECT_NE(refusal({"nowhere", "--vary", "map.radius=50"}).find("nowhere"), std::string::npos);
+  EXPECT_NE(refusal({"in", "--vary", "map.radius=50"}).find("gt.tum"), std::string::npos);
   EXPECT_NE(refusal({"in"}).find("--vary"), std::string::npos);
-  EXPECT_NE(refusal({"in", "--vary", "map.voxel_size"}).find("key=value"), std::string::npos);
+  EXPECT_NE(refusal({"in", "--vary", "map.radius"}).find("key=value"), std::string::npos);
   EXPECT_NE(refusal({"in", "--vary", "map.speed=1"}).find("map.speed"), std::string::npos);
+  EXPECT_NE(refusal({"in", "--vary", "deskew.segments=1:4:1"}).find("what reads it: paper"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// docs/equations.md against the code: every row's tag, function and test exist, every equation has
-// a row, every tag in the code has one.
+// The tables of docs/equations.md (the paper's) and docs/method.md (Surefoot's own) against the
+// code: every row's tag, function and test exist, every equation has a row, every tag in the code
+// has one.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -14,10 +15,11 @@
 namespace surefoot {
 namespace {
 
-constexpr int kEquations = 34;
+constexpr int kPaperEquations = 34;
+constexpr int kOwnEquations = 24;
 
 struct Row {
-  std::string equation;  // "(6)" or "Algorithm 1"
+  std::string equation;  // "(6)", "[K6]" or "Algorithm 1"
   std::string tag, function, file, test, test_file;
 };
 
@@ -35,11 +37,15 @@ std::string link_of(const std::string& cell) {
   return end == std::string::npos ? "" : cell.substr(begin + 5, end - begin - 5);
 }
 
-std::vector<Row> read_table() {
-  std::vector<Row> rows;
-  std::istringstream lines(test::read_project_file("docs/equations.md"));
+bool is_row(const std::string& line) {
+  static const std::regex equation("^\\| (\\(\\d+\\)|\\[K\\d+\\]|Algorithm 1) \\|");
+  return std::regex_search(line, equation);
+}
+
+void read_rows(const std::string& page, std::vector<Row>& rows) {
+  std::istringstream lines(test::read_project_file(page));
   for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("| (", 0) != 0 && line.rfind("| Algorithm", 0) != 0) continue;
+    if (!is_row(line)) continue;
     std::vector<std::string> cells;
     std::istringstream columns(line.substr(1));
     for (std::string cell; std::getline(columns, cell, '|');) cells.push_back(cell);
@@ -51,11 +57,15 @@ std::vector<Row> read_table() {
     rows.push_back({equation, code_of(cells[1]), code_of(cells[3]), link_of(cells[4]),
                     code_of(cells[5]), link_of(cells[6])});
   }
-  return rows;
 }
 
+/// The rows of both tables.
 const std::vector<Row>& table() {
-  static const std::vector<Row> rows = read_table();
+  static const std::vector<Row> rows = [] {
+    std::vector<Row> both;
+    for (const char* page : {"docs/equations.md", "docs/method.md"}) read_rows(page, both);
+    return both;
+  }();
   return rows;
 }
 
@@ -63,16 +73,26 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::string equation_name(const std::string& number) { return std::string(1, '(') + number + ")"; }
+/// The equation that a tag marks: "(6)" of "[Eq 6]", "[K6]" of itself.
+std::string equation_of(const std::string& tag) {
+  if (tag.rfind("[Eq ", 0) != 0) return tag;
+  return "(" + tag.substr(4, tag.size() - 5) + ")";
+}
 
 TEST(EquationsTable, EveryEquationAndTheAlgorithmHaveARow) {
-  std::set<std::string> equations;
+  std::set<std::string> equations, expected = {"Algorithm 1"};
   for (const Row& row : table()) equations.insert(row.equation);
-  for (int n = 1; n <= kEquations; ++n) {
-    EXPECT_TRUE(equations.count(equation_name(std::to_string(n)))) << "no row for equation " << n;
+  for (int n = 1; n <= kPaperEquations; ++n) expected.insert("(" + std::to_string(n) + ")");
+  for (int n = 1; n <= kOwnEquations; ++n) expected.insert("[K" + std::to_string(n) + "]");
+  EXPECT_EQ(equations, expected);
+}
+
+TEST(EquationsTable, EveryOwnEquationIsWrittenDown) {
+  const std::string page = test::read_project_file("docs/method.md");
+  for (int n = 1; n <= kOwnEquations; ++n) {
+    const std::string tag = "[K" + std::to_string(n) + "]";
+    EXPECT_TRUE(contains(page, "    " + tag + "\n")) << tag << " ends no line of docs/method.md";
   }
-  EXPECT_TRUE(equations.count("Algorithm 1"));
-  EXPECT_EQ(equations.size(), static_cast<std::size_t>(kEquations + 1));
 }
 
 TEST(EquationsTable, EveryRowsFileCarriesItsTagAndItsFunction) {
@@ -93,7 +113,7 @@ TEST(EquationsTable, TagsAreTheEquationsOwn) {
   for (const Row& row : table()) {
     // (2) is a type and (3) two ways of taking it apart: they have the tags that their rows name.
     if (row.equation == "(2)" || row.equation == "(3)" || row.equation == "Algorithm 1") continue;
-    EXPECT_EQ(row.tag, "[Eq " + row.equation.substr(1, row.equation.size() - 2) + "]");
+    EXPECT_EQ(equation_of(row.tag), row.equation);
   }
 }
 
@@ -111,19 +131,19 @@ TEST(EquationsTable, EveryRowsTestExists) {
 }
 
 TEST(EquationsTable, EveryTagInTheCodeHasARowThatNamesItsFile) {
-  static const std::regex tag("\\[Eq ([0-9]+)\\]");
+  static const std::regex tag("\\[(Eq |K)[0-9]+\\]");
   std::set<std::string> known;
   for (const Row& row : table()) known.insert(row.equation + row.file);
   int tags = 0;
   for (const char* folder : {"src", "include", "apps"}) {
     for (const auto& [path, text] : test::source_files(folder)) {
       for (std::sregex_iterator it(text.begin(), text.end(), tag), end; it != end; ++it, ++tags) {
-        EXPECT_TRUE(known.count(equation_name((*it)[1]) + path))
-            << path << " carries [Eq " << (*it)[1] << "], which no row says";
+        EXPECT_TRUE(known.count(equation_of(it->str()) + path))
+            << path << " carries " << it->str() << ", which no row says";
       }
     }
   }
-  EXPECT_GE(tags, kEquations - 2);
+  EXPECT_GE(tags, kPaperEquations + kOwnEquations - 2);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ file(REMOVE_RECURSE ${folder})
 file(MAKE_DIRECTORY ${folder})
 surefoot(said simulate campus --scans 50 --output walk)
 surefoot(said run walk --quiet --output run)
-surefoot(said run walk --quiet --output other --set deskew.mode=none)
+surefoot(said run walk --quiet --output other --method paper)
 # Few points, as the browser draws without a graphics card.
 surefoot(said report run --output report.html --map-points 40000)
 surefoot(said report run other --output comparison.html --map-points 10000)

@@ -30,6 +30,7 @@ const isPeaked = (values) => quantile(values, 1) > 3 * usual(values);
 
 /** The range of the values; with `cut`, without rare peaks that would flatten all others. */
 function valueRange(spec, lines, low, high) {
+  if (spec.rows) return [-0.6, spec.rows.length - 0.4];
   if (low === null || high === null) return [0, 1];
   const top = spec.cut && isPeaked(lines[0].values) ? 1.6 * usual(lines[0].values) : high;
   const margin = Math.max(0.06 * (top - low), 1e-6);
@@ -66,6 +67,15 @@ function axisStyle(more) {
     ...more,
   };
 }
+
+const valueAxis = (unit) => ({ label: unit, labelSize: 16, labelGap: 0, size: 46 });
+
+/** Words in place of numbers. */
+const rowAxis = (rows) => ({
+  size: 62,
+  splits: () => rows.map((_, i) => i),
+  values: (_, splits) => splits.map((i) => rows[i]),
+});
 
 export class ChartPanel {
   constructor(spec, context) {
@@ -111,7 +121,7 @@ export class ChartPanel {
       },
       axes: [
         axisStyle({ label: axis.label, labelSize: 16, labelGap: -2, size: 26 }),
-        axisStyle({ label: spec.unit, labelSize: 16, labelGap: 0, size: 46 }),
+        axisStyle(spec.rows ? rowAxis(spec.rows) : valueAxis(spec.unit)),
       ],
       series: [{}, ...lines.map(seriesOf)],
       hooks: {

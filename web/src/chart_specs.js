@@ -54,20 +54,64 @@ function translationErrors(context) {
     );
 }
 
+/** A column that says nothing (a method without that stage) is no line. */
+const says = (values) => values?.some((value) => Number.isFinite(value) && value !== 0);
+
 function columnLines(context, columns) {
   const { scans } = context.run();
-  return columns.flatMap(([label, name], place) =>
-    scans.columns[name]
-      ? [line(label, scans.times, scans.columns[name], stepColor(2 * place))]
-      : [],
+  return columns
+    .filter(([, name]) => says(scans.columns[name]))
+    .map(([label, name, scale = 1], place) => {
+      const values = scans.columns[name];
+      const shown = scale === 1 ? values : values.map((value) => scale * value);
+      return line(label, scans.times, shown, stepColor(2 * place));
+    });
+}
+
+/** One line a stage of the registration: every column that ends like this. */
+function stageLines(context, ending) {
+  const names = Object.keys(context.run().scans.columns).filter((name) => name.endsWith(ending));
+  return columnLines(
+    context,
+    names.map((name) => [name.slice(0, -ending.length).replaceAll("_", " "), name]),
   );
+}
+
+const kAxes = ["x", "y", "z"];
+const kTurns = ["roll", "pitch", "yaw"];
+
+/** How uncertain the position is said to be, beside how wrong it is. */
+function positionSigmaLines(context) {
+  const lines = columnLines(
+    context,
+    kAxes.map((axis) => [axis, `sigma_${axis}_m`]),
+  );
+  const { errors } = context.run();
+  if (errors && lines.length) {
+    const style = { width: 1, dash: [5, 4] };
+    const error = color("truth");
+    lines.push(line("error", errors.times, errors.translation_m, error, style));
+  }
+  return lines;
+}
+
+/** A row a direction, a dot a scan that hardly sees it. */
+const kDirections = ["forward", "lateral", "up", "roll", "pitch", "yaw"];
+function weakDirectionLines(context) {
+  const { scans } = context.run();
+  return kDirections.flatMap((direction, row) => {
+    const weak = scans.degenerate.map((names) => names.split(" ").includes(direction));
+    if (!weak.some(Boolean)) return [];
+    const values = weak.map((is) => (is ? row : NaN));
+    return [line(direction, scans.times, values, stepColor(row), { width: 0, dots: true })];
+  });
 }
 
 /** The steps on top of each other: each line is the sum up to its step; `own` is the step's. */
 function stepLines(context) {
   const { scans } = context.run();
   const names = Object.keys(scans.columns).filter(
-    (name) => name.startsWith("ms_") && name !== "ms_total",
+    (name) => name.startsWith("ms_") && name !== "ms_total" && says(scans.columns[name]),
   );
   const sum = new Float32Array(scans.count);
   const lines = names.map((name, place) => {
@@ -81,7 +125,7 @@ function stepLines(context) {
 
 /** The weakest direction is told only where it counts as degenerate; the others are points. */
 function observabilityLines(context) {
-  const lines = columnLines(context, [["vertical stage", "vertical_observability"]]);
+  const lines = stageLines(context, "_observability");
   const { scans } = context.run();
   const least = scans.columns.least_information;
   if (!least || !scans.degenerate.some(Boolean)) return lines;
@@ -117,6 +161,40 @@ export const kCharts = [
       ]),
   },
   {
+    group: "What it says of itself",
+    title: "Standard deviation of the position",
+    unit: "sigma [m]",
+    fromZero: true,
+    cut: true,
+    lines: positionSigmaLines,
+  },
+  {
+    group: "What it says of itself",
+    title: "Standard deviation of the attitude",
+    unit: "sigma [deg]",
+    fromZero: true,
+    cut: true,
+    lines: (c) =>
+      columnLines(
+        c,
+        kTurns.map((turn) => [turn, `sigma_${turn}_rad`, 180 / Math.PI]),
+      ),
+  },
+  {
+    group: "What it says of itself",
+    title: "Weak directions",
+    unit: "",
+    rows: kDirections,
+    lines: weakDirectionLines,
+  },
+  {
+    group: "What it says of itself",
+    title: "Observability",
+    unit: "share [1]",
+    fromZero: true,
+    lines: observabilityLines,
+  },
+  {
     group: "Registration, scan by scan",
     title: "Time by step",
     unit: "time [ms]",
@@ -129,40 +207,21 @@ export const kCharts = [
     title: "Iterations",
     unit: "iterations [1]",
     fromZero: true,
-    lines: (c) =>
-      columnLines(c, [
-        ["horizontal", "horizontal_iterations"],
-        ["vertical", "vertical_iterations"],
-      ]),
+    lines: (c) => stageLines(c, "_iterations"),
   },
   {
     group: "Registration, scan by scan",
     title: "Matches",
     unit: "matches [1]",
     fromZero: true,
-    lines: (c) =>
-      columnLines(c, [
-        ["horizontal", "horizontal_matches"],
-        ["vertical", "vertical_matches"],
-      ]),
+    lines: (c) => stageLines(c, "_matches"),
   },
   {
     group: "Registration, scan by scan",
     title: "Residuals",
     unit: "residual [m]",
     fromZero: true,
-    lines: (c) =>
-      columnLines(c, [
-        ["horizontal", "horizontal_residual_m"],
-        ["vertical", "vertical_residual_m"],
-      ]),
-  },
-  {
-    group: "Registration, scan by scan",
-    title: "Observability",
-    unit: "share [1]",
-    fromZero: true,
-    lines: observabilityLines,
+    lines: (c) => stageLines(c, "_residual_m"),
   },
 ];
 

@@ -21,6 +21,7 @@ function showReport() {
     playing: false,
     axis: "time", // of the charts: "time" or "distance"
     range: null, // [low, high] of that axis; null: all
+    shade: "run", // what the path is coloured by: "run", "error" or "sigma"
     themeWish: "auto",
     theme: "light",
   });

@@ -7,12 +7,12 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
-/** Pairs of neighbours that both have a place. */
+/** Pairs of neighbours that both have a place, as indices: [0, 1, 1, 2, ...]. */
 function segmentsOf(positions) {
   const segments = [];
-  for (let i = 3; i < positions.length; i += 3) {
-    if (Number.isNaN(positions[i]) || Number.isNaN(positions[i - 3])) continue;
-    for (let k = i - 3; k < i + 3; ++k) segments.push(positions[k]);
+  for (let i = 1; 3 * i < positions.length; ++i) {
+    if (Number.isNaN(positions[3 * i]) || Number.isNaN(positions[3 * i - 3])) continue;
+    segments.push(i - 1, i);
   }
   return segments;
 }
@@ -20,9 +20,10 @@ function segmentsOf(positions) {
 export class PathLine {
   constructor(positions, { width, dashed = false, order }) {
     const geometry = new LineSegmentsGeometry();
-    const segments = segmentsOf(positions);
-    this.empty = segments.length === 0;
-    if (!this.empty) geometry.setPositions(segments);
+    this.places = segmentsOf(positions);
+    this.empty = this.places.length === 0;
+    const coordinates = this.places.flatMap((i) => Array.from(positions.subarray(3 * i, 3 * i + 3)));
+    if (!this.empty) geometry.setPositions(coordinates);
     this.material = new LineMaterial({
       linewidth: width,
       dashed,
@@ -40,6 +41,18 @@ export class PathLine {
 
   setColor(text) {
     this.material.color = new THREE.Color(text);
+    this.material.vertexColors = false;
+    this.material.needsUpdate = true;
+  }
+
+  /** A colour for each place that the line was made of. */
+  setColors(texts) {
+    if (this.empty) return;
+    const colors = this.places.flatMap((i) => new THREE.Color(texts[i]).toArray());
+    this.object.geometry.setColors(colors);
+    this.material.color = new THREE.Color("white");
+    this.material.vertexColors = true;
+    this.material.needsUpdate = true;
   }
 
   setSize(width, height) {

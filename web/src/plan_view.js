@@ -1,22 +1,48 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// The paths on a plane, over the shadow that the map casts on it: x-y from above, x-z from the side.
-import { nearestIndex } from "./data.js";
+// The paths on a plane: from above over the shadow that the map casts, or unrolled, as height along
+// the way.
+import { interpolate, nearestIndex } from "./data.js";
 import { onResize } from "./dom.js";
 import { fixed, niceStep } from "./numbers.js";
+import { pathShades, shadeColors } from "./path_shades.js";
 import { ends } from "./path_lines.js";
 import { color, runColor } from "./theme.js";
 
 const kMargin = { left: 52, right: 14, top: 12, bottom: 40 }; // [px]
 const kReach = 30; // [px] from the pointer to a path that it takes hold of
 
-function rangeOf(series, axis) {
+const strided = (values, offset) => values.filter((_, i) => i % 3 === offset);
+
+/** x to the right, y upwards, equal scales. */
+export const kFromAbove = {
+  labels: ["x [m]", "y [m]"],
+  equal: true,
+  shadow: [0, 1], // axes of the map
+  ofRun: ({ path }) => [strided(path.positions, 0), strided(path.positions, 1)],
+  ofTruth: (truth) => [strided(truth.positions, 0), strided(truth.positions, 1)],
+};
+
+/** Height over the way, so that a ramp is one in whichever direction it leads. The truth is laid out
+ * by the run's way at the same instant: a denser trajectory has another length. */
+export const kAlongTheWay = {
+  labels: ["way [m]", "z [m]"],
+  equal: false,
+  shadow: null,
+  ofRun: ({ path, lengths }) => [lengths, strided(path.positions, 2)],
+  ofTruth: (truth, { scans, lengths }) => [
+    truth.times.map((time) => interpolate(scans.times, lengths, time)),
+    strided(truth.positions, 2),
+  ],
+};
+
+function rangeOf(series) {
   let [low, high] = [Infinity, -Infinity];
-  for (const positions of series) {
-    for (let i = axis; i < positions.length; i += 3) {
-      if (positions[i] < low) low = positions[i];
-      if (positions[i] > high) high = positions[i];
+  for (const values of series) {
+    for (const value of values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
     }
   }
   return low <= high ? [low, high] : [-1, 1];
@@ -29,11 +55,10 @@ function widened([low, high], share, least) {
 }
 
 export class PlanView {
-  /** vertical: 1 draws x-y in equal scales, 2 draws x-z with z stretched. */
-  constructor(canvas, context, vertical, onStretch = () => {}) {
+  constructor(canvas, context, projection, onStretch = () => {}) {
     this.canvas = canvas;
     this.context = context;
-    this.vertical = vertical;
+    this.projection = projection;
     this.onStretch = onStretch;
     this.backdrop = document.createElement("canvas");
     onResize(canvas.parentElement, () => this.setRun());
@@ -57,20 +82,19 @@ export class PlanView {
   }
 
   #layOut() {
-    const truth = this.context.recording().truth;
-    const series = this.context.companions().map((run) => run.path.positions);
-    if (truth) series.push(truth.positions);
+    const { equal, ofRun, ofTruth } = this.projection;
+    const { truth } = this.context.recording();
+    this.places = this.context.companions().map((run) => ({ run, at: ofRun(run) }));
+    this.truth = truth ? ofTruth(truth, this.context.run()) : null;
+    const all = [...this.places.map(({ at }) => at), ...(this.truth ? [this.truth] : [])];
     const inner = [
       this.width - kMargin.left - kMargin.right,
       this.height - kMargin.top - kMargin.bottom,
     ];
-    this.h = widened(rangeOf(series, 0), 0.08, 4);
-    this.v = widened(
-      rangeOf(series, this.vertical),
-      this.vertical === 1 ? 0.08 : 0.3,
-      this.vertical === 1 ? 4 : 1.5,
-    );
-    if (this.vertical === 1) {
+    // A level floor must look level: its centimetres are not stretched to a hill.
+    this.h = widened(rangeOf(all.map(([h]) => h)), equal ? 0.08 : 0.02, 4);
+    this.v = widened(rangeOf(all.map(([, v]) => v)), equal ? 0.08 : 0.2, equal ? 4 : 1.5);
+    if (equal) {
       const scale = Math.min(
         inner[0] / (this.h[1] - this.h[0]),
         inner[1] / (this.v[1] - this.v[0]),
@@ -95,7 +119,7 @@ export class PlanView {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, this.backdrop.width, this.backdrop.height);
     const map = this.context.run().map;
-    if (map) this.#drawShadow(context, map);
+    if (map && this.projection.shadow) this.#drawShadow(context, map);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.#drawAxes(context);
   }
@@ -106,13 +130,11 @@ export class PlanView {
     const [wide, high] = [this.width - left - kMargin.right, this.height - top - kMargin.bottom];
     const [columns, rows] = [Math.max(1, Math.floor(wide)), Math.max(1, Math.floor(high))];
     const counts = new Uint16Array(columns * rows);
-    const axes = [0, this.vertical];
-    const [gx, gy] = axes.map((axis) => (map.high[axis] - map.low[axis]) / 65535);
+    const [h, v] = this.projection.shadow;
+    const [gx, gy] = [h, v].map((axis) => (map.high[axis] - map.low[axis]) / 65535);
     for (let i = 0; i < map.steps.length; i += 3) {
-      const x = Math.floor(this.x(map.low[0] + gx * map.steps[i]) - left);
-      const y = Math.floor(
-        this.y(map.low[this.vertical] + gy * map.steps[i + this.vertical]) - top,
-      );
+      const x = Math.floor(this.x(map.low[h] + gx * map.steps[i + h]) - left);
+      const y = Math.floor(this.y(map.low[v] + gy * map.steps[i + v]) - top);
       if (x >= 0 && y >= 0 && x < columns && y < rows) ++counts[y * columns + x];
     }
     const [red, green, blue] = color("shadow").split(" ").map(Number);
@@ -162,11 +184,11 @@ export class PlanView {
     });
     context.stroke();
     context.textAlign = "center";
-    context.fillText("x [m]", (kMargin.left + right) / 2, this.height - 7);
+    context.fillText(this.projection.labels[0], (kMargin.left + right) / 2, this.height - 7);
     context.save();
     context.translate(13, (kMargin.top + bottom) / 2);
     context.rotate(-Math.PI / 2);
-    context.fillText(this.vertical === 1 ? "y [m]" : "z [m]", 0, 0);
+    context.fillText(this.projection.labels[1], 0, 0);
     context.restore();
   }
 
@@ -178,44 +200,53 @@ export class PlanView {
     context.drawImage(this.backdrop, 0, 0);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     const run = this.context.run();
-    const truth = this.context.recording().truth;
     context.lineJoin = "round";
-    this.context.companions().forEach((companion, place) => {
+    // A band, so that a path that agrees with it can be seen on it.
+    if (this.truth) this.#line(context, this.truth, color("truth-band"), 7);
+    this.places.forEach(({ run: companion, at }, place) => {
       const here = companion === run;
-      if (here) this.#line(context, companion.path.positions, color("halo"), 5);
-      this.#line(context, companion.path.positions, runColor(place), here ? 2.2 : 1.4);
+      if (here) this.#line(context, at, color("halo"), 4);
+      this.#line(context, at, runColor(place), here ? 2.2 : 1.4);
+      if (here) this.#shade(context, at);
     });
-    if (truth) {
-      context.setLineDash([5, 4]);
-      this.#line(context, truth.positions, color("truth"), 1.2);
-      context.setLineDash([]);
-    }
     this.#drawMarkers(context, run);
   }
 
-  #line(context, positions, style, width) {
+  #line(context, [h, v], style, width) {
     context.strokeStyle = style;
     context.lineWidth = width;
     context.beginPath();
     let pen = false;
-    for (let i = 0; i < positions.length; i += 3) {
-      const missing = Number.isNaN(positions[i]);
-      if (!missing)
-        context[pen ? "lineTo" : "moveTo"](
-          this.x(positions[i]),
-          this.y(positions[i + this.vertical]),
-        );
+    for (let i = 0; i < h.length; ++i) {
+      const missing = Number.isNaN(v[i]);
+      if (!missing) context[pen ? "lineTo" : "moveTo"](this.x(h[i]), this.y(v[i]));
       pen = !missing;
     }
     context.stroke();
   }
 
+  /** The path that is looked at, coloured by what was chosen. */
+  #shade(context, [h, v]) {
+    const shades = pathShades(this.context);
+    if (!shades) return;
+    const colors = shadeColors(shades, this.context.store.get("theme"));
+    context.lineWidth = 3.2;
+    for (let i = 1; i < h.length; ++i) {
+      if (Number.isNaN(v[i]) || Number.isNaN(v[i - 1])) continue;
+      context.strokeStyle = colors[i];
+      context.beginPath();
+      context.moveTo(this.x(h[i - 1]), this.y(v[i - 1]));
+      context.lineTo(this.x(h[i]), this.y(v[i]));
+      context.stroke();
+    }
+  }
+
   #drawMarkers(context, run) {
     const { positions } = run.path;
-    const place = (i) => [this.x(positions[3 * i]), this.y(positions[3 * i + this.vertical])];
+    const [h, v] = this.#placesOf(run);
     const mark = (index, fill, shape) => {
-      if (!(index >= 0) || Number.isNaN(positions[3 * index] ?? NaN)) return;
-      const [x, y] = place(index);
+      if (!(index >= 0) || Number.isNaN(v[index] ?? NaN)) return;
+      const [x, y] = [this.x(h[index]), this.y(v[index])];
       context.beginPath();
       if (shape === "square") context.rect(x - 5, y - 5, 10, 10);
       else context.arc(x, y, shape === "cursor" ? 6.5 : 5.5, 0, 2 * Math.PI);
@@ -232,15 +263,17 @@ export class PlanView {
     if (cursor !== null) mark(nearestIndex(run.scans.times, cursor), "cursor", "cursor");
   }
 
+  #placesOf(run) {
+    return this.places.find(({ run: companion }) => companion === run).at;
+  }
+
   #hover(event) {
-    const { path, scans } = this.context.run();
+    const { scans } = this.context.run();
+    const [h, v] = this.#placesOf(this.context.run());
     let best = kReach;
     let index = -1;
     for (let i = 0; i < scans.count; ++i) {
-      const distance = Math.hypot(
-        this.x(path.positions[3 * i]) - event.offsetX,
-        this.y(path.positions[3 * i + this.vertical]) - event.offsetY,
-      );
+      const distance = Math.hypot(this.x(h[i]) - event.offsetX, this.y(v[i]) - event.offsetY);
       if (distance < best) [best, index] = [distance, i];
     }
     if (index >= 0) {

@@ -9,6 +9,7 @@ import { nearestIndex } from "./data.js";
 import { onResize } from "./dom.js";
 import { MapPoints } from "./map_points.js";
 import { ends, Marker, PathLine } from "./path_lines.js";
+import { pathShades, shadeColors } from "./path_shades.js";
 import { color, runColor } from "./theme.js";
 
 const kReach = 24; // [px] from the pointer to a path that it takes hold of
@@ -71,7 +72,8 @@ export class Scene3d {
     this.context.companions().forEach((companion, place) => {
       const here = companion === run;
       if (here) this.#addLine("halo", companion.path.positions, { width: 6, order: 4 });
-      this.#addLine(place, companion.path.positions, { width: here ? 3 : 2, order: here ? 5 : 2 });
+      const style = { width: here ? 3 : 2, order: here ? 5 : 2 };
+      this.#addLine(place, companion.path.positions, style).focus = here;
     });
     this.#setMap(run.map);
     const [first, last] = ends(run.path.positions);
@@ -87,6 +89,7 @@ export class Scene3d {
     line.role = role;
     this.lines.push(line);
     this.scene.add(line.object);
+    return line;
   }
 
   #setMap(map) {
@@ -108,6 +111,9 @@ export class Scene3d {
       const named = typeof line.role === "string";
       line.setColor(named ? color(line.role) : runColor(line.role));
     }
+    const shades = pathShades(this.context);
+    const focus = this.lines.find((line) => line.focus);
+    if (shades && focus) focus.setColors(shadeColors(shades, this.context.store.get("theme")));
     for (const [name, marker] of Object.entries(this.markers)) {
       marker.setColors(color(name), color("halo"));
     }

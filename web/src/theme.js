@@ -22,6 +22,7 @@ export function color(name) {
 }
 
 const kRunColors = 6;
+const kStepColors = 10;
 
 export const runColor = (place) => color(`run-${(place % kRunColors) + 1}`);
-export const stepColor = (place) => color(`step-${place + 1}`);
+export const stepColor = (place) => color(`step-${(place % kStepColors) + 1}`);

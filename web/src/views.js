@@ -5,7 +5,8 @@
 import { choice, el, toggle } from "./dom.js";
 import { grouped, significant } from "./numbers.js";
 import { paletteGradient } from "./palette.js";
-import { PlanView } from "./plan_view.js";
+import { pathShades, shadeChoices } from "./path_shades.js";
+import { kAlongTheWay, kFromAbove, PlanView } from "./plan_view.js";
 import { Scene3d } from "./scene3d.js";
 import { runColor } from "./theme.js";
 
@@ -27,9 +28,26 @@ function pathLegend({ run, recording, companions }) {
     swatch.style.background = runColor(place);
     return el("li", { className: companion === run() ? "here" : "" }, swatch, companion.name);
   });
-  if (recording().truth) items.push(el("li", {}, el("i.line.dashed"), "truth"));
+  if (recording().truth) items.push(el("li", {}, el("i.band"), "truth"));
   items.push(el("li", {}, el("i.start"), "start"), el("li", {}, el("i.end"), "end"));
   return items;
+}
+
+/** What the path is coloured by, with the range of its colours. */
+function shadeControls(context) {
+  const { store } = context;
+  const choices = shadeChoices(context.run());
+  if (!choices.some(([key]) => key === store.get("shade"))) store.set("shade", "run");
+  if (choices.length === 1) return [];
+  const chosen = choice("Colour of the path", choices, store.get("shade"), (key) =>
+    store.set("shade", key),
+  );
+  const shades = pathShades(context);
+  if (!shades) return [chosen];
+  const bar = el("i.palette");
+  bar.style.background = paletteGradient(store.get("theme"));
+  const text = (value) => el("span", {}, `${significant(value, 2)} m`);
+  return [chosen, el("div.colours", {}, text(shades.low), bar, text(shades.high))];
 }
 
 function mapControls(scene, store, run, legend) {
@@ -89,19 +107,19 @@ function addScene(holder, controls, legend, context) {
     scene.setRun();
     scene.setCursor();
   });
-  store.watch(["theme"], () => scene.setTheme());
+  store.watch(["theme", "shade"], () => scene.setTheme());
   store.watch(["run", "theme"], () =>
     controls.replaceChildren(...mapControls(scene, store, run, legend)),
   );
   store.watch(["cursor", "playing"], () => scene.setCursor());
 }
 
-function addPlan(holder, context, vertical, label, onStretch) {
+function addPlan(holder, context, projection, label, onStretch) {
   const canvas = el("canvas", { role: "img", "aria-label": label });
   holder.append(canvas);
-  const view = new PlanView(canvas, context, vertical, onStretch);
+  const view = new PlanView(canvas, context, projection, onStretch);
   context.store.watch(["run", "theme"], () => view.setRun());
-  context.store.watch(["cursor"], () => view.draw());
+  context.store.watch(["cursor", "shade"], () => view.draw());
 }
 
 export function addViews(page, context) {
@@ -109,6 +127,7 @@ export function addViews(page, context) {
   const legend = el("ul.legend");
   const colours = el("div.colours");
   const controls = el("div.controls", { role: "group", "aria-label": "3-D view" });
+  const shades = el("div.controls", { role: "group", "aria-label": "Paths" });
   const scene = el("div.canvas.scene");
   const top = el("div.canvas.top");
   const side = el("div.canvas.side");
@@ -117,7 +136,7 @@ export function addViews(page, context) {
     el(
       "section.views",
       { "aria-labelledby": "views-title" },
-      el("div.heading", {}, el("h2", { id: "views-title" }, "Path and map"), legend),
+      el("div.heading", {}, el("h2", { id: "views-title" }, "Path and map"), legend, shades),
       el(
         "div.grid",
         {},
@@ -129,19 +148,22 @@ export function addViews(page, context) {
           el("div.below", {}, controls, colours),
         ),
         card("From above", null, top),
-        card("From the side", stretch, side),
+        card("Height along the way", stretch, side),
       ),
     ),
   );
   context.store.watch(["run"], () => (note.textContent = mapNote(context.run().map)));
   context.store.watch(["run", "theme"], () => legend.replaceChildren(...pathLegend(context)));
+  context.store.watch(["run", "theme", "shade"], () =>
+    shades.replaceChildren(...shadeControls(context)),
+  );
   addScene(scene, controls, colours, context);
-  addPlan(top, context, 1, "Paths seen from above, x to the right, y upwards, in metres");
+  addPlan(top, context, kFromAbove, "Paths seen from above, x to the right, y upwards, in metres");
   addPlan(
     side,
     context,
-    2,
-    "Paths seen from the side, x to the right, z upwards, in metres",
+    kAlongTheWay,
+    "Height of the paths along the way, in metres",
     (factor) => {
       stretch.textContent =
         factor > 1.05 ? `Heights stretched ${significant(factor, 2)} times.` : "";

@@ -39,7 +39,7 @@ function assertQuiet(said, asked) {
 
 test("draws every view and chart", async () => {
   for (const { distinct } of await pictures()) assert.ok(distinct >= 20, `${distinct} colours`);
-  assert.equal((await page.$$(".chart:not([hidden]) canvas")).length, 10);
+  assert.equal((await page.$$(".chart:not([hidden]) canvas")).length, 11);
 });
 
 test("colours the map by height, intensity and time", async () => {
@@ -50,6 +50,24 @@ test("colours the map by height, intensity and time", async () => {
     seen.add((await colorsOf(page, ".scene canvas")).text);
   }
   assert.equal(seen.size, 3);
+});
+
+test("colours the path by its error and by what it says of itself", async () => {
+  const seen = new Set();
+  for (const shade of ["error", "sigma", "run"]) {
+    await page.click(`.controls label:has(input[value="${shade}"])`);
+    await settle(page);
+    for (const { text } of await pictures()) seen.add(text);
+  }
+  assert.equal(seen.size, 9);
+});
+
+test("gives every line of a legend its colour", async () => {
+  const swatches = await page.$$eval(".chart:not([hidden]) .legend i", (all) =>
+    all.map((swatch) => getComputedStyle(swatch).background),
+  );
+  assert.ok(swatches.length > 11);
+  for (const background of swatches) assert.doesNotMatch(background, /^rgba\(0, 0, 0, 0\) none/);
 });
 
 test("shows the figures of surefoot eval", async () => {
@@ -83,7 +101,7 @@ test("marks the instant under the pointer everywhere", async () => {
       (line) => line.getBoundingClientRect().left - line.parentElement.getBoundingClientRect().left,
     ),
   );
-  assert.equal(lines.length, 10);
+  assert.equal(lines.length, 11);
   for (const left of lines) assert.ok(left > 20, `a cursor at ${left} px`);
   assert.match(await page.$eval(".scrubber .place", (place) => place.textContent), /^\d+\.\d\d s/);
 });
@@ -163,7 +181,7 @@ test("shows several runs beside each other, dark where the system is", async () 
 
 test("does without map and truth", async () => {
   const opened = await open(browser, process.env.SUREFOOT_TEST_BARE);
-  assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 8);
+  assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 9);
   assert.equal(await opened.page.$("#errors"), null);
   assertQuiet(opened.complaints, opened.requests);
 });

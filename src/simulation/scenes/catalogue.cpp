@@ -16,15 +16,19 @@ const std::vector<SceneEntry>& scene_catalogue() {
       {"corridor", "60 m of bare corridor with shallow doors, there and back", &corridor},
       {"rubble", "field of broken slabs underfoot", &rubble},
       {"plaza", "town square with walking people and passing cars", &plaza},
+      {"hillside", "slope with undergrowth, grass, stones and trees that sway", &hillside},
+      {"hilltop", "hill grown over with grass and bushes, hardly anything flat", &hilltop},
+      {"forest-path", "gravel path over roots, between hedges and trees", &forest_path},
+      {"foyer", "hall behind glass, a room of glass in it", &foyer},
   };
   return entries;
 }
 
-Scene build_scene(const std::string& name, std::uint64_t seed) {
+Scene build_scene(const std::string& name, const SceneSeeds& seeds) {
   std::string known;
   for (const SceneEntry& entry : scene_catalogue()) {
     if (entry.name == name) {
-      Scene scene = entry.build(seed);
+      Scene scene = entry.build(seeds);
       scene.name = entry.name;
       scene.description = entry.description;
       return scene;

@@ -44,27 +44,37 @@ MovingObject driver(double lane, double speed, double start) {
   return object;
 }
 
-void add_square(TriangleMesh& mesh) {
+void add_square(TriangleMesh& mesh, const LayoutDraws& draw) {
   mesh.add_quad({-90, -60, 0}, {90, -60, 0}, {90, 60, 0}, {-90, 60, 0}, Material::kConcrete);
-  add_building(mesh, {-34.0, 22.0}, {34.0, 34.0}, 4);
-  add_building(mesh, {-48.0, -14.0}, {-36.0, 34.0}, 3);
-  add_building(mesh, {36.0, -14.0}, {50.0, 34.0}, 4);
-  add_building(mesh, {-90.0, -42.0}, {-16.0, -27.0}, 5);
-  add_building(mesh, {-10.0, -42.0}, {90.0, -27.0}, 3);
-  mesh.add_column({0.0, 2.0, 0.0}, 3.0, 0.55, Material::kRock, 24);  // fountain
+  add_building(mesh, {-34.0, draw.between(1, 22.0, 21.0, 30.0)}, {34.0, 34.0},
+               draw.whole(2, 4, 2, 6));
+  add_building(mesh, {-48.0, -14.0}, {draw.between(3, -36.0, -42.0, -34.0), 34.0},
+               draw.whole(4, 3, 2, 6));
+  add_building(mesh, {draw.between(5, 36.0, 34.0, 42.0), -14.0}, {50.0, 34.0},
+               draw.whole(6, 4, 2, 6));
+  add_building(mesh, {-90.0, -42.0}, {draw.between(7, -16.0, -24.0, -13.0), -27.0},
+               draw.whole(8, 5, 2, 6));
+  add_building(mesh, {draw.between(9, -10.0, -12.0, 8.0), -42.0}, {90.0, -27.0},
+               draw.whole(10, 3, 2, 6));
+  mesh.add_column({0.0, 2.0, 0.0}, draw.between(11, 3.0, 1.8, 3.1), 0.55, Material::kRock,
+                  24);  // fountain
   mesh.add_column({0.0, 2.0, 0.55}, 0.5, 2.2, Material::kRock, 12, 0.25);
-  mesh.add_box({-33.0, 4.0, 0.0}, {-30.0, 7.0, 2.6}, Material::kPaintedMetal);
+  const double kiosk = draw.between(12, 4.0, -8.0, 10.0);
+  mesh.add_box({-33.0, kiosk, 0.0}, {-30.0, kiosk + 3.0, 2.6}, Material::kPaintedMetal);
   mesh.add_box({22.0, -9.0, 0.0}, {25.0, -6.0, 2.6}, Material::kPaintedMetal);
-  for (double x = -30.0; x <= 30.0; x += 10.0) add_lamp(mesh, {x, -15.5, 0.0});
-  for (double x = -24.0; x <= 24.0; x += 12.0) add_bench(mesh, {x, 18.5, 0.0}, 3.1416);
+  for (double x = -30.0; x <= 30.0; x += draw.between(13, 10.0, 8.0, 14.0))
+    add_lamp(mesh, {x, -15.5, 0.0});
+  for (double x = -24.0; x <= 24.0; x += draw.between(14, 12.0, 8.0, 16.0))
+    add_bench(mesh, {x, 18.5, 0.0}, 3.1416);
 }
 
 }  // namespace
 
-Scene plaza(std::uint64_t seed) {
-  const CounterRandom random(seed, kPurposePlaza);
+Scene plaza(const SceneSeeds& seeds) {
+  const LayoutDraws draw(seeds.layout, kPurposePlaza);
+  const CounterRandom random(seeds.things, kPurposePlaza);
   Scene scene;
-  add_square(scene.mesh);
+  add_square(scene.mesh, draw);
   for (std::uint64_t i = 0; i < 8; ++i) {
     add_tree(scene.mesh, {-28.0 + 8.0 * static_cast<double>(i), 15.5, 0.0},
              random.uniform(9'000'000 + i, 4.5, 7.0), random, i);
@@ -88,7 +98,13 @@ Scene plaza(std::uint64_t seed) {
     scene.moving.push_back(driver(east ? -1.7 : 1.7, (east ? 1.0 : -1.0) * 8.0,
                                   47.0 * static_cast<double>(i / 2) + random.uniform(draw, 0, 12)));
   }
-  scene.route = {{-14, -7, 0}, {14, -7, 0}, {14, 9.5, 0}, {-14, 9.5, 0}};
+  // Round those who walk about the fountain, inside of those who walk along the sides.
+  const double south = draw.between(20, -7.0, -8.5, -6.0);
+  const double north = draw.between(21, 9.5, 9.0, 9.8);
+  scene.route = {{draw.between(22, -14.0, -20.0, -9.0), south, 0},
+                 {draw.between(23, 14.0, 9.0, 20.0), south, 0},
+                 {draw.between(24, 14.0, 9.0, 20.0), north, 0},
+                 {draw.between(25, -14.0, -20.0, -9.0), north, 0}};
   scene.corner_rounding = 0.8;
   scene.robot = "trot";
   return scene;

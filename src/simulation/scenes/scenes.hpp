@@ -1,23 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// The scenes that the program brings along, one file each. `seed` moves what grows and what is
-// strewn about, never the route or the buildings.
+// The scenes that the program brings along, one file each. A layout's seed draws buildings, ground,
+// ramps, stairs and route; the seed of things what grows, is strewn about and walks.
 #pragma once
-
-#include <cstdint>
 
 #include "simulation/scene.hpp"
 
 namespace surefoot::simulation {
 
-[[nodiscard]] Scene campus(std::uint64_t seed);
-[[nodiscard]] Scene parking(std::uint64_t seed);
-[[nodiscard]] Scene stairwell(std::uint64_t seed);
-[[nodiscard]] Scene playground(std::uint64_t seed);
-[[nodiscard]] Scene forest(std::uint64_t seed);
-[[nodiscard]] Scene corridor(std::uint64_t seed);
-[[nodiscard]] Scene rubble(std::uint64_t seed);
-[[nodiscard]] Scene plaza(std::uint64_t seed);
+[[nodiscard]] Scene campus(const SceneSeeds& seeds);
+[[nodiscard]] Scene parking(const SceneSeeds& seeds);
+[[nodiscard]] Scene stairwell(const SceneSeeds& seeds);
+[[nodiscard]] Scene playground(const SceneSeeds& seeds);
+[[nodiscard]] Scene forest(const SceneSeeds& seeds);
+[[nodiscard]] Scene corridor(const SceneSeeds& seeds);
+[[nodiscard]] Scene rubble(const SceneSeeds& seeds);
+[[nodiscard]] Scene plaza(const SceneSeeds& seeds);
+[[nodiscard]] Scene hillside(const SceneSeeds& seeds);
+[[nodiscard]] Scene hilltop(const SceneSeeds& seeds);
+[[nodiscard]] Scene forest_path(const SceneSeeds& seeds);
+[[nodiscard]] Scene foyer(const SceneSeeds& seeds);
 
 }  // namespace surefoot::simulation

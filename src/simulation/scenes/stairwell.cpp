@@ -10,120 +10,158 @@ namespace surefoot::simulation {
 namespace {
 
 constexpr std::uint64_t kPurposeStairwell = 203;
-constexpr int kFloors = 4;
-constexpr int kSteps = 9;        // a flight
-constexpr double kTread = 0.29;  // [m]
-constexpr double kRise = 3.2 / (2 * kSteps);
-constexpr double kFlight = kSteps * kTread;
-constexpr double kFloor = 3.2;
-constexpr double kHalfWidth = 1.4;  // of the stairwell
-constexpr double kLandingEnd = kFlight + 1.6;
-constexpr double kDoor = -1.6;  // x of the wall between stairwell and hall
-constexpr double kHallEnd = -9.6;
-constexpr double kHallHalf = 4.2;
+constexpr double kDoor = -1.6;  // x of the wall between stairwell and hall [m]
 constexpr double kSlab = 0.2;
+constexpr double kEye = 0.1;  // half the gap between the flights
+
+struct Measures {
+  int floors;
+  int steps;     ///< a flight; two flights a floor
+  double tread;  ///< going of a step [m]
+  double floor;  ///< height of a floor
+  double half_width;
+  double landing;   ///< depth of the landing between the flights
+  double hall_end;  ///< x
+  double hall_half;
+
+  [[nodiscard]] double rise() const { return floor / (2 * steps); }
+  [[nodiscard]] double flight() const { return steps * tread; }
+  [[nodiscard]] double landing_end() const { return flight() + landing; }
+  /// y of the middle of a flight.
+  [[nodiscard]] double lane() const { return 0.5 * (half_width + kEye); }
+};
+
+Measures measures(const LayoutDraws& draw) {
+  constexpr double kLowestFloor = 2.75;  // a door and its lintel
+  Measures m{};
+  m.floors = draw.whole(1, 4, 3, 5);
+  m.steps = draw.whole(2, 9, 8, 11);
+  m.tread = draw.between(3, 0.29, 0.265, 0.32);
+  m.floor = draw.between(4, 3.2, std::max(kLowestFloor, 0.150 * 2 * m.steps), 0.185 * 2 * m.steps);
+  m.half_width = draw.between(5, 1.4, 1.25, 1.7);
+  m.landing = draw.between(6, 1.6, 1.5, 2.1);
+  m.hall_end = draw.between(7, -9.6, -12.5, -9.2);
+  m.hall_half = draw.between(8, 4.2, 3.7, 5.2);
+  return m;
+}
 
 /// Steps from x = from, one tread each towards `direction`, between two y.
-void add_flight(TriangleMesh& mesh, double from, double direction, double y0, double y1,
-                double bottom) {
-  for (int step = 0; step < kSteps; ++step) {
-    const double near = from + direction * kTread * step;
-    const double far = near + direction * kTread;
-    const double low = bottom + kRise * step;
-    const double high = low + kRise;
+void add_flight(TriangleMesh& mesh, const Measures& m, double from, double direction, double y0,
+                double y1, double bottom) {
+  for (int step = 0; step < m.steps; ++step) {
+    const double near = from + direction * m.tread * step;
+    const double far = near + direction * m.tread;
+    const double low = bottom + m.rise() * step;
+    const double high = low + m.rise();
     mesh.add_quad({near, y0, low}, {near, y1, low}, {near, y1, high}, {near, y0, high},
                   Material::kConcrete);
     mesh.add_quad({near, y0, high}, {near, y1, high}, {far, y1, high}, {far, y0, high},
                   Material::kConcrete);
   }
-  const double end = from + direction * kFlight;
-  const double top = bottom + kRise * kSteps;
+  const double end = from + direction * m.flight();
+  const double top = bottom + m.rise() * m.steps;
   mesh.add_quad({from, y0, bottom - kSlab}, {from, y1, bottom - kSlab}, {end, y1, top - kSlab},
                 {end, y0, top - kSlab}, Material::kConcrete);
 }
 
 /// Balusters and hand rail along the eye of the stairs.
-void add_rail(TriangleMesh& mesh, double from, double direction, double y, double bottom) {
-  for (int step = 0; step < kSteps; step += 2) {
-    const double x = from + direction * kTread * (step + 0.5);
-    mesh.add_column({x, y, bottom + kRise * (step + 1)}, 0.02, 0.9, Material::kPaintedMetal, 6);
+void add_rail(TriangleMesh& mesh, const Measures& m, double from, double direction, double y,
+              double bottom) {
+  for (int step = 0; step < m.steps; step += 2) {
+    const double x = from + direction * m.tread * (step + 0.5);
+    mesh.add_column({x, y, bottom + m.rise() * (step + 1)}, 0.02, 0.9, Material::kPaintedMetal, 6);
   }
-  const double end = from + direction * kFlight;
-  const double top = bottom + kRise * kSteps;
+  const double end = from + direction * m.flight();
+  const double top = bottom + m.rise() * m.steps;
   mesh.add_quad({from, y, bottom + 1.0}, {end, y, top + 1.0}, {end, y, top + 1.06},
                 {from, y, bottom + 1.06}, Material::kPaintedMetal);
 }
 
-void add_hall(TriangleMesh& mesh, double z, const CounterRandom& random, std::uint64_t floor) {
-  const double top = z + kFloor - kSlab;
-  mesh.add_box({kHallEnd, -kHallHalf, z - kSlab}, {kDoor, kHallHalf, z}, Material::kConcrete);
-  mesh.add_box({kHallEnd - 0.2, -kHallHalf, z}, {kHallEnd, kHallHalf, top}, Material::kBrick);
-  mesh.add_box({kHallEnd, -kHallHalf - 0.2, z}, {kDoor, -kHallHalf, top}, Material::kBrick);
-  mesh.add_box({kHallEnd, kHallHalf, z}, {kDoor, kHallHalf + 0.2, top}, Material::kBrick);
+void add_hall(TriangleMesh& mesh, const Measures& m, double z, const CounterRandom& random,
+              std::uint64_t floor) {
+  const double top = z + m.floor - kSlab;
+  mesh.add_box({m.hall_end, -m.hall_half, z - kSlab}, {kDoor, m.hall_half, z}, Material::kConcrete);
+  mesh.add_box({m.hall_end - 0.2, -m.hall_half, z}, {m.hall_end, m.hall_half, top},
+               Material::kBrick);
+  mesh.add_box({m.hall_end, -m.hall_half - 0.2, z}, {kDoor, -m.hall_half, top}, Material::kBrick);
+  mesh.add_box({m.hall_end, m.hall_half, z}, {kDoor, m.hall_half + 0.2, top}, Material::kBrick);
   // The wall towards the stairs leaves the whole stairwell open as a door, with a lintel.
-  mesh.add_box({kDoor - 0.15, -kHallHalf, z}, {kDoor, -kHalfWidth + 0.2, top}, Material::kBrick);
-  mesh.add_box({kDoor - 0.15, kHalfWidth - 0.2, z}, {kDoor, kHallHalf, top}, Material::kBrick);
-  mesh.add_box({kDoor - 0.15, -kHalfWidth, z + 2.3}, {kDoor, kHalfWidth, top}, Material::kBrick);
+  mesh.add_box({kDoor - 0.15, -m.hall_half, z}, {kDoor, -m.half_width + 0.2, top},
+               Material::kBrick);
+  mesh.add_box({kDoor - 0.15, m.half_width - 0.2, z}, {kDoor, m.hall_half, top}, Material::kBrick);
+  mesh.add_box({kDoor - 0.15, -m.half_width, z + 2.3}, {kDoor, m.half_width, top},
+               Material::kBrick);
   const double shelf = random.uniform(floor, -8.8, -4.0);
-  mesh.add_box({shelf, kHallHalf - 0.4, z}, {shelf + 1.6, kHallHalf, z + 1.9}, Material::kBark);
-  add_bench(mesh, {random.uniform(floor + 16, -8.0, -4.0), -kHallHalf + 0.4, z}, 3.1416);
-  mesh.add_column({-5.6, 0.0, z}, 0.2, kFloor - kSlab, Material::kConcrete, 12);
+  mesh.add_box({shelf, m.hall_half - 0.4, z}, {shelf + 1.6, m.hall_half, z + 1.9}, Material::kBark);
+  add_bench(mesh, {random.uniform(floor + 16, -8.0, -4.0), -m.hall_half + 0.4, z}, 3.1416);
+  mesh.add_column({-5.6, 0.0, z}, 0.2, m.floor - kSlab, Material::kConcrete, 12);
 }
 
-void add_stairs(TriangleMesh& mesh, double z) {
-  const double middle = z + 0.5 * kFloor;
-  add_flight(mesh, 0.0, 1.0, -kHalfWidth, -0.1, z);
-  add_rail(mesh, 0.0, 1.0, -0.1, z);
-  mesh.add_box({kFlight, -kHalfWidth, middle - kSlab}, {kLandingEnd, kHalfWidth, middle},
+void add_stairs(TriangleMesh& mesh, const Measures& m, double z) {
+  const double middle = z + 0.5 * m.floor;
+  add_flight(mesh, m, 0.0, 1.0, -m.half_width, -kEye, z);
+  add_rail(mesh, m, 0.0, 1.0, -kEye, z);
+  mesh.add_box({m.flight(), -m.half_width, middle - kSlab}, {m.landing_end(), m.half_width, middle},
                Material::kConcrete);
-  add_flight(mesh, kFlight, -1.0, 0.1, kHalfWidth, middle);
-  add_rail(mesh, kFlight, -1.0, 0.1, middle);
+  add_flight(mesh, m, m.flight(), -1.0, kEye, m.half_width, middle);
+  add_rail(mesh, m, m.flight(), -1.0, kEye, middle);
 }
 
 }  // namespace
 
-Scene stairwell(std::uint64_t seed) {
-  const CounterRandom random(seed, kPurposeStairwell);
+Scene stairwell(const SceneSeeds& seeds) {
+  const LayoutDraws draw(seeds.layout, kPurposeStairwell);
+  const Measures m = measures(draw);
+  const CounterRandom random(seeds.things, kPurposeStairwell);
   Scene scene;
   TriangleMesh& mesh = scene.mesh;
-  const double top = kFloor * kFloors;
-  for (int floor = 0; floor < kFloors; ++floor) {
-    const double z = kFloor * floor;
-    add_hall(mesh, z, random, static_cast<std::uint64_t>(floor));
-    mesh.add_box({kDoor, -kHalfWidth, z - kSlab}, {0.0, kHalfWidth, z}, Material::kConcrete);
-    if (floor + 1 < kFloors) add_stairs(mesh, z);
+  const double top = m.floor * m.floors;
+  for (int floor = 0; floor < m.floors; ++floor) {
+    const double z = m.floor * floor;
+    add_hall(mesh, m, z, random, static_cast<std::uint64_t>(floor));
+    mesh.add_box({kDoor, -m.half_width, z - kSlab}, {0.0, m.half_width, z}, Material::kConcrete);
+    if (floor + 1 < m.floors) add_stairs(mesh, m, z);
   }
-  mesh.add_box({0.0, -kHalfWidth, -kSlab}, {kLandingEnd, kHalfWidth, 0.0}, Material::kConcrete);
-  mesh.add_box({kDoor, kHalfWidth, 0.0}, {kLandingEnd, kHalfWidth + 0.2, top}, Material::kBrick);
-  mesh.add_box({kDoor, -kHalfWidth - 0.2, 0.0}, {kLandingEnd, -kHalfWidth, top}, Material::kBrick);
-  mesh.add_box({kLandingEnd, -kHalfWidth, 0.0}, {kLandingEnd + 0.2, kHalfWidth, top},
+  mesh.add_box({0.0, -m.half_width, -kSlab}, {m.landing_end(), m.half_width, 0.0},
+               Material::kConcrete);
+  mesh.add_box({kDoor, m.half_width, 0.0}, {m.landing_end(), m.half_width + 0.2, top},
                Material::kBrick);
-  mesh.add_box({kHallEnd, -kHallHalf, top}, {kLandingEnd, kHallHalf, top + kSlab},
+  mesh.add_box({kDoor, -m.half_width - 0.2, 0.0}, {m.landing_end(), -m.half_width, top},
+               Material::kBrick);
+  mesh.add_box({m.landing_end(), -m.half_width, 0.0}, {m.landing_end() + 0.2, m.half_width, top},
+               Material::kBrick);
+  mesh.add_box({m.hall_end, -m.hall_half, top}, {m.landing_end(), m.hall_half, top + kSlab},
                Material::kConcrete);
 
+  // Round the column of the hall, clear of its furniture.
+  const double far = draw.first() ? -7.6 : m.hall_end + 2.0;
+  const double aside = 1.8;
   // Up on the way out, down on the way back, a turn round the column of the hall at both ends.
   const auto flight_way = [&](double z, bool up) {
-    std::vector<Eigen::Vector3d> way = {{-0.7, -0.75, z},
-                                        {0.0, -0.75, z},
-                                        {kFlight, -0.75, z + 0.5 * kFloor},
-                                        {kFlight + 0.8, -0.75, z + 0.5 * kFloor},
-                                        {kFlight + 0.8, 0.75, z + 0.5 * kFloor},
-                                        {kFlight, 0.75, z + 0.5 * kFloor},
-                                        {0.0, 0.75, z + kFloor},
-                                        {-0.7, 0.75, z + kFloor}};
+    std::vector<Eigen::Vector3d> way = {{-0.7, -m.lane(), z},
+                                        {0.0, -m.lane(), z},
+                                        {m.flight(), -m.lane(), z + 0.5 * m.floor},
+                                        {m.flight() + 0.8, -m.lane(), z + 0.5 * m.floor},
+                                        {m.flight() + 0.8, m.lane(), z + 0.5 * m.floor},
+                                        {m.flight(), m.lane(), z + 0.5 * m.floor},
+                                        {0.0, m.lane(), z + m.floor},
+                                        {-0.7, m.lane(), z + m.floor}};
     if (!up) way = {way.rbegin(), way.rend()};
     scene.route.insert(scene.route.end(), way.begin(), way.end());
   };
-  scene.route = {
-      {-3.0, 1.8, 0.0}, {-7.6, 1.8, 0.0}, {-7.6, -1.8, 0.0}, {-3.0, -1.8, 0.0}, {-2.2, -0.75, 0.0}};
-  for (int floor = 0; floor + 1 < kFloors; ++floor) flight_way(kFloor * floor, true);
-  const double roof_floor = kFloor * (kFloors - 1);
+  scene.route = {{-3.0, aside, 0.0},
+                 {far, aside, 0.0},
+                 {far, -aside, 0.0},
+                 {-3.0, -aside, 0.0},
+                 {-2.2, -m.lane(), 0.0}};
+  for (int floor = 0; floor + 1 < m.floors; ++floor) flight_way(m.floor * floor, true);
+  const double roof_floor = m.floor * (m.floors - 1);
   for (const auto& [x, y] :
-       {std::pair{-2.2, 0.6}, {-3.0, 1.8}, {-7.6, 1.8}, {-7.6, -1.8}, {-3.0, -1.8}}) {
+       {std::pair{-2.2, 0.6}, {-3.0, aside}, {far, aside}, {far, -aside}, {-3.0, -aside}}) {
     scene.route.emplace_back(x, y, roof_floor);
   }
   scene.route.emplace_back(-1.6, 0.0, roof_floor);
-  for (int floor = kFloors - 2; floor >= 0; --floor) flight_way(kFloor * floor, false);
+  for (int floor = m.floors - 2; floor >= 0; --floor) flight_way(m.floor * floor, false);
   scene.route.emplace_back(-1.6, 0.0, 0.0);
   scene.corner_rounding = 0.25;
   scene.robot = "stairs";

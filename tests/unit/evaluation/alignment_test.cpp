@@ -40,6 +40,7 @@ TEST(Alignment, EachMethodUndoesTheMotionThatItKnows) {
   EXPECT_LT(left_over(AlignmentMethod::kOrigin, kTilted, 1.0), 1e-9);
   EXPECT_LT(left_over(AlignmentMethod::kYawTranslation, kTurned, 1.0), 1e-9);
   EXPECT_LT(left_over(AlignmentMethod::kRigid, kTilted, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::kPoses, kTilted, 1.0), 1e-9);
   EXPECT_LT(left_over(AlignmentMethod::kSimilarity, kTilted, kScale), 1e-9);
   EXPECT_LT(left_over(AlignmentMethod::kScale, {}, kScale), 1e-9);
   EXPECT_GT(left_over(AlignmentMethod::kYawTranslation, kTilted, 1.0), 0.1)
@@ -76,6 +77,24 @@ TEST(Alignment, LeastSquaresCannotBeImprovedByASmallMotion) {
   }
 }
 
+TEST(Alignment, OrientationsDecideTheTurnAboutAStraightWay) {
+  Trajectory estimate = straight_walk(200, 0.5);
+  Trajectory reference = moved(estimate, kTilted);
+  for (std::size_t i = 0; i < reference.size(); ++i) {  // both are a little off the line
+    const double s = static_cast<double>(i);
+    reference[i].pose.translation +=
+        1e-3 * Eigen::Vector3d(std::sin(7.0 * s), std::cos(5.0 * s), std::sin(3.0 * s));
+    estimate[i].pose.translation +=
+        1e-3 * Eigen::Vector3d(std::cos(4.0 * s), std::sin(6.0 * s), std::cos(9.0 * s));
+  }
+  const auto left_over_deg = [&](AlignmentMethod method) {
+    const Trajectory result = aligned(estimate, find_alignment({reference, estimate}, method));
+    return result[100].pose.rotation.angularDistance(reference[100].pose.rotation) * 57.2958;
+  };
+  EXPECT_GT(left_over_deg(AlignmentMethod::kRigid), 1.0);
+  EXPECT_LT(left_over_deg(AlignmentMethod::kPoses), 0.01);
+}
+
 TEST(Alignment, FirstPosesAloneDecideIfAskedTo) {
   const Trajectory estimate = winding_walk(60);
   Trajectory reference = moved(estimate, kTilted);
@@ -102,6 +121,8 @@ TEST(Alignment, WhatThePositionsDoNotDetermineIsAnError) {
   EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::kSimilarity),
                std::runtime_error);
   EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::kYawTranslation));
+  EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::kPoses));
+  EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::kPoses));
   EXPECT_THROW((void)find_alignment({point, point}, AlignmentMethod::kYawTranslation),
                std::runtime_error);
   EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::kOrigin));

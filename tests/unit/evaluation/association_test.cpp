@@ -46,6 +46,19 @@ TEST(Association, TheLimitItselfIsWithinAndOfTwoAtOneDistanceTheEarlierIsTaken) 
   EXPECT_EQ(pairs.reference[0].stamp_ns, 1'000'000'000);
 }
 
+TEST(Association, StampsThatNoClockGivesAreRefused) {
+  constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
+  const Trajectory far = {{-kLast, Pose()}, {kLast, Pose()}};
+  EXPECT_NE(message_of(at_times({1.0}), far, {}).find("1970"), std::string::npos);
+  EXPECT_NE(message_of(far, at_times({1.0}), {}).find("1970"), std::string::npos);
+  // Nor does an offset bring a stamp there.
+  const Trajectory edge = {{kLast / 2, Pose()}};
+  EXPECT_NE(message_of(edge, edge, {.offset = 4e9}).find("no pose"), std::string::npos);
+  EXPECT_NE(message_of(edge, edge, {.method = AssociationMethod::kInterpolate, .offset = 4e9})
+                .find("no pose"),
+            std::string::npos);
+}
+
 TEST(Association, GoesFromTheTrajectoryWithFewerPoses) {
   const auto pairs = associate(at_times({1.0}), at_times({0.99, 1.001, 1.008}), {});
   ASSERT_EQ(pairs.estimate.size(), 1U);

@@ -36,5 +36,13 @@ TEST(Statistics, OfNothingIsAnError) {
   EXPECT_THROW((void)statistics_of({}), std::invalid_argument);
 }
 
+TEST(Quantile, IsTheLowerNeighbour) {
+  EXPECT_EQ(quantile({}, 0.5), 0.0);
+  EXPECT_EQ(quantile({3.0}, 0.99), 3.0);
+  EXPECT_EQ(quantile({5.0, 1.0, 4.0, 2.0, 3.0}, 0.5), 3.0);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation

@@ -176,17 +176,55 @@ TEST_F(RunPicture, UntrustedPosesAreShadedAtTheirTime) {
   EXPECT_GT(image.count(kTop, kUntrustedOnWhite), 100);
 }
 
-TEST_F(RunPicture, ReferenceIsDrawnDark) {
+TEST_F(RunPicture, ReferenceIsABandUnderThePath) {
   Trajectory reference = walk(100);
   for (StampedPose& stamped : reference)
     stamped.pose.translation += Eigen::Vector3d(0.5, -0.5, 0.2);
-  const Rgb dark{26, 28, 36};
+  const Rgb band{159, 177, 211};
   const Area middle{"middle of the top view", 1400, 250, 500, 540};
   draw_run_picture({.title = "", .trajectory = walk(100)}, folder_ / "without.png");
   draw_run_picture({.title = "", .trajectory = walk(100), .reference = reference},
                    folder_ / "with.png");
   const Image without(folder_ / "without.png"), with(folder_ / "with.png");
-  EXPECT_GT(with.count(middle, dark), without.count(middle, dark) + 200);
+  EXPECT_GT(with.count(middle, band), without.count(middle, band) + 200);
+  // Where both are the same the path is still to be seen.
+  draw_run_picture({.title = "", .trajectory = walk(100), .reference = walk(100)},
+                   folder_ / "same.png");
+  EXPECT_GT(Image(folder_ / "same.png").count(middle, kPathColor), 500);
+}
+
+/// Up a ramp of a tenth that leads along y.
+TEST_F(RunPicture, ARampIsARampInWhicheverDirectionItLeads) {
+  Trajectory ramp;
+  for (int i = 0; i < 200; ++i) {
+    ramp.push_back({i * 100'000'000LL, {Eigen::Quaterniond::Identity(), {0.0, 0.1 * i, 0.01 * i}}});
+  }
+  draw_run_picture({.title = "", .trajectory = ramp, .reference = ramp}, folder_ / "run.png");
+  const Image image(folder_ / "run.png");
+  ASSERT_TRUE(image.valid());
+  // The lower left and the upper right quarter hold it, the others nothing.
+  const int half_width = kSide.width / 2, half_height = kSide.height / 2;
+  const Area lower_left{"", kSide.x, kSide.y + half_height, half_width, half_height};
+  const Area upper_right{"", kSide.x + half_width, kSide.y, half_width, half_height};
+  const Area upper_left{"", kSide.x, kSide.y, half_width - 20, half_height - 20};
+  EXPECT_GT(image.count(lower_left, kPathColor), 300);
+  EXPECT_GT(image.count(upper_right, kPathColor), 300);
+  EXPECT_EQ(image.count(upper_left, kPathColor), 0);
+}
+
+TEST_F(RunPicture, ALevelFloorLooksLevel) {
+  Trajectory corridor;
+  for (int i = 0; i < 400; ++i) {
+    corridor.push_back(
+        {i * 100'000'000LL, {Eigen::Quaterniond::Identity(), {0.1 * i, 0.0, -5e-5 * i}}});
+  }
+  draw_run_picture({.title = "", .trajectory = corridor}, folder_ / "run.png");
+  const Image image(folder_ / "run.png");
+  ASSERT_TRUE(image.valid());
+  const Area above{"", kSide.x, kSide.y, kSide.width, 2 * kSide.height / 5};
+  const Area below{"", kSide.x, kSide.y + 3 * kSide.height / 5, kSide.width, 2 * kSide.height / 5};
+  EXPECT_EQ(image.count(above, kPathColor), 0);
+  EXPECT_EQ(image.count(below, kPathColor), 0) << "2 cm over 40 m";
 }
 
 TEST_F(RunPicture, TheSameInputGivesTheSameBytes) {

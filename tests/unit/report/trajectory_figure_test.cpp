@@ -138,7 +138,7 @@ TEST(TrajectoryFigure, NonsenseIsRefused) {
   const fs::path path = scratch("none.png");
   EXPECT_THROW(draw_trajectory_figure({{"a"}, {}}, path), std::invalid_argument);
   TrajectoryFigure figure = figure_of(FigureView::kTop, 1);
-  EXPECT_THROW(draw_trajectory_figure(figure, "figure.pdf"), std::runtime_error);
+  EXPECT_THROW(draw_trajectory_figure(figure, "figure.gif"), std::runtime_error);
   EXPECT_THROW(draw_trajectory_figure(figure, "/nowhere/figure.png"), std::runtime_error);
   figure.panels[0].cut = {true};
   EXPECT_THROW(draw_trajectory_figure(figure, path), std::invalid_argument);

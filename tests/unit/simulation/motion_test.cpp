@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "simulation/ground_path.hpp"
 #include "simulation/random.hpp"
@@ -198,6 +200,32 @@ TEST(MotionTest, FollowsARampWithItsHeightAndPitch) {
   EXPECT_NEAR(across(kYaw), 0.5 * std::numbers::pi, 0.02);
   // Walking in y, the slope falls to the left: the left side is lower.
   EXPECT_NEAR(across(kRoll), -std::atan(kSlope), 5e-3);
+}
+
+TEST(MotionTest, ARouteThatNobodyCouldWalkIsRefusedWithItsReason) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  using Route = std::vector<Eigen::Vector3d>;
+  const std::vector<std::pair<Route, std::string>> cases = {
+      {{{0, 0, 0}, {1, 0, 0}}, "2 corners"},
+      {{{0, 0, 0}, {kInfinity, 0, 0}, {1, 1, 0}}, "corner 2"},
+      {{{0, 0, 0}, {1, 0, 0}, {1, kNan, 0}}, "corner 3"},
+      {{{2, 2, 0}, {2, 2, 0}, {2, 2, 0}}, "is 0 m long"},
+      {{{2, 2, 0}, {2, 2, 1}, {2, 2, 2}}, "is 0 m long"},
+      {{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}}, "corners rounded"},  // a point when rounded
+      {{{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}}, "100 km"},
+      {{{0, 0, 0}, {1e6, 0, 0}, {0, 1e6, 0}}, "100 km"}};
+  for (const auto& [route, reason] : cases) {
+    Scene scene = room();
+    scene.route = route;
+    const RayCaster rays(scene);
+    try {
+      (void)make_motion(scene, rays, gait_model("trot"), 2.0, 1, kMount);
+      ADD_FAILURE() << reason;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(MotionTest, ARouteWithoutGroundIsRefusedByName) {

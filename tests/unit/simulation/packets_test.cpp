@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "dataset/recording.hpp"
+#include "io/recording.hpp"
 #include "simulation/capture_writer.hpp"
 #include "simulation/vlp16_encoder.hpp"
 #include "support.hpp"
@@ -56,7 +56,7 @@ TEST(PacketsTest, TheReaderDecodesThePointsThatWereSimulated) {
   std::vector<SimulatedScan> scans;
   const std::filesystem::path file = capture(scanner, scans);
 
-  const auto recording = dataset::open_recording(file, {});
+  const auto recording = io::open_recording(file, {});
   std::map<Key, Eigen::Vector3d> decoded;
   std::uint64_t revolutions = 0;
   while (const auto item = recording->next()) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
+#include "simulation/ground_path.hpp"
 #include "simulation/standard_suite.hpp"
 #include "support.hpp"
 
@@ -27,7 +29,7 @@ std::vector<Eigen::Vector3f> directions(int count) {
 struct Recording {
   std::string scene;
   std::string robot;
-  std::uint64_t seed;
+  SceneSeeds seeds;
   double seconds;
 };
 
@@ -36,11 +38,11 @@ void expect_free_sensor(const Recording& recording) {
   constexpr double kStep = 0.05;
   constexpr float kClearance = 0.1F;
   const std::string which =
-      recording.scene + "-" + recording.robot + " seed " + std::to_string(recording.seed);
-  const Scene scene = build_scene(recording.scene, recording.seed);
+      recording.scene + "-" + recording.robot + " seed " + std::to_string(recording.seeds.things);
+  const Scene scene = build_scene(recording.scene, recording.seeds);
   RayCaster rays(scene);
   const Motion motion = make_motion(scene, rays, gait_model(recording.robot), recording.seconds,
-                                    recording.seed, kMount);
+                                    recording.seeds.things, kMount);
   const std::vector<Eigen::Vector3f> around = directions(64);
   std::vector<Ray> cast(around.size() + 1);
   std::vector<Hit> hits(cast.size());
@@ -60,13 +62,80 @@ void expect_free_sensor(const Recording& recording) {
   }
 }
 
-TEST(SuiteTest, InNoRecordingIsTheSensorInsideAnything) {
-  for (const SuiteSet& set : kSuiteSets) {
-    for (std::size_t i = 0; i < kStandardSuite.size(); ++i) {
-      const SuiteEntry& entry = kStandardSuite[i];
-      expect_free_sensor({entry.scene, entry.robot, suite_seed(set, i),
-                          0.1 * static_cast<double>(entry.scans + 1)});
+class SuiteSetTest : public ::testing::TestWithParam<SuiteSet> {};
+
+TEST_P(SuiteSetTest, InNoRecordingIsTheSensorInsideAnything) {
+  const SuiteSet set = GetParam();
+  for (std::size_t i = 0; i < set.entries().size(); ++i) {
+    const SuiteEntry& entry = set.entries()[i];
+    const std::uint64_t seed = suite_seed(set, i);
+    expect_free_sensor({entry.scene,
+                        entry.robot,
+                        {set.own_layouts ? seed : kFirstLayout, seed},
+                        0.1 * static_cast<double>(entry.scans + 1)});
+  }
+}
+
+/// gtest's names hold letters, digits and underscores.
+std::string test_name(std::string name) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SuiteSetTest, ::testing::ValuesIn(kSuiteSets),
+                         [](const auto& instance) { return test_name(instance.param.name); });
+
+/// A lap over the ground of a layout: nothing firm within reach of the body's sides, no slope that
+/// a robot could not walk.
+void expect_walkable(const std::string& name, std::uint64_t layout) {
+  constexpr double kStep = 0.2;
+  constexpr double kBody = 0.35;      // above the ground [m]
+  constexpr float kClearance = 0.3F;  // from the body's middle to either side
+  const bool grown = name.starts_with("hill") || name.starts_with("forest");
+  // Of the plane through the four footholds, stones and steps included.
+  const double steepest = name == "stairwell" ? 0.72 : grown ? 0.60 : 0.45;  // [rad]
+  const std::string which = name + " layout " + std::to_string(layout);
+  const Scene scene = build_scene(name, SceneSeeds{layout, layout});
+  const RayCaster rays(scene);
+  const GroundPath path(scene, rays, Stance{}, 1.0);
+  double last_z = path.at(0.0).z();
+  for (double way = 0.0; way < path.lap(); way += kStep) {
+    const PoseAngles support = path.at(way);
+    ASSERT_LT(std::abs(support(3)), steepest) << which << " roll after " << way << " m";
+    ASSERT_LT(std::abs(support(4)), steepest) << which << " pitch after " << way << " m";
+    ASSERT_LT(std::abs(support.z() - last_z), kStep) << which << " after " << way << " m";
+    last_z = support.z();
+    for (int i = 0; i < 16; ++i) {
+      const double angle = 0.3927 * i;
+      const Ray ray{(support.head<3>() + Eigen::Vector3d(0.0, 0.0, kBody)).cast<float>(),
+                    Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0).cast<float>(), 0.0F};
+      Hit hit;
+      rays.cast({&ray, 1}, kClearance, {&hit, 1});
+      // On stairs and slopes what rises ahead is the ground itself.
+      const bool ground = hit.cos_incidence < 0.9F || name == "stairwell";
+      ASSERT_TRUE(!hit.valid() || is_soft(hit.material) || hit.met != Met::kStatic || ground)
+          << which << " after " << way << " m at " << support.head<3>().transpose() << ": "
+          << hit.distance << " m from a surface";
     }
+  }
+}
+
+TEST(LayoutTest, EveryLayoutCanBeWalked) {
+  for (const char* name : {"campus", "parking", "stairwell", "playground", "forest", "corridor",
+                           "rubble", "plaza", "foyer"}) {
+    for (std::uint64_t layout = 1; layout <= 12; ++layout) expect_walkable(name, layout);
+  }
+  for (const char* name : {"hillside", "hilltop", "forest-path"}) {
+    for (std::uint64_t layout = 1; layout <= 3; ++layout) expect_walkable(name, layout);
+  }
+}
+
+TEST(LayoutTest, TwoLayoutsShareNoRouteAndThingsMoveNone) {
+  for (const SceneEntry& entry : scene_catalogue()) {
+    const Scene one = entry.build({2, 5});
+    const Scene other = entry.build({3, 5});
+    EXPECT_NE(one.route, other.route) << entry.name;
+    EXPECT_EQ(one.route, entry.build({2, 6}).route) << entry.name;
   }
 }
 
@@ -102,7 +171,7 @@ std::vector<std::string> names() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SceneTest, ::testing::ValuesIn(names()),
-                         [](const auto& instance) { return instance.param; });
+                         [](const auto& instance) { return test_name(instance.param); });
 
 TEST(SceneCatalogueTest, UnknownNamesAreAnsweredWithTheKnownOnes) {
   try {

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: 2026 The Surefoot authors
+# SPDX-License-Identifier: MIT
+"""The tables that docs/make_tables writes: each a function of the kept files beside this one."""
+import csv
+import pathlib
+import statistics
+
+HERE = pathlib.Path(__file__).resolve().parent
+APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
+RELATIVE = "Relative over 10 m, RMSE (%)"
+
+
+class Kept:
+    """A kept file: what it says about itself, and its rows."""
+
+    def __init__(self, name):
+        text = (HERE / f"{name}.csv").read_text().splitlines()
+        head = [line[2:] for line in text if line.startswith("# ")]
+        self.about = dict(line.split(": ", 1) for line in head)
+        self.name = name
+        self.rows = list(csv.reader(line for line in text if not line.startswith("# ")))
+
+
+class Results(Kept):
+    """What `surefoot compare` found: figures by recording, name and method."""
+
+    def __init__(self, name):
+        super().__init__(name)
+        self.cells = {tuple(row[:3]): (float(row[3]) if row[3] else None, row[4])
+                      for row in self.rows[1:]}
+        self.recordings = list(dict.fromkeys(key[0] for key in self.cells))
+        self.methods = list(dict.fromkeys(key[2] for key in self.cells))
+
+    def value(self, recording, method, figure=APE):
+        return self.cells.get((recording, figure, method), (None, ""))[0]
+
+    def text(self, recording, method, figure=APE):
+        """The figure as shown; of a run that is not whole, why."""
+        value, text = self.cells.get((recording, figure, method), (None, "–"))
+        if value is None and figure == APE:
+            return self.cells.get((recording, FIRST, method), (None, "–"))[1]
+        return text
+
+    def values(self, method, figure=APE):
+        found = (self.value(recording, method, figure) for recording in self.recordings)
+        return [value for value in found if value is not None]
+
+
+def markdown(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def link(kept, root="results"):
+    return f"[{kept.name}.csv]({root}/{kept.name}.csv)"
+
+
+def as_kept(name):
+    """A file as it is, and what made it."""
+    kept = Kept(name)
+    about = [f"commit {kept.about['commit']}"] if "commit" in kept.about else []
+    about += [kept.about[key] for key in ("machine", "note") if key in kept.about]
+    return f"{markdown(kept.rows[0], kept.rows[1:])}\n\nKept in {link(kept)}: {'; '.join(about)}."
+
+
+def of_suite(kept):
+    return [name for name in kept.recordings if not name.startswith("gait_")]
+
+
+def made_by(table, kept):
+    about = kept.about
+    note = f" Note: {about['note']}." if "note" in about else ""
+    return (f"{table}\n\nKept in {link(kept)}: commit {about['commit']}, made {about['made']}, "
+            f"`{about['command']}`.{note}")
+
+
+def before_table(columns, names):
+    """Three sets, a figure for each in a cell; a column is a method, or a method and a figure."""
+    kept = Results("reporting-before")
+    sets = list(dict.fromkeys(name.split("/")[0] for name in kept.recordings))
+    recordings = list(dict.fromkeys(name.split("/")[1] for name in kept.recordings))
+
+    def cell(recording, column):
+        method, figure = (column, APE) if isinstance(column, str) else column
+        texts = [kept.text(f"{one}/{recording}", method, figure) for one in sets]
+        return ", ".join(text for text in texts if text != "–")
+
+    return markdown(["recording", *names],
+                    [[name, *(cell(name, column) for column in columns)] for name in recordings])
+
+
+def before():
+    table = before_table(["surefoot", ("surefoot", RELATIVE), "paper-surface", "kiss-icp"],
+                         ["surefoot", "its relative error [%]", "paper-surface of then", "kiss-icp"])
+    return made_by(table, Results("reporting-before"))
+
+
+def before_largest():
+    return f"{max(Results('reporting-before').values('surefoot')):.3f}"
+
+
+def before_median():
+    return f"{statistics.median(Results('reporting-before').values('surefoot')):.3f}"
+
+
+def before_relative():
+    values = Results("reporting-before").values("surefoot", RELATIVE)
+    return f"{statistics.median(values):.2f} %, the largest {max(values):.2f}"
+
+
+def before_count():
+    return str(len(Results("reporting-before").values("surefoot")))
+
+
+def relative_change():
+    """How many times as large the relative error became at most since the earlier table."""
+    kept, earlier = Results("reporting"), Results("reporting-before")
+    ratios = [kept.value(one, "surefoot", RELATIVE) /
+              earlier.value(f"reporting/{one}", "surefoot", RELATIVE) for one in kept.recordings]
+    return f"{min(ratios):.2f} to {max(ratios):.2f}"
+
+
+def others():
+    kept = Results("reporting-others")
+    rows = [[one, *(kept.text(one, method) for method in kept.methods)] for one in kept.recordings]
+    return made_by(markdown(["recording", *kept.methods], rows), kept)
+
+
+def named(method):
+    """A method by its name where the parameters beside it are its defaults since."""
+    return method.split("+")[0]
+
+
+def reporting():
+    """A recording a row: the APE of each method, and of the default the relative error."""
+    kept = Results("reporting")
+    others = [method for method in kept.methods if method != "surefoot"]
+    rows = [[name, kept.text(name, "surefoot"), kept.text(name, "surefoot", RELATIVE),
+             *(kept.text(name, method) for method in others)] for name in kept.recordings]
+    head = ["recording", "surefoot", "its relative error [%]", *map(named, others)]
+    return made_by(markdown(head, rows), kept)
+
+
+def readme():
+    kept = Results("reporting")
+    names = {"surefoot": "surefoot", "paper": "the paper's", "paper-surface": "a variant of it",
+             "kiss-icp": "KISS-ICP"}
+    methods = [method for method in kept.methods if named(method) in names]
+    rows = [[name, *(kept.text(name, method) for method in methods)] for name in kept.recordings]
+    return markdown(["recording", *(names[named(method)] for method in methods)], rows)
+
+
+def wall_time(threads, which):
+    """[ms] of the default method over whole scans: 0 least, 1 median, 2 99th percentile."""
+    for row in Kept("whole_run").rows[1:]:
+        if row[:2] == ["surefoot", str(threads)]:
+            return f"{float(row[2].split(' / ')[which]):.1f}"
+    raise KeyError(threads)
+
+
+def within_scans(column):
+    """Mean [%] over the recordings of a column, counted from the end."""
+    return f"{statistics.mean(float(row[-column]) for row in Kept('within_scans').rows[1:]):.0f}"
+
+
+def tuning():
+    """A change of the paper's constants a row; the last column is the geometric mean ratio."""
+    kept = Results("tuning-paper")
+    rows = []
+    for method in kept.methods:
+        ratios = [kept.value(one, method) / kept.value(one, "paper") for one in kept.recordings]
+        change = method.removeprefix("paper").removeprefix("+").replace("+", ", ") or "as it was"
+        rows.append([change, *(kept.text(one, method) for one in kept.recordings),
+                     f"{statistics.geometric_mean(ratios):.2f}"])
+    return made_by(markdown(["change", *kept.recordings, "ratio"], rows), kept)
+
+
+def tuning_campus():
+    kept = Results("tuning-paper-campus")
+    rows = [[method.removeprefix("paper").removeprefix("+") or "as it was",
+             *(kept.text(one, method) for one in kept.recordings)] for method in kept.methods]
+    return made_by(markdown(["change", *kept.recordings], rows), kept)
+
+
+TABLES = {
+    "tuning": tuning,
+    "tuning-campus": tuning_campus,
+    "time-median": lambda: wall_time(1, 1),
+    "time-p99": lambda: wall_time(1, 2),
+    "time-two": lambda: wall_time(2, 1),
+    "within-below": lambda: within_scans(2),
+    "within-between": lambda: within_scans(1),
+    "reporting": reporting,
+    "reporting-others": others,
+    "relative-change": relative_change,
+    "before": before,
+    "before-largest": before_largest,
+    "before-median": before_median,
+    "before-relative": before_relative,
+    "before-count": before_count,
+    "readme": readme,
+}
+
+
+def content(name):
+    """Markdown between a marker and its end."""
+    return TABLES[name]() if name in TABLES else as_kept(name)

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "core/information.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+namespace surefoot {
+
+namespace {
+
+/// Name of a direction's largest part, in axes turned by the sensor's heading.
+std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
+  static constexpr const char* names[] = {"forward", "lateral", "up", "roll", "pitch", "yaw"};
+  const double yaw = roll_pitch_yaw(T_map_lidar.rotation).z();
+  const Eigen::Matrix3d to_heading =
+      Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  Twist turned;
+  turned << to_heading * direction.head<3>(), to_heading * direction.tail<3>();
+  Eigen::Index largest = 0;
+  turned.cwiseAbs().maxCoeff(&largest);
+  return names[largest];
+}
+
+std::vector<DegenerateDirection> weak_directions(const NormalEquations<6>& equations,
+                                                 double squared_distance, const Pose& T_map_lidar,
+                                                 double min_information) {
+  // Rotations in metres at the matches' RMS distance, so that all six compare.
+  const double weight = std::max(equations.weight, 1e-12);
+  const double lever = std::max(std::sqrt(squared_distance / weight), 1e-3);
+  Twist scale = Twist::Ones();
+  scale.tail<3>().setConstant(1.0 / lever);
+  const Matrix6 H = scale.asDiagonal() * equations.H * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
+  std::vector<DegenerateDirection> weak;
+  for (int i = 0; i < 6; ++i) {
+    // Normals spread evenly over the sphere give each translation a third of the weight.
+    const double share = 3.0 * eigen.eigenvalues()[i] / weight;
+    if (share >= min_information) break;
+    const Twist direction = eigen.eigenvectors().col(i);
+    weak.push_back({direction, std::max(share, 0.0), name_direction(direction, T_map_lidar)});
+  }
+  return weak;
+}
+
+}  // namespace
+
+Matrix6 unregistered_covariance(const Config::Health& config) {
+  const double angle = config.max_correction_deg * std::numbers::pi / 180.0;
+  Twist variances;
+  variances.head<3>().setConstant(config.max_correction * config.max_correction);
+  variances.tail<3>().setConstant(angle * angle);
+  return variances.asDiagonal();
+}
+
+void report_weak_directions(const NormalEquations<6>& equations, double squared_distance,
+                            const Pose& T_map_lidar, const Config::Health& config,
+                            Estimate& estimate) {
+  estimate.degenerate =
+      weak_directions(equations, squared_distance, T_map_lidar, config.min_information);
+  if (estimate.degenerate.empty()) return;
+  estimate.status = Status::degenerate;
+  estimate.message = "the scan hardly constrains:";
+  for (const DegenerateDirection& weak : estimate.degenerate) estimate.message += ' ' + weak.name;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What all methods share: scans are checked on the way in, estimates brought to the caller's world
+// on the way out.
+#include "surefoot/odometry.hpp"
+
+#include <utility>
+
+#include "core/front_end.hpp"
+#include "core/information.hpp"
+#include "core/preprocess.hpp"
+
+namespace surefoot {
+
+namespace {
+
+const Config& validated(const Config& config) {
+  validate(config);
+  return config;
+}
+
+}  // namespace
+
+struct Odometry::State {
+  State(const Config& config, int threads, const Pose& T_world_start)
+      : session{validated(config), Workers(threads)},
+        T_world_map(T_world_start),
+        front_end(make_front_end(session)) {}
+
+  Session session;
+  Pose T_world_map;
+  std::unique_ptr<FrontEnd> front_end;
+  std::optional<std::int64_t> last_mid_ns;  // of the scans that were not rejected
+
+  [[nodiscard]] std::string objection(const PreparedScan& scan) const;
+  [[nodiscard]] Estimate reject(const PreparedScan& scan, std::string reason) const;
+  [[nodiscard]] Estimate in_world(Estimate estimate) const;
+};
+
+Odometry::Odometry(const Config& config, int threads, const Pose& T_world_start)
+    : state_(std::make_unique<State>(config, threads, T_world_start)) {}
+Odometry::~Odometry() = default;
+Odometry::Odometry(Odometry&&) noexcept = default;
+Odometry& Odometry::operator=(Odometry&&) noexcept = default;
+
+Estimate Odometry::add_scan(const Scan& scan) {
+  const Session& session = state_->session;
+  session.begin_step(Step::preprocess);
+  const PreparedScan prepared = preprocess(scan, session.config.preprocess);
+  std::string objection = state_->objection(prepared);
+  const bool accepted = objection.empty();
+  Estimate estimate =
+      accepted ? state_->front_end->add(prepared) : state_->reject(prepared, std::move(objection));
+  if (accepted) state_->last_mid_ns = estimate.trajectory.mid_ns();
+  estimate.points = static_cast<int>(prepared.points.size());
+  session.begin_step(Step::idle);
+  return state_->in_world(std::move(estimate));
+}
+
+std::string Odometry::State::objection(const PreparedScan& scan) const {
+  if (!scan.rejection.empty()) return scan.rejection;
+  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  if (!last_mid_ns) return {};
+  constexpr std::int64_t kLongest = std::int64_t{1} << 61;
+  if (mid_ns / 2 - *last_mid_ns / 2 > kLongest) {
+    return "scan's mid-scan stamp " + std::to_string(mid_ns) +
+           " ns is more than 146 years after the last scan's " + std::to_string(*last_mid_ns) +
+           " ns";
+  }
+  if (mid_ns > *last_mid_ns) return {};
+  return "scan's mid-scan stamp " + std::to_string(mid_ns) + " ns is not after the last scan's " +
+         std::to_string(*last_mid_ns) + " ns";
+}
+
+/// The last pose again, as something that is not known.
+Estimate Odometry::State::reject(const PreparedScan& scan, std::string reason) const {
+  Estimate estimate;
+  estimate.status = Status::rejected;
+  estimate.message = std::move(reason);
+  estimate.covariance = unregistered_covariance(session.config.health);
+  estimate.twist = front_end->velocity();
+  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  const StampedPose last = front_end->last_pose().value_or(StampedPose{});
+  estimate.trajectory = ScanTrajectory(last.pose, mid_ns);
+  return estimate;
+}
+
+Estimate Odometry::State::in_world(Estimate estimate) const {
+  estimate.stamp_ns = estimate.trajectory.mid_ns();
+  estimate.trajectory = estimate.trajectory.moved(T_world_map);
+  estimate.T_map_lidar = estimate.trajectory.at(0.5);
+  Matrix6 turn = Matrix6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
+      T_world_map.rotation.toRotationMatrix();
+  estimate.covariance = turn * estimate.covariance * turn.transpose();
+  for (DegenerateDirection& weak : estimate.degenerate) weak.direction = turn * weak.direction;
+  return estimate;
+}
+
+const Config& Odometry::config() const { return state_->session.config; }
+
+const LevelReport& Odometry::level() const { return state_->front_end->level(); }
+
+const DeskewedScan& Odometry::deskewed_scan() const { return state_->front_end->deskewed_scan(); }
+
+std::vector<Eigen::Vector3d> Odometry::local_map() const {
+  std::vector<Eigen::Vector3d> points = state_->front_end->local_map();
+  for (Eigen::Vector3d& point : points) point = state_->T_world_map * point;
+  return points;
+}
+
+Cubes Odometry::emptied_cubes() const {
+  Cubes cubes = state_->front_end->emptied_cubes();
+  for (Eigen::Vector3d& centre : cubes.centres) centre = state_->T_world_map * centre;
+  return cubes;
+}
+
+void Odometry::set_step_observer(StepObserver observer) {
+  state_->session.begin_step = observer ? std::move(observer) : [](Step) {};
+}
+
+}  // namespace surefoot

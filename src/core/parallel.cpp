@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "core/parallel.hpp"
+
+#include <algorithm>
+
+#ifdef SUREFOOT_WITH_TBB
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace surefoot {
+
+#ifdef SUREFOOT_WITH_TBB
+
+struct Workers::Pool {
+  explicit Pool(int threads) : arena(threads) {}
+  tbb::task_arena arena;
+};
+
+Workers::Workers(int threads) {
+  // More than the machine has would make oneTBB print a warning, and gain nothing.
+  threads = std::min(threads, tbb::info::default_concurrency());
+  if (threads > 1) pool_ = std::make_unique<Pool>(threads);
+}
+
+void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
+  pool_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
+}
+
+#else
+
+struct Workers::Pool {};
+
+Workers::Workers(int) {}
+
+void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) run(chunk);
+}
+
+#endif
+
+Workers::~Workers() = default;
+Workers::Workers(Workers&&) noexcept = default;
+Workers& Workers::operator=(Workers&&) noexcept = default;
+
+}  // namespace surefoot

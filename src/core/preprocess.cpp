@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "core/preprocess.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace surefoot {
+
+namespace {
+
+std::string size_mismatch(const char* what, std::size_t seen, std::size_t points) {
+  return "scan has " + std::to_string(seen) + " " + what + " for " + std::to_string(points) +
+         " points; expected none or one per point";
+}
+
+std::string check_sizes(const Scan& scan) {
+  const std::size_t points = scan.points.size();
+  if (!scan.times_ns.empty() && scan.times_ns.size() != points) {
+    return size_mismatch("times", scan.times_ns.size(), points);
+  }
+  if (!scan.intensities.empty() && scan.intensities.size() != points) {
+    return size_mismatch("intensities", scan.intensities.size(), points);
+  }
+  if (!scan.rings.empty() && scan.rings.size() != points) {
+    return size_mismatch("rings", scan.rings.size(), points);
+  }
+  return {};
+}
+
+/// Whether stamp and times add up within 64 bits.
+std::string check_stamp(const Scan& scan) {
+  if (scan.times_ns.empty()) return {};
+  const auto [first, last] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
+  using Limits = std::numeric_limits<std::int64_t>;
+  if (scan.stamp_ns <= Limits::max() - std::max(*last, 0) &&
+      scan.stamp_ns >= Limits::min() - std::min(*first, 0)) {
+    return {};
+  }
+  return "scan's stamp is " + std::to_string(scan.stamp_ns) +
+         " ns; with its points' times it leaves the range of 64 bits";
+}
+
+/// First and last instant; from all points, so that what is out of range does not move mid-scan.
+void find_interval(const Scan& scan, PreparedScan& prepared) {
+  prepared.start_ns = prepared.end_ns = scan.stamp_ns;
+  if (scan.times_ns.empty()) return;
+  const auto [first, last] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
+  prepared.start_ns += *first;
+  prepared.end_ns += *last;
+}
+
+/// All points equal (a driver's zero-filled message, say) tell nothing.
+std::string check_extent(const PreparedScan& prepared, double min_extent) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& point : prepared.points) box.extend(point);
+  const double diagonal = static_cast<double>(box.diagonal().norm());
+  if (diagonal >= min_extent) return {};
+  return "scan's points lie within " + std::to_string(diagonal) +
+         " m; expected an extent of at least " + std::to_string(min_extent) + " m";
+}
+
+}  // namespace
+
+PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
+  PreparedScan prepared;
+  prepared.rejection = check_sizes(scan);
+  if (prepared.rejection.empty()) prepared.rejection = check_stamp(scan);
+  if (!prepared.rejection.empty()) return prepared;
+  find_interval(scan, prepared);
+
+  const auto duration = static_cast<double>(prepared.end_ns - prepared.start_ns);
+  const bool timed = duration > 0.0;  // all times equal: nothing to deskew
+  const double near = config.min_range * config.min_range;
+  const double far = config.max_range * config.max_range;
+  prepared.points.reserve(scan.points.size());
+  if (timed) prepared.taus.reserve(scan.points.size());
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const double range2 = scan.points[i].cast<double>().squaredNorm();
+    if (!(range2 >= near && range2 <= far) || range2 == 0.0) continue;  // NaN fails here too
+    prepared.points.push_back(scan.points[i]);
+    if (timed) {  // [Eq 1]
+      const auto since_start =
+          static_cast<double>(scan.stamp_ns + scan.times_ns[i] - prepared.start_ns);
+      prepared.taus.push_back(static_cast<float>(since_start / duration));
+    }
+    if (!scan.intensities.empty()) prepared.intensities.push_back(scan.intensities[i]);
+    if (!scan.rings.empty()) prepared.rings.push_back(scan.rings[i]);
+  }
+
+  if (prepared.points.size() < static_cast<std::size_t>(config.min_points)) {
+    prepared.rejection = "scan has " + std::to_string(prepared.points.size()) +
+                         " valid points of " + std::to_string(scan.points.size()) +
+                         "; expected at least " + std::to_string(config.min_points);
+  } else {
+    prepared.rejection = check_extent(prepared, config.min_extent);
+  }
+  return prepared;
+}
+
+}  // namespace surefoot

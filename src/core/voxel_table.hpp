@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/voxel_key.hpp"
+
+namespace surefoot {
+
+/// Open-addressing hash table from voxel keys to indices into some array. It only grows; whoever
+/// removes voxels builds it anew.
+class VoxelTable {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  VoxelTable() : slots_(kInitialSlots) {}
+
+  /// To be asked for soon.
+  void prefetch(std::uint64_t key) const {
+#if defined(__GNUC__)
+    __builtin_prefetch(&slots_[hash_key(key) & mask()]);
+#endif
+  }
+
+  /// The index stored for a key, or kNone.
+  [[nodiscard]] std::uint32_t find(std::uint64_t key) const {
+    for (std::size_t i = hash_key(key) & mask();; i = (i + 1) & mask()) {
+      if (slots_[i].index == kNone || slots_[i].key == key) return slots_[i].index;
+    }
+  }
+
+  /// The index stored for a key, after storing `index` if there was none (then second is true).
+  std::pair<std::uint32_t, bool> find_or_insert(std::uint64_t key, std::uint32_t index) {
+    if (2 * (size_ + 1) > slots_.size()) grow();
+    std::size_t i = hash_key(key) & mask();
+    for (; slots_[i].index != kNone; i = (i + 1) & mask()) {
+      if (slots_[i].key == key) return {slots_[i].index, false};
+    }
+    slots_[i] = {key, index};
+    ++size_;
+    return {index, true};
+  }
+
+  void clear() {
+    slots_.assign(slots_.size(), Slot{});
+    size_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t kInitialSlots = 1024;
+
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t index = kNone;
+  };
+
+  [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
+
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    size_ = 0;
+    for (const Slot& slot : old) {
+      if (slot.index != kNone) find_or_insert(slot.key, slot.index);
+    }
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/compare_figures.hpp"
+
+#include "evaluation/ape.hpp"
+#include "report/series_figure.hpp"
+#include "report/trajectory_figure.hpp"
+#include "surefoot/seconds.hpp"
+
+namespace surefoot::experiments {
+
+using report::FigurePanel;
+using report::FigureView;
+using report::TrajectoryFigure;
+
+namespace {
+
+constexpr const char* kExtensions[] = {".svg", ".pdf", ".png"};
+
+std::vector<std::string> remarks_of(const evaluation::Comparison& comparison,
+                                    const evaluation::ComparedRecording& recording) {
+  std::vector<std::string> remarks;
+  for (std::size_t m = 0; m < recording.results.size(); ++m) {
+    const std::string& text = recording.results[m].verdict.text;
+    if (!text.empty()) remarks.push_back(comparison.methods[m].label + ": " + text);
+  }
+  return remarks;
+}
+
+TrajectoryFigure figure_of(const CompareResults& results, FigureView view) {
+  TrajectoryFigure figure;
+  for (const auto& method : results.comparison.methods) figure.names.push_back(method.label);
+  for (std::size_t r = 0; r < results.paths.size(); ++r) {
+    const evaluation::ComparedRecording& recording = results.comparison.recordings[r];
+    const ComparedPaths& paths = results.paths[r];
+    if (paths.truth.empty()) continue;
+    std::vector<bool> cut;
+    for (const evaluation::MethodResult& result : recording.results) {
+      cut.push_back(result.verdict.outcome == evaluation::Outcome::kDiverged);
+    }
+    figure.panels.push_back({view, recording.name, paths.truth, paths.estimates, cut,
+                             remarks_of(results.comparison, recording)});
+  }
+  return figure;
+}
+
+/// Position errors of an aligned estimate; empty where no pose has a partner.
+report::TimeSeries errors_of(const Trajectory& truth, const Trajectory& estimate,
+                             const evaluation::AssociationOptions& options) {
+  report::TimeSeries series;
+  if (truth.empty() || estimate.empty()) return series;
+  try {
+    const evaluation::AssociatedTrajectories pairs =
+        evaluation::associate(truth, estimate, options);
+    series.values = absolute_errors(pairs, evaluation::Relation::kTranslation);
+    for (const StampedPose& pose : pairs.reference) {
+      series.times.push_back(seconds(pose.stamp_ns - truth.front().stamp_ns));
+    }
+  } catch (const std::exception&) {
+    return {};  // which the comparison has told already
+  }
+  return series;
+}
+
+report::SeriesFigure error_figure_of(const CompareResults& results) {
+  report::SeriesFigure figure{.quantity = "position error [m]"};
+  for (const auto& method : results.comparison.methods) figure.names.push_back(method.label);
+  for (std::size_t r = 0; r < results.paths.size(); ++r) {
+    const evaluation::ComparedRecording& recording = results.comparison.recordings[r];
+    const ComparedPaths& paths = results.paths[r];
+    if (paths.truth.empty()) continue;
+    report::SeriesPanel panel{.title = recording.name,
+                              .remarks = remarks_of(results.comparison, recording)};
+    for (const Trajectory& estimate : paths.estimates) {
+      panel.curves.push_back(
+          errors_of(paths.truth, estimate, results.comparison.options.association));
+    }
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+}  // namespace
+
+void draw_comparison(const CompareResults& results, const std::filesystem::path& folder) {
+  const std::pair<const char*, FigureView> views[] = {{"trajectories_3d", FigureView::kSpace},
+                                                      {"trajectories_side", FigureView::kSide},
+                                                      {"trajectories_top", FigureView::kTop}};
+  for (const auto& [name, view] : views) {
+    const TrajectoryFigure figure = figure_of(results, view);
+    if (figure.panels.empty()) return;
+    std::filesystem::create_directories(folder);
+    for (const char* extension : kExtensions) {
+      report::draw_trajectory_figure(figure, folder / (std::string(name) + extension));
+    }
+  }
+  const report::SeriesFigure errors = error_figure_of(results);
+  for (const char* extension : kExtensions) {
+    report::draw_series_figure(errors, folder / (std::string("errors_over_time") + extension));
+  }
+}
+
+void draw_views(const Trajectory& reference, const std::vector<std::string>& names,
+                const std::vector<Trajectory>& estimates, const std::filesystem::path& file) {
+  TrajectoryFigure figure{names, {}};
+  const std::pair<const char*, FigureView> views[] = {{"Trajectories", FigureView::kSpace},
+                                                      {"Side view", FigureView::kSide},
+                                                      {"Top view", FigureView::kTop}};
+  for (const auto& [name, view] : views) {
+    figure.panels.push_back({view, name, reference, estimates, {}, {}});
+  }
+  report::draw_trajectory_figure(figure, file);
+}
+
+}  // namespace surefoot::experiments

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/compare_results.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "evaluation/comparison_json.hpp"
+#include "evaluation/comparison_tables.hpp"
+#include "experiments/run_record.hpp"
+#include "experiments/seed_scenes.hpp"
+#include "io/file_writer.hpp"
+#include "io/trajectory_files.hpp"
+#include "process/machine.hpp"
+#include "runs/run_files.hpp"
+#include "runs/scans_csv.hpp"
+#include "surefoot/seconds.hpp"
+#ifdef SUREFOOT_HAS_PICTURES
+#include "experiments/compare_figures.hpp"
+#endif
+
+namespace surefoot::experiments {
+
+namespace fs = std::filesystem;
+using evaluation::ComparedMethod;
+using evaluation::ComparedRecording;
+using evaluation::Comparison;
+using evaluation::MethodResult;
+
+namespace {
+
+std::string file_bytes(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The part of the truth between a run's first scan and its last.
+Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder) {
+  const std::vector<std::int64_t> stamps =
+      runs::read_scans_csv(run_folder / runs::kScansFile).stamps_ns;
+  if (stamps.empty()) return truth;
+  const auto [first, last] = std::minmax_element(stamps.begin(), stamps.end());
+  Trajectory part;
+  std::copy_if(truth.begin(), truth.end(), std::back_inserter(part),
+               [first = *first, last = *last](const StampedPose& stamped) {
+                 return stamped.stamp_ns >= first && stamped.stamp_ns <= last;
+               });
+  return part.size() < 2 ? truth : part;
+}
+
+bool clips_truth(const CompareOptions& options) {
+  if (options.cover != Cover::kAuto) return options.cover == Cover::kRecording;
+  return options.start > 0 || options.count > 0;
+}
+
+/// Everything about one method on one recording.
+class ResultMaker {
+ public:
+  ResultMaker(const CompareOptions& options, const CompareInput& input, const Trajectory& truth)
+      : options_(options), input_(input), truth_(truth) {}
+
+  /// `path` becomes the aligned estimate, `truth_part` what it was compared with.
+  [[nodiscard]] MethodResult make(const MethodVariant& variant, Trajectory& path,
+                                  Trajectory& truth_part) const {
+    MethodResult result;
+    for (int repeat = 1; repeat <= options_.repeats; ++repeat) {
+      result.runs.push_back(measure(run_folder(input_, variant, repeat)));
+    }
+    const bool failed = std::any_of(result.runs.begin(), result.runs.end(),
+                                    [](const auto& run) { return !run.error.empty(); });
+    if (!failed) evaluate(variant, result, path, truth_part);
+    if (result.verdict.outcome == evaluation::Outcome::kFailed) result.verdict.text = "failed";
+    return result;
+  }
+
+ private:
+  [[nodiscard]] evaluation::MeasuredRun measure(const fs::path& folder) const {
+    evaluation::MeasuredRun run{.error = "was not run"};
+    if (const auto record = read_record(options_.output / folder)) {
+      run = measured_run(options_.output / folder, *record);
+    }
+    run.folder = folder.string();
+    return run;
+  }
+
+  void evaluate(const MethodVariant& variant, MethodResult& result, Trajectory& path,
+                Trajectory& truth_part) const {
+    const fs::path folder = options_.output / run_folder(input_, variant, 1);
+    const std::string bytes = file_bytes(folder / runs::kTrajectoryFile);
+    for (int repeat = 2; repeat <= options_.repeats; ++repeat) {
+      const fs::path other = options_.output / run_folder(input_, variant, repeat);
+      result.repeats_agree &= file_bytes(other / runs::kTrajectoryFile) == bytes;
+    }
+    try {
+      const Trajectory estimate = io::read_tum(folder / runs::kTrajectoryFile);
+      const Trajectory truth = clips_truth(options_) ? between_scans(truth_, folder) : truth_;
+      result.evaluation = evaluation::evaluate(variant.label, truth, estimate, options_.evaluation);
+      evaluation::EvaluationOptions from_start = options_.evaluation;
+      from_start.alignment = evaluation::AlignmentMethod::kOrigin;
+      result.from_start = evaluation::evaluate(variant.label, truth, estimate, from_start);
+      result.verdict = evaluation::judge(truth, estimate, *result.evaluation, options_.evaluation,
+                                         options_.rules);
+      truth_part = truth;
+      path = evaluation::aligned(estimate, result.evaluation->alignment);
+    } catch (const std::exception& error) {
+      result.runs.front().error = std::string("not evaluated: ") + error.what();
+    }
+  }
+
+  const CompareOptions& options_;
+  const CompareInput& input_;
+  const Trajectory& truth_;
+};
+
+/// Without a truth nothing was run: every method has failed for the same reason.
+MethodResult without_truth(const CompareOptions& options, const CompareInput& input,
+                           const MethodVariant& variant, const std::string& reason) {
+  evaluation::MeasuredRun run{.folder = run_folder(input, variant, 1).string(), .error = reason};
+  return {.verdict = {evaluation::Outcome::kFailed, "failed"},
+          .runs = std::vector(static_cast<std::size_t>(options.repeats), run)};
+}
+
+ComparedRecording compare_recording(const CompareOptions& options, const CompareInput& input,
+                                    const std::vector<MethodVariant>& variants,
+                                    ComparedPaths& paths) {
+  ComparedRecording recording{.name = input.name,
+                              .path = input.path.string(),
+                              .truth = input.truth.string(),
+                              .fingerprint = input.mark.fingerprint};
+  paths.estimates.resize(variants.size());
+  std::string no_truth;
+  Trajectory truth;
+  try {
+    truth = read_truth(input);
+  } catch (const std::exception& error) {
+    no_truth = error.what();
+  }
+  if (no_truth.empty()) {
+    recording.truth_length = evaluation::path_lengths(truth).back();
+    recording.truth_duration = seconds(truth.back().stamp_ns) - seconds(truth.front().stamp_ns);
+  }
+  paths.truth = truth;
+  const ResultMaker maker(options, input, truth);
+  for (std::size_t m = 0; m < variants.size(); ++m) {
+    recording.results.push_back(no_truth.empty()
+                                    ? maker.make(variants[m], paths.estimates[m], paths.truth)
+                                    : without_truth(options, input, variants[m], no_truth));
+  }
+  return recording;
+}
+
+ComparedMethod method_of(const MethodVariant& variant, const Config& config) {
+  ComparedMethod method{variant.label, variant.method, {}};
+  for (const ParameterInfo& info : parameters()) {
+    method.parameters.emplace_back(info.name, get_parameter(config, info.name));
+  }
+  return method;
+}
+
+}  // namespace
+
+fs::path run_folder(const CompareInput& input, const MethodVariant& variant, int repeat) {
+  return fs::path("runs") / input.name / folder_name(variant.label) / std::to_string(repeat);
+}
+
+Trajectory read_truth(const CompareInput& input) {
+  Trajectory truth = io::read_tum(input.truth);
+  if (truth.empty()) throw std::runtime_error(input.truth.string() + ": holds no poses");
+  return truth;
+}
+
+CompareResults collect_results(const CompareOptions& options,
+                               const std::vector<CompareInput>& inputs,
+                               const std::vector<MethodVariant>& variants,
+                               const std::string& build) {
+  CompareResults results;
+  Comparison& comparison = results.comparison;
+  comparison.version = SUREFOOT_VERSION;
+  comparison.build = build;
+  comparison.processor = process::processor_name();
+  comparison.processor_cores = process::processor_cores();
+  comparison.repeats = options.repeats;
+  comparison.run_arguments = run_arguments(options);
+  comparison.options = options.evaluation;
+  comparison.rules = options.rules;
+  for (const MethodVariant& variant : variants) {
+    comparison.methods.push_back(method_of(variant, variant_config(variant, options.settings)));
+  }
+  std::vector<fs::path> recordings;
+  for (const CompareInput& input : inputs) recordings.push_back(input.path);
+  const std::vector<std::string> scenes = seed_scenes(recordings);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    results.paths.emplace_back();
+    comparison.recordings.push_back(
+        compare_recording(options, inputs[i], variants, results.paths.back()));
+    comparison.recordings.back().scene = scenes[i];
+  }
+  return results;
+}
+
+void write_results(const CompareOptions& options, const CompareResults& results) {
+  const Comparison& comparison = results.comparison;
+  fs::create_directories(options.output);
+  const auto write = [&](const char* name, const std::string& text) {
+    io::write_whole_file(options.output / name, text);
+  };
+#ifdef SUREFOOT_HAS_PICTURES
+  if (options.figures) draw_comparison(results, options.output / "figures");
+#endif
+  write("tables.md", evaluation::tables_markdown(comparison));
+  write("tables.csv", evaluation::tables_csv(comparison));
+  write("tables.tex", evaluation::tables_latex(comparison));
+  write("compare.json", evaluation::to_json(comparison));
+}
+
+}  // namespace surefoot::experiments

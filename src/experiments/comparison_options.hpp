@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What a comparison was asked for.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "evaluation/evaluate.hpp"
+#include "evaluation/verdict.hpp"
+
+namespace surefoot::experiments {
+
+/// How much of the truth a whole run has an estimate for.
+enum class Cover {
+  kAuto,      ///< the truth; the recording's part of it if only a part of the scans is used
+  kTruth,     ///< all of it
+  kRecording  ///< the part between the recording's first and last scan
+};
+
+struct CompareOptions {
+  std::vector<std::filesystem::path> recordings;
+  std::vector<std::filesystem::path> truths;  ///< empty, or one for each of `recordings`
+  std::vector<std::string> suites;            ///< names of the suite's sets, or folders
+  std::vector<std::string> methods = {"surefoot", "paper"};
+  std::vector<std::string> settings;  ///< "key=value" for every method
+
+  int repeats = 1;
+  int jobs = 1;
+  std::filesystem::path output = "results/comparison";
+  bool figures = true;
+  bool retry_failed = false;
+  bool quiet = false;
+
+  int threads = 1;
+  std::size_t start = 0, count = 0, stride = 1;  ///< count 0: all
+  bool no_map = false;
+  std::vector<std::string> passed;  ///< further arguments of `surefoot run`
+
+  evaluation::EvaluationOptions evaluation = {
+      .stretches = {.delta = 10.0, .unit = evaluation::DeltaUnit::kMetres, .all_pairs = true},
+      .stretches_from_reference = true};
+  evaluation::VerdictRules rules;
+  Cover cover = Cover::kAuto;
+  bool needs_every_truth = false;  ///< else a recording without one is a failure among others
+};
+
+/// The arguments that every run gets besides its recording, its folder and its parameters.
+[[nodiscard]] std::vector<std::string> run_arguments(const CompareOptions& options);
+
+}  // namespace surefoot::experiments

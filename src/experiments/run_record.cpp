@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "evaluation/statistics.hpp"
+#include "io/file_writer.hpp"
+#include "runs/run_files.hpp"
+#include "runs/scans_csv.hpp"
+
+namespace surefoot::experiments {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kRecordName = "compare_run.json";
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The last line of a run's log that says something: why it failed.
+std::string last_words(const fs::path& log) {
+  std::ifstream stream(log);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  return last;
+}
+
+}  // namespace
+
+std::string run_key(const CompareInput& input, const MethodVariant& variant, const Config& config,
+                    const std::vector<std::string>& arguments, const std::string& build) {
+  Json values = Json::object();
+  for (const ParameterInfo& info : parameters()) {
+    values[info.name] = get_parameter(config, info.name);
+  }
+  return text_of({{"recording", input.path.string()},
+                  {"fingerprint", input.mark.fingerprint},
+                  {"method", variant.method},
+                  {"parameters", values},
+                  {"arguments", arguments},
+                  {"version", SUREFOOT_VERSION},
+                  {"build", build}});
+}
+
+void write_record(const fs::path& folder, const RunRecord& record) {
+  const Json json = {{"key", Json::parse(record.key)},
+                     {"exit_code", record.end.exit_code},
+                     {"signal", record.end.signal},
+                     {"wall_s", record.end.wall_seconds},
+                     {"processor_s", record.end.processor_seconds},
+                     {"peak_memory_bytes", record.end.peak_memory_bytes},
+                     {"jobs", record.jobs}};
+  io::write_whole_file(folder / kRecordName, text_of(json) + '\n');
+}
+
+std::optional<RunRecord> read_record(const fs::path& folder) {
+  std::ifstream stream(folder / kRecordName);
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    return RunRecord{text_of(json.at("key")),
+                     {json.at("exit_code").get<int>(), json.at("signal").get<int>(),
+                      json.at("wall_s").get<double>(), json.at("processor_s").get<double>(),
+                      json.at("peak_memory_bytes").get<std::uint64_t>()},
+                     json.at("jobs").get<int>()};
+  } catch (const Json::exception&) {
+    return std::nullopt;  // not what write_record() writes: the run is done anew
+  }
+}
+
+fs::path log_file(const fs::path& folder) { return folder / "run.log"; }
+
+void clear_run_folder(const fs::path& folder) {
+  const bool in_use = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
+  if (in_use && !fs::exists(log_file(folder))) {
+    throw std::runtime_error(folder.string() +
+                             ": holds files that no comparison has left; choose another -o");
+  }
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+}
+
+evaluation::MeasuredRun measured_run(const fs::path& folder, const RunRecord& record) {
+  evaluation::MeasuredRun run{.exit_code = record.end.exit_code,
+                              .signal = record.end.signal,
+                              .wall_seconds = record.end.wall_seconds,
+                              .processor_seconds = record.end.processor_seconds,
+                              .peak_memory_bytes = record.end.peak_memory_bytes,
+                              .jobs = record.jobs};
+  if (record.end.exit_code != 0) {
+    const std::string words = last_words(log_file(folder));
+    run.error = words.empty() ? process::describe(record.end)
+                              : fmt::format("{}: {}", process::describe(record.end), words);
+  }
+  try {
+    const fs::path file = folder / runs::kScansFile;
+    const report::ScanTable scans = runs::read_scans_csv(file);
+    const std::vector<double> milliseconds = runs::scan_milliseconds(scans, file);
+    run.scans = scans.size();
+    run.statuses = runs::count_statuses(scans);
+    run.median_ms = evaluation::quantile(milliseconds, 0.5);
+    run.p99_ms = evaluation::quantile(milliseconds, 0.99);
+  } catch (const std::exception& error) {
+    if (run.error.empty()) run.error = error.what();
+  }
+  return run;
+}
+
+}  // namespace surefoot::experiments

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/seed_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace surefoot::experiments {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct Scene {
+  std::string name;  ///< empty: not known
+  std::string all;   ///< everything by which a recording was made, but for the seed
+};
+
+/// Of what scene.json holds, the seed changes the route and the number of triangles, too.
+Scene scene_of(const fs::path& recording) {
+  const fs::path folder = fs::is_directory(recording) ? recording : recording.parent_path();
+  std::ifstream stream(folder / "scene.json");
+  const Json json = Json::parse(stream, nullptr, false);
+  try {
+    Json all = {{"scene", json.at("scene").at("name")},
+                {"robot", json.at("robot")},
+                {"lidar", json.at("lidar")}};
+    for (const char* key :
+         {"scans", "gait_scale", "mount", "rays_per_beam", "dual_return", "robot_body_in_view"}) {
+      all[key] = json.at(key);
+    }
+    for (const char* key : {"rain", "dust", "people"}) all[key] = json.value(key, 0.0);
+    return {fmt::format("{}-{}", json.at("scene").at("name").get<std::string>(),
+                        json.at("robot").at("name").get<std::string>()),
+            all.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  } catch (const Json::exception&) {
+    return {};  // another program's scene.json, or none
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> seed_scenes(const std::vector<fs::path>& recordings) {
+  std::map<std::string, std::vector<std::string>> known;  // by name: the different ways to make it
+  std::vector<std::string> names;
+  for (const fs::path& recording : recordings) {
+    Scene scene = scene_of(recording);
+    if (!scene.name.empty()) {
+      std::vector<std::string>& ways = known[scene.name];
+      const auto way = std::find(ways.begin(), ways.end(), scene.all);
+      const auto number = static_cast<std::size_t>(way - ways.begin()) + 1;
+      if (way == ways.end()) ways.push_back(scene.all);
+      if (number > 1) scene.name += fmt::format(" ({})", number);
+    }
+    names.push_back(std::move(scene.name));
+  }
+  return names;
+}
+
+}  // namespace surefoot::experiments

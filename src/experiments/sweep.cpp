@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/ascii_values.hpp"
+
+namespace surefoot::experiments {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormatVersion = 1;  // changes when a key changes its meaning or goes
+constexpr int kMostValues = 1000;  // of a range
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+/// first:last:step, the last one included if a step meets it.
+std::vector<std::string> values_of_range(const std::string& range) {
+  const std::vector<std::string> parts = split(range, ':');
+  double first = 0.0, last = 0.0, step = 0.0;
+  if (parts.size() != 3 || !io::parse_real(parts[0], first) || !io::parse_real(parts[1], last) ||
+      !io::parse_real(parts[2], step) || !(step > 0.0) || !(last >= first) ||
+      !((last - first) / step < kMostValues)) {
+    throw ConfigError(fmt::format(
+        "--vary: range {}: expected first:last:step with first <= last, a step above 0 and fewer "
+        "than {} values, as in 0.1:0.5:0.1",
+        range, kMostValues));
+  }
+  std::vector<std::string> values;
+  const int steps = static_cast<int>(std::floor((last - first) / step + 1e-9));
+  for (int i = 0; i <= steps; ++i) values.push_back(fmt::format("{:.12g}", first + i * step));
+  return values;
+}
+
+void fill_row(const evaluation::Comparison& comparison, std::size_t method, SweepRow& row) {
+  for (const evaluation::ComparedRecording& recording : comparison.recordings) {
+    const evaluation::MethodResult& result = recording.results[method];
+    SweepCell cell{.lost = result.verdict.text};
+    if (cell.lost.empty()) {
+      cell.ape = evaluation::find_statistics(*result.evaluation, "ape_translation")->rmse;
+      const auto* step = evaluation::find_statistics(*result.evaluation, "rpe_translation");
+      if (step != nullptr) cell.step = step->rmse;
+    }
+    row.cells.push_back(cell);
+    row.milliseconds +=
+        result.runs.front().median_ms / static_cast<double>(comparison.recordings.size());
+    for (const auto& [status, count] : evaluation::not_ok(result)) {
+      if (status != "degenerate" && status != "first_scan") row.untrusted += count;
+    }
+  }
+}
+
+std::optional<double> ratio(const SweepRow& row, const SweepRow& base, double SweepCell::*error) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t r = 0; r < row.cells.size(); ++r) {
+    if (!row.cells[r].lost.empty() || !base.cells[r].lost.empty()) continue;
+    const double change = std::log(row.cells[r].*error / base.cells[r].*error);
+    if (!std::isfinite(change)) continue;  // one of them has no error at all
+    sum += change;
+    ++count;
+  }
+  return count > 0 ? std::optional(std::exp(sum / count)) : std::nullopt;
+}
+
+std::string text_of(const std::optional<double>& ratio) {
+  return ratio ? fmt::format("{:.2f}", *ratio) : "-";
+}
+
+Json json_of(const std::optional<double>& ratio) { return ratio ? Json(*ratio) : Json(nullptr); }
+
+}  // namespace
+
+SweepPlan sweep_plan(const std::string& method, const std::vector<std::string>& variations) {
+  SweepPlan plan{{parse_variant(method)}, {"unchanged"}};
+  for (const std::string& variation : variations) {
+    const std::size_t equals = variation.find('=');
+    const std::string text = equals == std::string::npos ? "" : variation.substr(equals + 1);
+    if (text.empty()) {
+      throw ConfigError(fmt::format(
+          "--vary {}: expected key=value,value,... as in preprocess.max_range=50,100, or "
+          "key=first:last:step",
+          variation));
+    }
+    const std::string key = variation.substr(0, equals);
+    const bool is_range = text.find(':') != std::string::npos;
+    for (const std::string& value : is_range ? values_of_range(text) : split(text, ',')) {
+      const std::string setting = fmt::format("{}={}", key, value);
+      const std::string label = fmt::format("{} = {}", key, value);
+      if (std::find(plan.labels.begin(), plan.labels.end(), label) != plan.labels.end()) {
+        throw ConfigError(fmt::format("--vary: {} is named twice", setting));
+      }
+      plan.variants.push_back({method + '+' + setting, method, {setting}});
+      plan.labels.push_back(label);
+    }
+  }
+  return plan;
+}
+
+Sweep sweep_of(const evaluation::Comparison& comparison, const std::vector<std::string>& labels) {
+  Sweep sweep;
+  for (const auto& recording : comparison.recordings) sweep.recordings.push_back(recording.name);
+  for (std::size_t m = 0; m < labels.size(); ++m) {
+    SweepRow row{.label = labels[m]};
+    fill_row(comparison, m, row);
+    const SweepRow& base = m == 0 ? row : sweep.rows.front();
+    row.ape_ratio = ratio(row, base, &SweepCell::ape);
+    row.step_ratio = ratio(row, base, &SweepCell::step);
+    sweep.rows.push_back(std::move(row));
+  }
+  return sweep;
+}
+
+std::string sweep_markdown(const Sweep& sweep) {
+  std::string text = "| parameter |";
+  for (const std::string& name : sweep.recordings) text += fmt::format(" {} |", name);
+  text += " APE ratio | step ratio | ms | untrusted |\n|---|";
+  for (std::size_t i = 0; i < sweep.recordings.size() + 4; ++i) text += "---|";
+  text += '\n';
+  for (const SweepRow& row : sweep.rows) {
+    text += fmt::format("| {} |", row.label);
+    for (const SweepCell& cell : row.cells) {
+      text += cell.lost.empty() ? fmt::format(" {:.3f} / {:.3f} |", cell.ape, cell.step)
+                                : fmt::format(" {} |", cell.lost);
+    }
+    text += fmt::format(" {} | {} | {:.1f} | {} |\n", text_of(row.ape_ratio),
+                        text_of(row.step_ratio), row.milliseconds, row.untrusted);
+  }
+  return text;
+}
+
+std::string sweep_csv(const Sweep& sweep) {
+  std::string text = "parameter,recording,ape_rmse_m,step_rmse_m,lost\n";
+  for (const SweepRow& row : sweep.rows) {
+    for (std::size_t r = 0; r < row.cells.size(); ++r) {
+      const SweepCell& cell = row.cells[r];
+      text += fmt::format("{},{},", row.label, sweep.recordings[r]);
+      text += cell.lost.empty() ? fmt::format("{},{},\n", cell.ape, cell.step)
+                                : fmt::format(",,{}\n", cell.lost);
+    }
+  }
+  return text;
+}
+
+std::string sweep_json(const Sweep& sweep, const evaluation::Comparison& comparison) {
+  Json rows = Json::array();
+  for (std::size_t m = 0; m < sweep.rows.size(); ++m) {
+    const SweepRow& row = sweep.rows[m];
+    Json cells = Json::array();
+    for (std::size_t r = 0; r < row.cells.size(); ++r) {
+      const SweepCell& cell = row.cells[r];
+      Json json = {{"recording", sweep.recordings[r]}};
+      if (cell.lost.empty()) {
+        json["ape_rmse_m"] = cell.ape;
+        json["step_rmse_m"] = cell.step;
+      } else {
+        json["lost"] = cell.lost;
+      }
+      cells.push_back(json);
+    }
+    rows.push_back({{"parameter", row.label},
+                    {"method", comparison.methods[m].label},
+                    {"ape_ratio", json_of(row.ape_ratio)},
+                    {"step_ratio", json_of(row.step_ratio)},
+                    {"median_ms", row.milliseconds},
+                    {"untrusted_scans", row.untrusted},
+                    {"recordings", cells}});
+  }
+  const Json document = {{"format", "surefoot-sweep"},
+                         {"format_version", kFormatVersion},
+                         {"version", comparison.version},
+                         {"build", comparison.build},
+                         {"run_arguments", comparison.run_arguments},
+                         {"rows", rows}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace surefoot::experiments

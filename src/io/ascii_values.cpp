@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/ascii_values.hpp"
+
+#include <charconv>
+#include <cstring>
+#include <string>
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\v\f\n";
+
+// std::from_chars knows no plus sign.
+std::string_view without_plus(std::string_view word) {
+  const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
+  return plus ? word.substr(1) : word;
+}
+
+template <typename T>
+bool parse_whole_word(std::string_view word, T& value) {
+  word = without_plus(word);
+  const char* end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc{} && stop == end && !word.empty();
+}
+
+template <typename T>
+bool store_as(std::string_view word, std::byte* out) {
+  T value{};
+  if (!parse_whole_word(word, value)) {
+    return false;
+  }
+  std::memcpy(out, &value, sizeof(T));
+  return true;
+}
+
+// A float may be written with more range than it has: 1e-50 is 0, 1e50 is infinite.
+bool store_float(std::string_view word, std::byte* out) {
+  double value{};
+  if (!parse_real(word, value)) {
+    return false;
+  }
+  const auto narrow = static_cast<float>(value);
+  std::memcpy(out, &narrow, sizeof(narrow));
+  return true;
+}
+
+}  // namespace
+
+bool LineReader::next(std::string_view& line) {
+  if (offset_ >= text_.size()) {
+    return false;
+  }
+  const std::size_t end = text_.find('\n', offset_);
+  const std::size_t stop = end == std::string_view::npos ? text_.size() : end;
+  line = text_.substr(offset_, stop - offset_);
+  if (!line.empty() && line.back() == '\r') {
+    line.remove_suffix(1);
+  }
+  offset_ = end == std::string_view::npos ? text_.size() : end + 1;
+  ++line_number_;
+  return true;
+}
+
+std::string_view take_word(std::string_view& text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) {
+    text = {};
+    return {};
+  }
+  const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+bool parse_count(std::string_view word, std::size_t& count) {
+  return parse_whole_word(word, count);
+}
+
+bool parse_real(std::string_view word, double& value) { return parse_whole_word(word, value); }
+
+bool store_number(std::string_view word, ScalarType type, std::byte* out) {
+  switch (type) {
+    case ScalarType::kI8:
+      return store_as<std::int8_t>(word, out);
+    case ScalarType::kU8:
+      return store_as<std::uint8_t>(word, out);
+    case ScalarType::kI16:
+      return store_as<std::int16_t>(word, out);
+    case ScalarType::kU16:
+      return store_as<std::uint16_t>(word, out);
+    case ScalarType::kI32:
+      return store_as<std::int32_t>(word, out);
+    case ScalarType::kU32:
+      return store_as<std::uint32_t>(word, out);
+    case ScalarType::kI64:
+      return store_as<std::int64_t>(word, out);
+    case ScalarType::kU64:
+      return store_as<std::uint64_t>(word, out);
+    case ScalarType::kF32:
+      return store_float(word, out);
+    case ScalarType::kF64:
+      return store_as<double>(word, out);
+  }
+  return false;
+}
+
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string text = "'";
+  for (const char c : word.substr(0, kLongest)) {
+    text += (c >= ' ' && c <= '~') ? c : '?';
+  }
+  return text + (word.size() > kLongest ? "...'" : "'");
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/bag_recording.hpp"
+
+#include "io/bags/bag_files.hpp"
+#include "io/bags/topic_recordings.hpp"
+#include "io/bags/topic_survey.hpp"
+#include "io/messages/packet_message.hpp"
+
+namespace surefoot::io {
+
+std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,
+                                              const OpenOptions& options) {
+  TopicRecordingParts parts{path.string(), TopicMessages(bag_files(path)), {}};
+  const BagSurvey survey = survey_topics(parts.messages.bag(), options);
+  const Topic topic = choose_topic(survey.topics, options.topic, parts.bag).topic;
+  if (survey.topics.size() > 1) {
+    parts.notes.push_back("topic: " + topic.name + ", one of " +
+                          std::to_string(survey.topics.size()) + " in the bag");
+  }
+  return is_packet_type(topic.type)
+             ? open_packet_topic(std::move(parts), topic, options, survey.calibration)
+             : open_cloud_topic(std::move(parts), topic, options);
+}
+
+}  // namespace surefoot::io

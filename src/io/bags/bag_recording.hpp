@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+
+/// The scans of one topic of a bag: ROS 1, ROS 2 (sqlite3, MCAP) or plain MCAP, one file or a
+/// folder of its parts. Read from front to back once, after a look at its first seconds. A message
+/// that cannot be used is an item without scan. Throws ReadError.
+[[nodiscard]] std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,
+                                                            const OpenOptions& options);
+
+}  // namespace surefoot::io

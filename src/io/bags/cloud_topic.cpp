@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/topic_recordings.hpp"
+#include "io/messages/cloud_message.hpp"
+#include "io/scan_builder.hpp"
+
+namespace surefoot::io {
+namespace {
+
+// Messages that are looked at for the meaning of the point times.
+constexpr int kMostLookedAt = 20;
+
+class CloudTopic final : public Recording {
+ public:
+  CloudTopic(TopicRecordingParts parts, const Topic& topic, const OpenOptions& options)
+      : parts_(std::move(parts)), options_(options) {
+    parts_.messages.begin(topic);
+    find_point_time_rule();
+    parts_.messages.begin(topic);
+    parts_.notes.emplace_back(stamps_from_bag_
+                                  ? "stamps: the messages' are zero; when they were recorded counts"
+                                  : "stamps: from the messages' headers");
+    if (rule_) parts_.notes.push_back(rule_text_);
+  }
+
+  std::optional<ScanItem> next() override {
+    const std::optional<Message> message = next_message();
+    if (!message) return std::nullopt;
+    ScanItem item;
+    item.name = "message " + std::to_string(next_++);
+    try {
+      read_scan(*message, item);
+    } catch (const ReadError& error) {
+      item.error = where() + ", " + item.name + ": " + error.what();
+    }
+    return item;
+  }
+
+  std::optional<std::size_t> size() const override { return std::nullopt; }
+  void skip(std::size_t scans) override {
+    for (; scans > 0 && next_message(); --scans) ++next_;
+  }
+  double progress() const override { return parts_.messages.progress(); }
+  const std::vector<std::string>& notes() const override { return parts_.notes; }
+  std::string description() const override { return parts_.messages.description(); }
+
+ private:
+  [[nodiscard]] std::string where() const {
+    return parts_.bag + ": " + parts_.messages.topic().name;
+  }
+
+  std::optional<Message> next_message() {
+    const std::optional<Message> message = parts_.messages.next();
+    const std::vector<std::string>& notes = parts_.messages.notes();
+    for (; bag_notes_ < notes.size(); ++bag_notes_) parts_.notes.push_back(notes[bag_notes_]);
+    return message;
+  }
+
+  [[nodiscard]] CloudMessage read(const Message& message) const {
+    return read_cloud(message.topic->type, message.topic->encoding, message.bytes);
+  }
+  static std::int64_t stamp_of(const CloudMessage& cloud, const Message& message) {
+    return cloud.stamp_ns == 0 ? message.logged_ns : cloud.stamp_ns;
+  }
+
+  void find_point_time_rule() {
+    std::string first_error;
+    bool any_good = false;
+    for (int i = 0; i < kMostLookedAt && !(rule_ && rule_->certain); ++i) {
+      const std::optional<Message> message = parts_.messages.next();
+      if (!message) break;
+      try {
+        const CloudMessage cloud = read(*message);
+        stamps_from_bag_ = cloud.stamp_ns == 0;
+        look_at_times(cloud, stamp_of(cloud, *message), find_scan_columns(cloud.table, options_));
+        any_good = true;
+      } catch (const ReadError& error) {
+        if (first_error.empty()) first_error = error.what();
+      }
+    }
+    if (!any_good) throw ReadError(where() + ": " + first_error);
+  }
+
+  void look_at_times(const CloudMessage& cloud, std::int64_t stamp_ns, const ScanColumns& columns) {
+    if (columns.time == nullptr) return;
+    const TimeExtents extents = time_extents(cloud.table, columns);
+    if (extents.count == 0) return;
+    try {
+      const PointTimeRule rule = decide_point_time(extents, columns.time->type, stamp_ns, options_);
+      if (rule_ && !rule.certain) return;
+      rule_ = rule;
+      rule_text_ = describe_point_time(columns.time->name, columns.time->type, rule, extents);
+    } catch (const ReadError& error) {
+      throw ReadError("field '" + columns.time->name + "': " + error.what());
+    }
+  }
+
+  void read_scan(const Message& message, ScanItem& item) {
+    const CloudMessage cloud = read(message);
+    item.layout = cloud.table.layout();
+    const ScanColumns columns = find_scan_columns(cloud.table, options_);
+    const std::int64_t stamp_ns = stamp_of(cloud, message);
+    if (!rule_) look_at_times(cloud, stamp_ns, columns);
+    BuiltScan built = build_scan(cloud.table, columns, rule_, stamp_ns, options_.stamp_at);
+    item.dropped_points = built.dropped_points;
+    item.scan = std::move(built.scan);
+  }
+
+  TopicRecordingParts parts_;
+  OpenOptions options_;
+  std::optional<PointTimeRule> rule_;
+  std::string rule_text_;
+  std::size_t bag_notes_ = 0;
+  std::size_t next_ = 0;
+  bool stamps_from_bag_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> open_cloud_topic(TopicRecordingParts parts, const Topic& topic,
+                                            const OpenOptions& options) {
+  return std::make_unique<CloudTopic>(std::move(parts), topic, options);
+}
+
+}  // namespace surefoot::io

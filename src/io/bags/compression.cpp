@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/compression.hpp"
+
+#include <bzlib.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+/// How far one step of a decoder came.
+struct Step {
+  std::size_t consumed = 0;
+  std::size_t produced = 0;
+};
+
+class Zstd {
+ public:
+  Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+    ZSTD_inBuffer from{in.data(), in.size(), 0};
+    ZSTD_outBuffer to{out.data(), out.size(), 0};
+    const std::size_t result = ZSTD_decompressStream(context_.get(), &to, &from);
+    if (ZSTD_isError(result) != 0)
+      throw ReadError(std::string("zstd: ") + ZSTD_getErrorName(result));
+    return {from.pos, to.pos};
+  }
+
+ private:
+  struct Free {
+    void operator()(ZSTD_DStream* context) const { ZSTD_freeDStream(context); }
+  };
+  std::unique_ptr<ZSTD_DStream, Free> context_{ZSTD_createDStream()};
+};
+
+class Lz4 {
+ public:
+  Lz4() { LZ4F_createDecompressionContext(&context_, LZ4F_VERSION); }
+  ~Lz4() { LZ4F_freeDecompressionContext(context_); }
+  Lz4(const Lz4&) = delete;
+  Lz4& operator=(const Lz4&) = delete;
+
+  Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+    std::size_t consumed = in.size();
+    std::size_t produced = out.size();
+    const std::size_t result =
+        LZ4F_decompress(context_, out.data(), &produced, in.data(), &consumed, nullptr);
+    if (LZ4F_isError(result) != 0)
+      throw ReadError(std::string("lz4: ") + LZ4F_getErrorName(result));
+    return {consumed, produced};
+  }
+
+ private:
+  LZ4F_dctx* context_ = nullptr;
+};
+
+class Bzip2 {
+ public:
+  Bzip2() { BZ2_bzDecompressInit(&state_, 0, 0); }
+  ~Bzip2() { BZ2_bzDecompressEnd(&state_); }
+  Bzip2(const Bzip2&) = delete;
+  Bzip2& operator=(const Bzip2&) = delete;
+
+  Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+    if (ended_ && !in.empty()) {  // another stream follows
+      BZ2_bzDecompressEnd(&state_);
+      state_ = {};
+      BZ2_bzDecompressInit(&state_, 0, 0);
+      ended_ = false;
+    }
+    state_.next_in = const_cast<char*>(reinterpret_cast<const char*>(in.data()));
+    state_.avail_in = static_cast<unsigned>(in.size());
+    state_.next_out = reinterpret_cast<char*>(out.data());
+    state_.avail_out = static_cast<unsigned>(out.size());
+    const int result = ended_ ? BZ_STREAM_END : BZ2_bzDecompress(&state_);
+    if (result != BZ_OK && result != BZ_STREAM_END) {
+      throw ReadError("bzip2: the data are damaged (" + std::to_string(result) + ")");
+    }
+    ended_ = result == BZ_STREAM_END;
+    return {in.size() - state_.avail_in, out.size() - state_.avail_out};
+  }
+
+ private:
+  bz_stream state_{};
+  bool ended_ = false;
+};
+
+template <typename Decoder>
+class DecompressingStream final : public ByteStream {
+ public:
+  explicit DecompressingStream(ByteStream& compressed) : compressed_(compressed) {}
+
+  std::size_t read(std::span<std::byte> to) override {
+    std::size_t done = 0;
+    while (done < to.size()) {
+      refill();
+      constexpr std::size_t kMostAtOnce = 1 << 30;  // bzip2 counts in 32 bits
+      const Step step =
+          decoder_.step(rest_, to.subspan(done, std::min(to.size() - done, kMostAtOnce)));
+      rest_ = rest_.subspan(step.consumed);
+      done += step.produced;
+      if (step.consumed == 0 && step.produced == 0) break;
+    }
+    return done;
+  }
+
+ private:
+  void refill() {
+    if (!rest_.empty()) return;
+    rest_ = std::span<const std::byte>(buffer_).first(compressed_.read(buffer_));
+  }
+
+  ByteStream& compressed_;
+  Decoder decoder_;
+  std::array<std::byte, 65'536> buffer_;
+  std::span<const std::byte> rest_;
+};
+
+/// A file that is one Zstandard stream.
+class ZstdFile final : public ByteStream {
+ public:
+  explicit ZstdFile(const std::filesystem::path& file)
+      : file_(file), inside_(decompress(Compression::kZstd, file_)) {}
+  std::size_t read(std::span<std::byte> to) override { return inside_->read(to); }
+  double progress() const override { return file_.progress(); }
+
+ private:
+  FileStream file_;
+  std::unique_ptr<ByteStream> inside_;
+};
+
+std::string compress_lz4(std::string_view bytes) {
+  std::string frame(LZ4F_compressFrameBound(bytes.size(), nullptr), '\0');
+  const std::size_t size =
+      LZ4F_compressFrame(frame.data(), frame.size(), bytes.data(), bytes.size(), nullptr);
+  if (LZ4F_isError(size) != 0) throw std::runtime_error(LZ4F_getErrorName(size));
+  frame.resize(size);
+  return frame;
+}
+
+std::string compress_zstd(std::string_view bytes) {
+  constexpr int kFast = 1;
+  std::string frame(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kFast);
+  if (ZSTD_isError(size) != 0) throw std::runtime_error(ZSTD_getErrorName(size));
+  frame.resize(size);
+  return frame;
+}
+
+}  // namespace
+
+std::optional<Compression> compression_named(std::string_view name) {
+  if (name.empty() || name == "none") return Compression::kNone;
+  if (name == "lz4") return Compression::kLz4;
+  if (name == "zstd") return Compression::kZstd;
+  if (name == "bz2") return Compression::kBzip2;
+  return std::nullopt;
+}
+
+std::unique_ptr<ByteStream> decompress(Compression compression, ByteStream& compressed) {
+  switch (compression) {
+    case Compression::kLz4:
+      return std::make_unique<DecompressingStream<Lz4>>(compressed);
+    case Compression::kZstd:
+      return std::make_unique<DecompressingStream<Zstd>>(compressed);
+    case Compression::kBzip2:
+      return std::make_unique<DecompressingStream<Bzip2>>(compressed);
+    case Compression::kNone:
+      break;
+  }
+  throw std::invalid_argument("nothing to decompress");
+}
+
+bool is_zstd(std::span<const std::byte> bytes) {
+  constexpr std::array<std::byte, 4> kMagic = {std::byte{0x28}, std::byte{0xb5}, std::byte{0x2f},
+                                               std::byte{0xfd}};
+  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
+}
+
+std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file) {
+  std::array<std::byte, 4> begin{};
+  const std::size_t got = FileStream(file).read(begin);
+  if (is_zstd(std::span(begin).first(got))) return std::make_unique<ZstdFile>(file);
+  return std::make_unique<FileStream>(file);
+}
+
+std::string compress(Compression compression, std::string_view bytes) {
+  switch (compression) {
+    case Compression::kLz4:
+      return compress_lz4(bytes);
+    case Compression::kZstd:
+      return compress_zstd(bytes);
+    case Compression::kNone:
+      return std::string(bytes);
+    case Compression::kBzip2:
+      break;
+  }
+  throw std::invalid_argument("bzip2 is not written");
+}
+
+}  // namespace surefoot::io

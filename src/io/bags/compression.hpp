@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// LZ4 frames, Zstandard frames and bzip2, as bags have them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/bags/byte_stream.hpp"
+
+namespace surefoot::io {
+
+enum class Compression { kNone, kLz4, kZstd, kBzip2 };
+
+/// "", "none", "lz4", "zstd", "bz2"; nothing for another name.
+[[nodiscard]] std::optional<Compression> compression_named(std::string_view name);
+
+/// What `compressed` holds, decompressed while it is read with memory of a fixed size; several
+/// frames may follow each other. Where the compressed bytes end too early, what they held until
+/// then is there. Not for kNone. `compressed` must outlive the stream.
+[[nodiscard]] std::unique_ptr<ByteStream> decompress(Compression compression,
+                                                     ByteStream& compressed);
+
+/// True where the bytes begin as a Zstandard frame does.
+[[nodiscard]] bool is_zstd(std::span<const std::byte> bytes);
+
+/// A file's bytes; those that it holds, where it is compressed as a whole with Zstandard (the
+/// file's first bytes say so). Throws ReadError without the file's name.
+[[nodiscard]] std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file);
+
+/// One frame that holds `bytes`. kNone, kLz4, kZstd.
+[[nodiscard]] std::string compress(Compression compression, std::string_view bytes);
+
+}  // namespace surefoot::io

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "io/bags/bag_writer.hpp"
+#include "io/bags/mcap_writer.hpp"
+
+namespace surefoot::io {
+namespace {
+
+class McapBag final : public BagWriter {
+ public:
+  explicit McapBag(const std::filesystem::path& file) : writer_(file, McapOptions{}) {}
+
+  std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
+    const std::uint16_t schema =
+        writer_.add_schema(definition.ros2_type(), "ros2msg", definition.ros2_text);
+    // rosbag2 looks for the key.
+    return writer_.add_channel(schema, name, "cdr", {{"offered_qos_profiles", ""}});
+  }
+
+  void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) override {
+    // MCAP's times are not negative.
+    const auto time = static_cast<std::uint64_t>(std::max<std::int64_t>(stamp_ns, 0));
+    writer_.write(static_cast<std::uint16_t>(topic), sequence_++, time, time, message);
+    last_ = std::max(last_, time);
+  }
+
+  void attach(std::string_view name, std::string_view media_type,
+              std::string_view content) override {
+    writer_.attach(last_, last_, name, media_type, content);
+  }
+
+  void finish() override { writer_.finish(); }
+
+ private:
+  McapWriter writer_;
+  std::uint32_t sequence_ = 0;
+  std::uint64_t last_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<BagWriter> make_mcap_bag(const std::filesystem::path& file) {
+  return std::make_unique<McapBag>(file);
+}
+
+}  // namespace surefoot::io

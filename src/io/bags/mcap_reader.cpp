@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/mcap_reader.hpp"
+
+#include <map>
+
+#include "io/bags/compression.hpp"
+#include "io/bags/mcap_format.hpp"
+#include "io/messages/message_reader.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+using mcap::Opcode;
+
+// Longer schemas, channels and headers are passed over [bytes].
+constexpr std::uint64_t kMostRecordBytes = 16 << 20;
+constexpr std::size_t kMostNameBytes = 4096;
+
+struct RecordHead {
+  Opcode opcode{};
+  std::uint64_t length = 0;
+};
+
+// Nothing at the end, also within a head.
+std::optional<RecordHead> read_head(ByteStream& stream) {
+  std::array<std::byte, 9> bytes;
+  if (stream.read(bytes) < bytes.size()) return std::nullopt;
+  return RecordHead{static_cast<Opcode>(bytes[0]), load<std::uint64_t>(bytes.data() + 1, false)};
+}
+
+/// A chunk that is being read. The parts refer to each other from top to bottom.
+struct OpenChunk {
+  OpenChunk(ByteStream& file, std::uint64_t record_bytes) : record(file, record_bytes) {}
+
+  LimitedStream record;  ///< what is left of the chunk's record
+  std::optional<LimitedStream> compressed;
+  std::unique_ptr<ByteStream> inside;
+  std::optional<ChecksumStream> content;
+  std::uint64_t size = 0;
+  std::uint32_t crc = 0;
+  std::size_t number = 0;
+};
+
+class McapReader final : public MessageSource {
+ public:
+  explicit McapReader(std::unique_ptr<ByteStream> file) : file_(std::move(file)), data_(*file_) {
+    std::array<std::byte, mcap::kMagic.size()> magic{};
+    const std::size_t got = data_.read(magic);
+    if (got < magic.size() || std::memcmp(magic.data(), mcap::kMagic.data(), got) != 0) {
+      throw ReadError("it does not begin as MCAP does (0x89 'MCAP0')");
+    }
+  }
+
+  std::optional<Message> next() override {
+    while (!ended_) {
+      try {
+        if (std::optional<Message> message = chunk_ ? read_from_chunk() : read_from_file()) {
+          return message;
+        }
+      } catch (const ReadError& error) {
+        give_up(error.what());
+      }
+    }
+    return std::nullopt;
+  }
+
+  double progress() const override { return ended_ ? 1.0 : file_->progress(); }
+  std::string format() const override {
+    return "MCAP, profile " + (profile_.empty() ? "none" : profile_);
+  }
+
+ private:
+  // A chunk that is damaged ends; what comes after its record may be whole.
+  void give_up(const std::string& why) {
+    if (!chunk_) {
+      ended_ = true;
+      return note("reading ends early: " + why);
+    }
+    note("chunk " + std::to_string(chunk_->number) + " is damaged, read as far as it goes: " + why);
+    leave_chunk();
+  }
+
+  void leave_chunk() {
+    chunk_->record.skip(chunk_->record.left());
+    chunk_.reset();
+  }
+
+  std::optional<Message> read_from_file() {
+    // The checksum that the record of the data's end holds is of all before it.
+    const std::uint32_t crc = data_.crc();
+    const std::optional<RecordHead> head = read_head(data_);
+    if (!head) {
+      ended_ = true;
+      note("the file is cut short: it ends without MCAP's end of data, after " +
+           std::to_string(data_.size()) + " bytes; what is whole was read");
+      return std::nullopt;
+    }
+    LimitedStream record(data_, head->length);
+    std::optional<Message> message;
+    switch (head->opcode) {
+      case Opcode::kHeader:
+        if (const auto body = read_body(record)) read_file_header(*body);
+        break;
+      case Opcode::kChunk:
+        open_chunk(head->length);
+        return std::nullopt;
+      case Opcode::kDataEnd:
+        if (const auto body = read_body(record)) check_data(*body, crc);
+        ended_ = true;
+        return std::nullopt;
+      case Opcode::kFooter:
+        ended_ = true;
+        return std::nullopt;
+      default:
+        message = read_data_record(*head, record);
+    }
+    record.skip(record.left());
+    return message;
+  }
+
+  std::optional<Message> read_from_chunk() {
+    ByteStream& content = *chunk_->content;
+    const std::optional<RecordHead> head = read_head(content);
+    if (!head) {
+      finish_chunk();
+      return std::nullopt;
+    }
+    LimitedStream record(content, head->length);
+    std::optional<Message> message = read_data_record(*head, record);
+    record.skip(record.left());
+    return message;
+  }
+
+  // A schema, a channel or a message, which may be in a chunk or not.
+  std::optional<Message> read_data_record(const RecordHead& head, LimitedStream& record) {
+    switch (head.opcode) {
+      case Opcode::kSchema:
+        if (const auto body = read_body(record)) read_schema(*body);
+        return std::nullopt;
+      case Opcode::kChannel:
+        if (const auto body = read_body(record)) read_channel(*body);
+        return std::nullopt;
+      case Opcode::kMessage:
+        return read_message(record);
+      default:
+        return std::nullopt;
+    }
+  }
+
+  std::optional<std::span<const std::byte>> read_body(LimitedStream& record) {
+    if (record.left() > kMostRecordBytes) return std::nullopt;
+    return read_bytes(record, record.left(), body_);
+  }
+
+  void read_file_header(std::span<const std::byte> body) {
+    profile_ = std::string(MessageReader::packed(body).string("profile").substr(0, kMostNameBytes));
+  }
+
+  void read_schema(std::span<const std::byte> body) {
+    MessageReader reader = MessageReader::packed(body);
+    const auto id = reader.number<std::uint16_t>("schema's number");
+    schemas_[id] = plain_type_name(reader.string("schema's name").substr(0, kMostNameBytes));
+  }
+
+  void read_channel(std::span<const std::byte> body) {
+    MessageReader reader = MessageReader::packed(body);
+    const auto id = reader.number<std::uint16_t>("channel's number");
+    const auto schema = reader.number<std::uint16_t>("channel's schema");
+    if (channels_.count(id) > 0) return;  // repeated in every chunk
+    Topic& topic = channels_[id];
+    topic.name = reader.string("channel's topic").substr(0, kMostNameBytes);
+    const std::string_view encoding = reader.string("channel's encoding");
+    topic.encoding = encoding == "cdr"    ? MessageEncoding::kCdr
+                     : encoding == "ros1" ? MessageEncoding::kRos1
+                                          : MessageEncoding::kOther;
+    const auto type = schemas_.find(schema);
+    if (type != schemas_.end()) topic.type = type->second;
+  }
+
+  std::optional<Message> read_message(LimitedStream& record) {
+    std::array<std::byte, mcap::kMessageHead> bytes{};
+    if (record.read(bytes) < bytes.size()) return std::nullopt;
+    MessageReader reader = MessageReader::packed(bytes);
+    const auto channel = channels_.find(reader.number<std::uint16_t>("channel"));
+    (void)reader.number<std::uint32_t>("sequence");
+    const auto logged_ns =
+        sane_time(static_cast<std::int64_t>(reader.number<std::uint64_t>("time")));
+    if (channel == channels_.end()) {
+      if (!lost_channel_) note("messages of a channel that was not announced are passed over");
+      lost_channel_ = true;
+      return std::nullopt;
+    }
+    if (!is_wanted(channel->second)) return std::nullopt;
+    if (record.left() > kMostMessageBytes) {
+      note("a message of " + std::to_string(record.left()) + " bytes is passed over");
+      return std::nullopt;
+    }
+    const auto data = read_bytes(record, record.left(), message_);
+    if (!data) return std::nullopt;
+    return Message{&channel->second, logged_ns, *data};
+  }
+
+  void open_chunk(std::uint64_t length) {
+    chunk_.emplace(data_, length);
+    chunk_->number = chunks_++;
+    std::array<std::byte, 8 + 8 + 8 + 4 + 4> bytes{};
+    chunk_->record.read(bytes);
+    MessageReader reader = MessageReader::packed(bytes);
+    (void)reader.take(16, "chunk's times");
+    chunk_->size = reader.number<std::uint64_t>("chunk's size");
+    chunk_->crc = reader.number<std::uint32_t>("chunk's checksum");
+    const auto name_bytes = reader.number<std::uint32_t>("length of the compression's name");
+    if (name_bytes > kMostNameBytes) throw ReadError("its compression has no name");
+    std::string name(name_bytes, '\0');
+    chunk_->record.read(std::as_writable_bytes(std::span(name)));
+    std::array<std::byte, 8> size{};
+    chunk_->record.read(size);
+    const std::optional<Compression> compression = compression_named(name);
+    if (!compression) throw ReadError("its compression is '" + name + "'; expected lz4 or zstd");
+    chunk_->compressed.emplace(chunk_->record, load<std::uint64_t>(size.data(), false));
+    if (*compression == Compression::kNone) {
+      chunk_->content.emplace(*chunk_->compressed);
+    } else {
+      chunk_->inside = decompress(*compression, *chunk_->compressed);
+      chunk_->content.emplace(*chunk_->inside);
+    }
+  }
+
+  // A chunk that is cut with the file has no checksum to be compared.
+  void finish_chunk() {
+    const bool whole = chunk_->compressed->left() == 0;
+    if (whole && chunk_->crc != 0 && chunk_->content->crc() != chunk_->crc) {
+      note("the checksum of chunk " + std::to_string(chunk_->number) +
+           " differs: its messages may be damaged");
+    }
+    leave_chunk();
+  }
+
+  void check_data(std::span<const std::byte> body, std::uint32_t crc) {
+    const auto expected = MessageReader::packed(body).number<std::uint32_t>("checksum");
+    if (expected != 0 && expected != crc) {
+      note("the checksum of the whole data differs: some of it may be damaged");
+    }
+  }
+
+  std::unique_ptr<ByteStream> file_;
+  ChecksumStream data_;
+  std::optional<OpenChunk> chunk_;
+  std::string profile_;
+  std::map<std::uint16_t, std::string> schemas_;  ///< type names
+  std::map<std::uint16_t, Topic> channels_;
+  std::vector<std::byte> body_;
+  std::vector<std::byte> message_;
+  std::size_t chunks_ = 0;
+  bool lost_channel_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<MessageSource> read_mcap(std::unique_ptr<ByteStream> file) {
+  return std::make_unique<McapReader>(std::move(file));
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What a bag is to its readers: messages from front to back, whatever they are stored in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot::io {
+
+enum class MessageEncoding { kCdr, kRos1, kOther };
+
+struct Topic {
+  std::string name;
+  std::string type;  ///< "sensor_msgs/PointCloud2", for ROS 2 as well
+  MessageEncoding encoding = MessageEncoding::kOther;
+};
+
+struct Message {
+  const Topic* topic = nullptr;      ///< never null; lives as long as its source
+  std::int64_t logged_ns = 0;        ///< when it was recorded
+  std::span<const std::byte> bytes;  ///< until the next call of next()
+};
+
+class MessageSource {
+ public:
+  virtual ~MessageSource() = default;
+  /// The next message, or nothing at the end. Damaged parts are passed over, with a note. Throws
+  /// ReadError where nothing can be read at all.
+  [[nodiscard]] virtual std::optional<Message> next() = 0;
+  /// Begins anew where that is cheaper than opening it again; false where it is not.
+  virtual bool rewind() { return false; }
+  /// Share that was read, 0..1.
+  [[nodiscard]] virtual double progress() const = 0;
+  /// "MCAP (ros2)", "ROS 1 bag", ...
+  [[nodiscard]] virtual std::string format() const = 0;
+  /// What was damaged or passed over, one sentence each. Grows while reading.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// From here on messages of one topic alone are needed.
+  void want(std::string topic) { wanted_ = std::move(topic); }
+
+ protected:
+  [[nodiscard]] const std::string& wanted() const { return wanted_; }
+  [[nodiscard]] bool is_wanted(const Topic& topic) const {
+    return wanted_.empty() || topic.name == wanted_;
+  }
+  /// Adds a note, unless there are too many already.
+  void note(std::string_view text);
+
+ private:
+  std::string wanted_;
+  std::vector<std::string> notes_;
+};
+
+/// Larger messages are passed over: no sweep of a LiDAR is of this size [bytes].
+inline constexpr std::uint64_t kMostMessageBytes = 256 << 20;
+
+/// A time of recording as it is stored, kept within what times may be added to and subtracted from
+/// without a thought: 1834 to 2106.
+[[nodiscard]] constexpr std::int64_t sane_time(std::int64_t nanoseconds) {
+  constexpr std::int64_t kMost = 4'294'967'296'000'000'000;
+  return nanoseconds > kMost ? kMost : nanoseconds < -kMost ? -kMost : nanoseconds;
+}
+
+/// One name for a type however a bag spells it: "sensor_msgs/msg/PointCloud2" and
+/// "sensor_msgs::msg::dds_::PointCloud2_" are "sensor_msgs/PointCloud2".
+[[nodiscard]] std::string plain_type_name(std::string_view name);
+
+}  // namespace surefoot::io

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "io/bags/bag_writer.hpp"
+#include "io/file_writer.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+// rosbag2_storage_sqlite3, version 3 of its tables: what every ROS 2 since Humble reads.
+constexpr const char* kTables =
+    "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
+    "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL,"
+    " metadata TEXT NOT NULL);"
+    "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,"
+    " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);"
+    "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL,"
+    " timestamp INTEGER NOT NULL, data BLOB NOT NULL);"
+    "CREATE INDEX timestamp_idx ON messages (timestamp ASC);"
+    "INSERT INTO schema(schema_version, ros_distro) VALUES (3, 'humble');";
+
+class SqliteBag final : public BagWriter {
+ public:
+  explicit SqliteBag(const fs::path& folder) : folder_(folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
+    const fs::path whole = fs::absolute(folder, error).lexically_normal();
+    const fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    file_name_ = name.string() + "_0.db3";
+    const fs::path file = folder_ / file_name_;
+    fs::remove(file, error);
+    sqlite3_open(file.c_str(), &database_);
+    run("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;");
+    run(kTables);
+    run("BEGIN;");
+    prepare("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)", insert_);
+  }
+
+  ~SqliteBag() override {
+    sqlite3_finalize(insert_);
+    if (database_ != nullptr && !finished_)
+      sqlite3_exec(database_, "COMMIT;", nullptr, nullptr, nullptr);
+    sqlite3_close(database_);
+  }
+  SqliteBag(const SqliteBag&) = delete;
+  SqliteBag& operator=(const SqliteBag&) = delete;
+
+  std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
+    topics_.push_back({name, definition.ros2_type(), 0});
+    sqlite3_stmt* row = nullptr;
+    prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', '')", row);
+    sqlite3_bind_int64(row, 1, static_cast<sqlite3_int64>(topics_.size()));
+    sqlite3_bind_text(row, 2, name.c_str(), -1, SQLITE_TRANSIENT);
+    sqlite3_bind_text(row, 3, topics_.back().type.c_str(), -1, SQLITE_TRANSIENT);
+    const bool done = sqlite3_step(row) == SQLITE_DONE;
+    sqlite3_finalize(row);
+    if (!done) fail();
+    return topics_.size();
+  }
+
+  void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) override {
+    sqlite3_bind_int64(insert_, 1, static_cast<sqlite3_int64>(topic));
+    sqlite3_bind_int64(insert_, 2, stamp_ns);
+    sqlite3_bind_blob64(insert_, 3, message.data(), message.size(), SQLITE_STATIC);
+    if (sqlite3_step(insert_) != SQLITE_DONE) fail();
+    sqlite3_reset(insert_);
+    first_ns_ = messages_ == 0 ? stamp_ns : std::min(first_ns_, stamp_ns);
+    last_ns_ = messages_ == 0 ? stamp_ns : std::max(last_ns_, stamp_ns);
+    ++messages_;
+    ++topics_[topic - 1].messages;
+  }
+
+  void finish() override {
+    if (finished_) return;
+    finished_ = true;
+    run("COMMIT;");
+    write_whole_file(folder_ / "metadata.yaml", metadata());
+  }
+
+ private:
+  struct TopicCount {
+    std::string name;
+    std::string type;
+    std::size_t messages;
+  };
+
+  [[noreturn]] void fail() const {
+    throw WriteError((folder_ / file_name_).string() + ": cannot be written: " +
+                     (database_ != nullptr ? sqlite3_errmsg(database_) : "no memory"));
+  }
+  void run(const char* commands) {
+    if (sqlite3_exec(database_, commands, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+  }
+  void prepare(const char* command, sqlite3_stmt*& statement) {
+    if (sqlite3_prepare_v2(database_, command, -1, &statement, nullptr) != SQLITE_OK) fail();
+  }
+
+  [[nodiscard]] std::string metadata() const {
+    const std::string duration = std::to_string(last_ns_ - first_ns_);
+    const std::string count = std::to_string(messages_);
+    std::string text =
+        "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: sqlite3\n";
+    text += "  duration:\n    nanoseconds: " + duration + "\n";
+    text += "  starting_time:\n    nanoseconds_since_epoch: " + std::to_string(first_ns_) + "\n";
+    text += "  message_count: " + count + "\n  topics_with_message_count:\n";
+    for (const TopicCount& topic : topics_) {
+      text += "    - topic_metadata:\n        name: " + topic.name +
+              "\n        type: " + topic.type +
+              "\n        serialization_format: cdr\n        offered_qos_profiles: \"\"\n" +
+              "      message_count: " + std::to_string(topic.messages) + "\n";
+    }
+    text += "  compression_format: \"\"\n  compression_mode: \"\"\n";
+    text += "  relative_file_paths:\n    - " + file_name_ + "\n  files:\n    - path: " + file_name_;
+    text += "\n      starting_time:\n        nanoseconds_since_epoch: " + std::to_string(first_ns_);
+    text += "\n      duration:\n        nanoseconds: " + duration;
+    return text + "\n      message_count: " + count + "\n";
+  }
+
+  fs::path folder_;
+  std::string file_name_;
+  sqlite3* database_ = nullptr;
+  sqlite3_stmt* insert_ = nullptr;
+  std::vector<TopicCount> topics_;
+  std::int64_t first_ns_ = 0;
+  std::int64_t last_ns_ = 0;
+  std::size_t messages_ = 0;
+  bool finished_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<BagWriter> make_sqlite_bag(const fs::path& folder) {
+  return std::make_unique<SqliteBag>(folder);
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/bags/message_source.hpp"
+
+namespace surefoot::io {
+
+/// The messages of one topic of a bag, as often as they are wanted from the beginning.
+class TopicMessages {
+ public:
+  /// Throws ReadError naming the file.
+  explicit TopicMessages(std::vector<std::filesystem::path> files);
+
+  /// All of the bag, for a look at it.
+  [[nodiscard]] MessageSource& bag() { return *bag_; }
+  /// From here on the messages of this topic alone, from the first one.
+  void begin(const Topic& topic);
+
+  [[nodiscard]] std::optional<Message> next();
+  [[nodiscard]] const Topic& topic() const { return topic_; }
+  [[nodiscard]] double progress() const { return bag_->progress(); }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return bag_->notes(); }
+  /// "MCAP, profile ros2, topic /points (sensor_msgs/PointCloud2)".
+  [[nodiscard]] std::string description() const;
+
+ private:
+  std::vector<std::filesystem::path> files_;
+  std::unique_ptr<MessageSource> bag_;
+  std::string format_;
+  Topic topic_;
+};
+
+}  // namespace surefoot::io

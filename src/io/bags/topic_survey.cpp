@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/topic_survey.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "io/messages/cloud_message.hpp"
+#include "io/messages/message_reader.hpp"
+#include "io/messages/packet_message.hpp"
+#include "io/packets/packet_scans.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::int64_t kLookedAtNs = 2'000'000'000;
+constexpr std::size_t kMostTopics = 10'000;
+// Messages of a topic that are tried before it counts as of no use.
+constexpr std::size_t kMostLookedInto = 200;
+constexpr std::size_t kMostListed = 40;
+
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const bool plain = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+    text += plain ? c : '?';
+  }
+  return text;
+}
+
+void look_into_cloud(const Message& message, TopicSurvey& survey) {
+  survey.usable = true;  // where this one is damaged, the next one may be whole
+  const CloudMessage cloud = read_cloud(survey.topic.type, survey.topic.encoding, message.bytes);
+  survey.frame = cloud.frame;
+  survey.content = std::to_string(cloud.table.size) + " points, " + cloud.table.layout();
+  survey.usable = cloud.table.find("x") != nullptr && cloud.table.find("y") != nullptr &&
+                  cloud.table.find("z") != nullptr;
+}
+
+void look_into_packets(const Message& message, const OpenOptions& options,
+                       const std::string& calibration, TopicSurvey& survey) {
+  PacketScans scans(options, calibration);
+  std::size_t packets = 0;
+  for_each_packet(message, [&](const MessagePacket& packet) {
+    ++packets;
+    scans.add(packet.stamp_ns, packet.bytes);
+  });
+  survey.usable = scans.found();
+  survey.content = std::to_string(packets) + " packets of " +
+                   (scans.found() ? scans.sensor() : "no sensor that is known");
+  if (!scans.found() && !scans.reason().empty()) survey.content += ": " + scans.reason();
+}
+
+void look_into(const Message& message, const OpenOptions& options, const std::string& calibration,
+               TopicSurvey& survey) {
+  try {
+    if (is_cloud_type(survey.topic.type)) {
+      look_into_cloud(message, survey);
+    } else if (is_packet_type(survey.topic.type)) {
+      look_into_packets(message, options, calibration, survey);
+    }
+  } catch (const ReadError& error) {
+    survey.content = error.what();
+  }
+}
+
+// Ouster's metadata is a text on a topic of its own.
+std::string metadata_in(const Message& message) {
+  if (message.topic->type != "std_msgs/String" || !message.topic->name.ends_with("metadata")) {
+    return {};
+  }
+  try {
+    return std::string(MessageReader(message.topic->encoding, message.bytes).string("metadata"));
+  } catch (const ReadError&) {
+    return {};
+  }
+}
+
+std::string line_of(const TopicSurvey& survey) {
+  char rate[40];
+  std::snprintf(rate, sizeof(rate), "%.1f Hz", survey.rate_hz());
+  std::string line = "  " + escaped(survey.topic.name) + "  " + escaped(survey.topic.type);
+  if (survey.messages > 1) line += std::string("  ") + rate;
+  if (!survey.frame.empty()) line += "  frame " + escaped(survey.frame);
+  if (!survey.content.empty()) line += "  " + escaped(survey.content);
+  return line;
+}
+
+std::string list(const std::vector<TopicSurvey>& topics) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(topics.size(), kMostListed); ++i) {
+    text += '\n' + line_of(topics[i]);
+  }
+  if (topics.size() > kMostListed) {
+    text += "\n  and " + std::to_string(topics.size() - kMostListed) + " more";
+  }
+  return text;
+}
+
+}  // namespace
+
+double TopicSurvey::rate_hz() const {
+  return messages < 2 || last_ns <= first_ns
+             ? 0.0
+             : static_cast<double>(messages - 1) / (1e-9 * static_cast<double>(last_ns - first_ns));
+}
+
+BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {
+  BagSurvey found;
+  std::vector<TopicSurvey>& topics = found.topics;
+  std::optional<std::int64_t> begin_ns;
+  bool any_usable = false;
+  while (const std::optional<Message> message = bag.next()) {
+    if (!begin_ns) begin_ns = message->logged_ns;
+    auto survey = std::find_if(topics.begin(), topics.end(), [&](const TopicSurvey& one) {
+      return one.topic.name == message->topic->name && one.topic.type == message->topic->type;
+    });
+    if (survey == topics.end()) {
+      if (topics.size() >= kMostTopics) continue;
+      survey = topics.insert(topics.end(), TopicSurvey{});
+      survey->topic = *message->topic;
+      survey->first_ns = message->logged_ns;
+    }
+    ++survey->messages;
+    survey->last_ns = message->logged_ns;
+    if (found.calibration.empty()) found.calibration = metadata_in(*message);
+    if (!survey->usable && survey->messages <= kMostLookedInto) {
+      look_into(*message, options, found.calibration, *survey);
+    }
+    const bool is_asked = options.topic.empty() || survey->topic.name == options.topic;
+    any_usable = any_usable || (is_asked && survey->usable);
+    if (any_usable && message->logged_ns - *begin_ns > kLookedAtNs) break;
+  }
+  return found;
+}
+
+const TopicSurvey& choose_topic(const std::vector<TopicSurvey>& topics, const std::string& asked,
+                                const std::string& bag) {
+  std::vector<TopicSurvey> usable;
+  const TopicSurvey* chosen = nullptr;
+  for (const TopicSurvey& survey : topics) {
+    if (survey.topic.name == asked) chosen = &survey;
+    if (survey.usable) usable.push_back(survey);
+  }
+  if (!asked.empty()) {
+    if (chosen == nullptr) {
+      throw ReadError(bag + ": no topic '" + asked + "'; there are:" + list(topics));
+    }
+    if (!chosen->usable) {
+      throw ReadError(bag + ": no scans can be made of" + line_of(*chosen));
+    }
+    return *chosen;
+  }
+  if (usable.empty()) {
+    throw ReadError(bag +
+                    ": no topic that scans can be made of (sensor_msgs/PointCloud2 and others)" +
+                    (topics.empty() ? "; it holds no message" : "; there are:" + list(topics)));
+  }
+  if (usable.size() > 1) {
+    std::string text = bag + ": " + std::to_string(usable.size()) +
+                       " topics that scans can be made of:" + list(usable) + "\ntake one:";
+    for (const TopicSurvey& survey : usable) {
+      text += "\n  surefoot run " + bag + " --topic " + escaped(survey.topic.name);
+    }
+    throw ReadError(text);
+  }
+  for (const TopicSurvey& survey : topics) {
+    if (survey.usable) chosen = &survey;
+  }
+  return *chosen;
+}
+
+}  // namespace surefoot::io

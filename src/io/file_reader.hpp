@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+namespace surefoot::io {
+
+/// Throws ReadError saying what `file` is if it is no regular file: opening a pipe may wait for
+/// ever, and a device has no size.
+void require_regular_file(const std::filesystem::path& file);
+
+/// A whole regular file into `bytes`, whose memory is used again. Throws ReadError.
+void read_whole_file(const std::filesystem::path& file, std::vector<std::byte>& bytes);
+
+}  // namespace surefoot::io

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/files/folder_listing.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::array<ScanFileKind, 3> kKinds = {ScanFileKind::kPcd, ScanFileKind::kPly,
+                                                ScanFileKind::kKittiBin};
+
+// Where KITTI's recordings have their scans.
+constexpr std::array<const char*, 2> kBelow = {"velodyne_points/data", "velodyne"};
+
+// The files of one folder by kind, and how many are none of them.
+struct Sorted {
+  std::array<std::vector<std::filesystem::path>, kKinds.size()> by_kind;
+  std::size_t others = 0;
+  std::vector<std::filesystem::path> captures;
+
+  [[nodiscard]] std::string counts() const {
+    std::string text;
+    for (std::size_t k = 0; k < kKinds.size(); ++k) {
+      text += std::to_string(by_kind[k].size()) + " " + name_of(kKinds[k]) + ", ";
+    }
+    const auto counted = [](std::size_t count, const char* what) {
+      return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
+    return text + counted(captures.size(), "capture") + " and " + counted(others, "other file");
+  }
+  [[nodiscard]] std::size_t kinds() const {
+    return static_cast<std::size_t>(std::count_if(
+        by_kind.begin(), by_kind.end(), [](const auto& files) { return !files.empty(); }));
+  }
+};
+
+Sorted sort_folder(const std::filesystem::path& folder) {
+  Sorted sorted;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    std::error_code ignored;
+    const std::filesystem::path& file = it->path();
+    if (!it->is_regular_file(ignored) || file.filename().string().starts_with(".")) {
+      continue;
+    }
+    const std::optional<ScanFileKind> kind = scan_file_kind(file);
+    if (kind) {
+      sorted.by_kind[static_cast<std::size_t>(*kind)].push_back(file);
+    } else if (is_capture(file)) {
+      sorted.captures.push_back(file);
+    } else {
+      ++sorted.others;
+    }
+  }
+  if (error) {
+    throw ReadError(folder.string() + ": cannot list it: " + error.message());
+  }
+  return sorted;
+}
+
+ScanFileKind kind_of_format(const std::string& format) {
+  const std::optional<ScanFileKind> kind = scan_file_kind("scan." + format);
+  if (!kind) {
+    throw ReadError("format '" + format + "'; expected pcd, ply or bin");
+  }
+  return *kind;
+}
+
+}  // namespace
+
+bool holds_scan_files(const std::filesystem::path& folder) {
+  return sort_folder(folder).kinds() > 0;
+}
+
+std::optional<std::filesystem::path> only_capture(const std::filesystem::path& folder) {
+  const Sorted sorted = sort_folder(folder);
+  const bool scans_below = std::any_of(kBelow.begin(), kBelow.end(), [&](const char* below) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(folder / below, ignored);
+  });
+  if (sorted.kinds() > 0 || scans_below || sorted.captures.size() != 1) return std::nullopt;
+  return sorted.captures.front();
+}
+
+FolderListing list_folder(const std::filesystem::path& path, const std::string& format) {
+  FolderListing listing;
+  listing.folder = path;
+  Sorted sorted = sort_folder(path);
+  const std::string counts = sorted.counts();
+  for (const char* below : kBelow) {
+    std::error_code ignored;
+    if (sorted.kinds() == 0 && std::filesystem::is_directory(path / below, ignored)) {
+      listing.folder = path / below;
+      sorted = sort_folder(listing.folder);
+    }
+  }
+  if (sorted.kinds() > 1 && format.empty()) {
+    throw ReadError(listing.folder.string() + ": " + sorted.counts() +
+                    "; expected scans of one kind, or the format to read: pcd, ply or bin");
+  }
+  for (const ScanFileKind kind : kKinds) {
+    std::vector<std::filesystem::path>& files = sorted.by_kind[static_cast<std::size_t>(kind)];
+    if (!files.empty() && (format.empty() || kind == kind_of_format(format))) {
+      listing.kind = kind;
+      listing.files = std::move(files);
+    }
+  }
+  if (listing.files.empty()) {
+    throw ReadError(
+        path.string() + ": " + counts +
+        (format.empty() ? "" : ", but format " + format + " is asked for") +
+        "; expected a folder of PCD, PLY or KITTI .bin files or of a bag, or one capture");
+  }
+  std::sort(listing.files.begin(), listing.files.end(), [](const auto& a, const auto& b) {
+    return natural_less(a.filename().string(), b.filename().string());
+  });
+  return listing;
+}
+
+}  // namespace surefoot::io

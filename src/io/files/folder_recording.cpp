@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/files/folder_recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/ascii_values.hpp"
+#include "io/decimal_time.hpp"
+#include "io/file_reader.hpp"
+#include "io/files/folder_listing.hpp"
+#include "io/files/kitti_bin.hpp"
+#include "io/files/scan_files.hpp"
+#include "io/scan_builder.hpp"
+#include "io/stamps.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr double kAssumedRateHz = 10.0;
+
+class FolderRecording final : public Recording {
+ public:
+  FolderRecording(FolderListing listing, bool is_folder, const OpenOptions& options)
+      : listing_(std::move(listing)), is_folder_(is_folder), options_(options) {
+    read_stamps_file();
+    find_point_time_rule();
+    set_other_stamps();
+  }
+
+  std::optional<ScanItem> next() override {
+    if (next_ >= listing_.files.size()) {
+      return std::nullopt;
+    }
+    const std::size_t index = next_++;
+    ScanItem item;
+    item.name = listing_.files[index].filename().string();
+    try {
+      read_scan(index, item);
+    } catch (const ReadError& error) {
+      item.error = listing_.files[index].string() + ": " + error.what();
+    }
+    return item;
+  }
+
+  std::optional<std::size_t> size() const override { return listing_.files.size(); }
+  void skip(std::size_t scans) override { next_ += std::min(scans, listing_.files.size() - next_); }
+  double progress() const override {
+    return static_cast<double>(next_) / static_cast<double>(listing_.files.size());
+  }
+  const std::vector<std::string>& notes() const override { return notes_; }
+  std::string description() const override {
+    return is_folder_ ? "folder of " + std::to_string(listing_.files.size()) + " " +
+                            name_of(listing_.kind) + " files"
+                      : std::string("one ") + name_of(listing_.kind) + " file";
+  }
+
+ private:
+  void read_stamps_file() {
+    const std::filesystem::path file = options_.stamps_file.empty() && is_folder_
+                                           ? find_stamps_file(listing_.folder)
+                                           : options_.stamps_file;
+    if (file.empty()) {
+      return;
+    }
+    try {
+      read_whole_file(file, bytes_);
+      stamps_ = parse_stamps(text_of(bytes_));
+    } catch (const ReadError& error) {
+      throw ReadError(file.string() + ": " + error.what());
+    }
+    if (stamps_.size() != listing_.files.size()) {
+      throw ReadError(file.string() + ": " + std::to_string(stamps_.size()) + " stamps for the " +
+                      std::to_string(listing_.files.size()) + " scans in " +
+                      listing_.folder.string() + "; expected as many of both");
+    }
+    notes_.push_back("stamps: from " + file.filename().string());
+  }
+
+  // A few scans over the whole recording, the middle one first: the first is often cut short, and
+  // its stamp may be zero.
+  std::vector<std::size_t> scans_to_look_at() const {
+    const std::size_t n = listing_.files.size();
+    std::vector<std::size_t> indices = {n / 2, n - 1, 0, n / 4, n / 2 + n / 4};
+    std::vector<std::size_t> once;
+    for (const std::size_t index : indices) {
+      if (std::find(once.begin(), once.end(), index) == once.end()) {
+        once.push_back(index);
+      }
+    }
+    return once;
+  }
+
+  void find_point_time_rule() {
+    for (const std::size_t index : scans_to_look_at()) {
+      try {
+        read_whole_file(listing_.files[index], bytes_);
+      } catch (const ReadError&) {
+        continue;  // said again when it is its turn
+      }
+      if (look_at_times(index)) {
+        break;
+      }
+    }
+    if (rule_) {
+      notes_.push_back(rule_text_);
+    }
+  }
+
+  // True where this scan settles the rule.
+  bool look_at_times(std::size_t index) {
+    PointTable table;
+    ScanColumns columns;
+    try {
+      table = parse_scan_file(listing_.kind, bytes_);
+      columns = find_scan_columns(table, options_);
+    } catch (const ReadError&) {
+      return false;  // said again when it is its turn
+    }
+    if (columns.time == nullptr) {
+      return false;
+    }
+    const TimeExtents extents = time_extents(table, columns);
+    if (extents.count == 0) {
+      return false;
+    }
+    try {
+      const PointTimeRule rule =
+          decide_point_time(extents, columns.time->type, given_stamp(index), options_);
+      if (!rule_ || rule.certain) {
+        rule_ = rule;
+        rule_text_ = describe_point_time(columns.time->name, columns.time->type, rule, extents);
+      }
+      return rule.certain;
+    } catch (const ReadError& error) {
+      throw ReadError(listing_.files[index].string() + ": field '" + columns.time->name +
+                      "': " + error.what());
+    }
+  }
+
+  // Where no file gives stamps: the points themselves, names that are numbers, or a rate.
+  void set_other_stamps() {
+    if (!stamps_.empty()) {
+      return;
+    }
+    if (rule_ && rule_->reference == TimeReference::kAbsolute) {
+      notes_.push_back("stamps: from the points' absolute times");
+      return;
+    }
+    if (const auto named = stamps_from_names(listing_.files)) {
+      stamps_ = *named;
+      notes_.push_back("stamps: from the file names");
+      return;
+    }
+    const bool known = options_.rate_hz > 0.0;
+    const double rate_hz = known ? options_.rate_hz : kAssumedRateHz;
+    for (std::size_t i = 0; i < listing_.files.size(); ++i) {
+      stamps_.push_back(std::llround(static_cast<double>(i) * 1e9 / rate_hz));
+    }
+    if (listing_.files.size() > 1) {
+      notes_.push_back(known ? "stamps: from the rate that was given"
+                             : "stamps: none found, 10 scans a second assumed");
+    }
+  }
+
+  std::optional<std::int64_t> given_stamp(std::size_t index) const {
+    return stamps_.empty() ? std::nullopt : std::optional(stamps_[index]);
+  }
+
+  void read_scan(std::size_t index, ScanItem& item) {
+    read_whole_file(listing_.files[index], bytes_);
+    const PointTable table = parse_scan_file(listing_.kind, bytes_);
+    item.layout = table.layout();
+    const ScanColumns columns = find_scan_columns(table, options_);
+    if (columns.time != nullptr && !rule_) {
+      look_at_times(index);
+    }
+    BuiltScan built = build_scan(table, columns, rule_, given_stamp(index), options_.stamp_at);
+    item.dropped_points = built.dropped_points;
+    if (options_.kitti_hdl64_correction) {
+      correct_kitti_hdl64(built.scan.points);
+    }
+    item.scan = std::move(built.scan);
+  }
+
+  FolderListing listing_;
+  bool is_folder_;
+  OpenOptions options_;
+  std::vector<std::int64_t> stamps_;  ///< empty: absolute point times give them
+  std::optional<PointTimeRule> rule_;
+  std::string rule_text_;
+  std::vector<std::string> notes_;
+  std::vector<std::byte> bytes_;  ///< of the file being read
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> open_scan_files(const std::filesystem::path& path,
+                                           const OpenOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return std::make_unique<FolderRecording>(list_folder(path, options.format), true, options);
+  }
+  FolderListing listing;
+  listing.folder = path.parent_path();
+  listing.kind = scan_file_kind(path).value();
+  listing.files = {path};
+  return std::make_unique<FolderRecording>(std::move(listing), false, options);
+}
+
+}  // namespace surefoot::io

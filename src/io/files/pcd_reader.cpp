@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/files/pcd_reader.hpp"
+
+#include <lzf.h>
+
+#include <limits>
+#include <string>
+
+#include "io/ascii_values.hpp"
+#include "io/files/pcd_header.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PCD data are little-endian");
+
+using Bytes = std::span<const std::byte>;
+
+bool is_padding(const PcdField& field) { return field.name == "_"; }
+
+// LZF's longest copy makes 264 bytes of 3, so honest sizes stay below 88 times the data.
+constexpr std::size_t kLzfLargestRatio = 88;
+
+void check_room(const PcdHeader& header, std::size_t room, const char* of) {
+  if (header.points > room / header.point_step) {
+    throw ReadError("PCD: " + std::to_string(header.points) + " points of " +
+                    std::to_string(header.point_step) + " bytes do not fit the " +
+                    std::to_string(room) + " bytes of " + of);
+  }
+}
+
+void read_binary(const PcdHeader& header, Bytes data, PointTable& table) {
+  check_room(header, data.size(), "data");
+  for (const PcdField& field : header.fields) {
+    if (!is_padding(field)) {
+      const std::byte* first = header.points > 0 ? data.data() + field.offset : nullptr;
+      table.columns.push_back({field.name, field.type, first, header.point_step, false});
+    }
+  }
+}
+
+std::vector<std::byte> decompress(const PcdHeader& header, Bytes data) {
+  if (data.size() < 8) {
+    throw ReadError("PCD: " + std::to_string(data.size()) +
+                    " bytes of data; expected two sizes of 4 bytes first");
+  }
+  const auto compressed = load<std::uint32_t>(data.data(), false);
+  const auto uncompressed = load<std::uint32_t>(data.data() + 4, false);
+  const std::size_t room = data.size() - 8;
+  if (compressed > room || uncompressed / kLzfLargestRatio > compressed) {
+    throw ReadError("PCD: compressed size " + std::to_string(compressed) + ", uncompressed size " +
+                    std::to_string(uncompressed) + ", but " + std::to_string(room) +
+                    " bytes follow");
+  }
+  check_room(header, uncompressed, "uncompressed data");
+  std::vector<std::byte> plain(uncompressed);
+  if (uncompressed > 0 &&
+      lzf_decompress(data.data() + 8, compressed, plain.data(), uncompressed) != uncompressed) {
+    throw ReadError("PCD: the " + std::to_string(compressed) +
+                    " bytes of compressed data are not LZF of " + std::to_string(uncompressed) +
+                    " bytes");
+  }
+  return plain;
+}
+
+// Fields one after the other, each for all points.
+void read_compressed(const PcdHeader& header, Bytes data, PointTable& table) {
+  table.storage = decompress(header, data);
+  const std::byte* at = table.storage.data();
+  for (const PcdField& field : header.fields) {
+    const std::size_t stride = field.count * size_of(field.type);
+    if (!is_padding(field)) {
+      table.columns.push_back({field.name, field.type, at, stride, false});
+    }
+    at += stride * header.points;  // of no points: nullptr stays nullptr
+  }
+}
+
+void read_ascii_point(const PcdHeader& header, std::string_view line, std::size_t line_number,
+                      std::byte* out) {
+  for (const PcdField& field : header.fields) {
+    for (std::size_t element = 0; element < field.count; ++element) {
+      const std::string_view word = take_word(line);
+      if (is_padding(field) ? word.empty() : !store_number(word, field.type, out)) {
+        throw ReadError("PCD line " + std::to_string(line_number) + ": field " +
+                        in_quotes(field.name) + " is " + in_quotes(word) + "; expected a " +
+                        name_of(field.type));
+      }
+      out += size_of(field.type);
+    }
+  }
+  if (const std::string_view extra = take_word(line); !extra.empty()) {
+    throw ReadError("PCD line " + std::to_string(line_number) + ": " + in_quotes(extra) +
+                    " after the last field");
+  }
+}
+
+void read_ascii(const PcdHeader& header, Bytes data, PointTable& table) {
+  // A value takes two characters at least and eight bytes at most.
+  if (header.points > (data.size() + 1) / 2) {
+    throw ReadError("PCD: " + std::to_string(header.points) + " points do not fit the " +
+                    std::to_string(data.size()) + " bytes of data");
+  }
+  LineReader lines(text_of(data));
+  std::string_view line;
+  std::size_t point = 0;
+  while (point < header.points && lines.next(line)) {
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) {
+      continue;
+    }
+    table.storage.resize((point + 1) * header.point_step);
+    read_ascii_point(header, line, header.lines + lines.line_number(),
+                     table.storage.data() + point * header.point_step);
+    ++point;
+  }
+  if (point != header.points) {
+    throw ReadError("PCD: " + std::to_string(point) + " points in the file; the header says " +
+                    std::to_string(header.points));
+  }
+  read_binary(header, table.storage, table);
+}
+
+}  // namespace
+
+PointTable parse_pcd(std::span<const std::byte> file) {
+  const PcdHeader header = parse_pcd_header(text_of(file));
+  const Bytes data = file.subspan(header.data_offset);
+  PointTable table;
+  table.size = header.points;
+  switch (header.data) {
+    case PcdData::kAscii:
+      table.format = "PCD ascii";
+      read_ascii(header, data, table);
+      break;
+    case PcdData::kBinary:
+      table.format = "PCD binary";
+      read_binary(header, data, table);
+      break;
+    case PcdData::kBinaryCompressed:
+      table.format = "PCD binary_compressed";
+      read_compressed(header, data, table);
+      break;
+  }
+  return table;
+}
+
+}  // namespace surefoot::io

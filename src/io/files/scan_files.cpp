@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/files/scan_files.hpp"
+
+#include <algorithm>
+
+#include "io/files/kitti_bin.hpp"
+#include "io/files/pcd_reader.hpp"
+#include "io/files/ply_reader.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The run of digits at `at`, without leading zeros; moves `at` past it.
+std::string_view take_digits(std::string_view text, std::size_t& at) {
+  while (at < text.size() && text[at] == '0') {
+    ++at;
+  }
+  const std::size_t begin = at;
+  while (at < text.size() && is_digit(text[at])) {
+    ++at;
+  }
+  return text.substr(begin, at - begin);
+}
+
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+}  // namespace
+
+bool is_capture(const std::filesystem::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".pcap" || extension == ".pcapng";
+}
+
+std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".pcd") {
+    return ScanFileKind::kPcd;
+  }
+  if (extension == ".ply") {
+    return ScanFileKind::kPly;
+  }
+  return extension == ".bin" ? std::optional(ScanFileKind::kKittiBin) : std::nullopt;
+}
+
+const char* name_of(ScanFileKind kind) {
+  switch (kind) {
+    case ScanFileKind::kPcd:
+      return "PCD";
+    case ScanFileKind::kPly:
+      return "PLY";
+    case ScanFileKind::kKittiBin:
+      return "KITTI .bin";
+  }
+  return "";
+}
+
+PointTable parse_scan_file(ScanFileKind kind, std::span<const std::byte> bytes) {
+  if (bytes.empty()) {
+    throw ReadError(std::string("empty file; expected ") + name_of(kind));
+  }
+  switch (kind) {
+    case ScanFileKind::kPcd:
+      return parse_pcd(bytes);
+    case ScanFileKind::kPly:
+      return parse_ply(bytes);
+    case ScanFileKind::kKittiBin:
+      return parse_kitti_bin(bytes);
+  }
+  return {};
+}
+
+bool natural_less(const std::string& a, const std::string& b) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[j])) {
+      const std::string_view left = take_digits(a, i);
+      const std::string_view right = take_digits(b, j);
+      if (left != right) {
+        return left.size() != right.size() ? left.size() < right.size() : left < right;
+      }
+      continue;
+    }
+    if (a[i] != b[j]) {
+      return a[i] < b[j];
+    }
+    ++i;
+    ++j;
+  }
+  const bool both_ended = i == a.size() && j == b.size();
+  return both_ended ? a < b : i == a.size();
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "io/packets/udp_datagram.hpp"
+
+namespace surefoot::io {
+
+struct CapturedFrame {
+  std::int64_t stamp_ns = 0;         ///< the capturing machine's clock
+  std::span<const std::byte> bytes;  ///< valid until the next frame is read
+};
+
+/// A packet capture (pcap or pcapng) read from front to back through libpcap.
+class CaptureFile {
+ public:
+  /// Throws ReadError where it is no capture, or of a link layer that is not known.
+  explicit CaptureFile(const std::filesystem::path& file);
+  /// Takes the open file over, for captures in memory. Throws as above.
+  explicit CaptureFile(std::FILE* file);
+
+  /// The next frame, or nothing at the end or where the file is cut short: see cut_short().
+  [[nodiscard]] std::optional<CapturedFrame> next();
+  [[nodiscard]] LinkLayer link() const { return link_; }
+  /// What libpcap said where the capture ends before its time; empty: it does not.
+  [[nodiscard]] const std::string& cut_short() const { return cut_short_; }
+  /// Share of the file that was read, 0..1.
+  [[nodiscard]] double progress() const;
+
+ private:
+  struct Close {
+    void operator()(void* handle) const;
+  };
+  void open(std::FILE* file);
+
+  std::unique_ptr<void, Close> handle_;  ///< a pcap_t, which nobody outside has to know
+  LinkLayer link_ = LinkLayer::kEthernet;
+  std::string cut_short_;
+  double size_ = 0.0;
+};
+
+}  // namespace surefoot::io

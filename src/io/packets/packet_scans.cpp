@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/packets/packet_scans.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "io/ascii_values.hpp"
+#include "io/file_reader.hpp"
+#include "sensors/sensor_list.hpp"
+
+namespace surefoot::io {
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+std::string remark_of(const sensors::Sweep& sweep, sensors::SweepEnd end) {
+  char text[80];
+  if (end == sensors::SweepEnd::kTime) {
+    std::snprintf(text, sizeof(text), "partial sweep: firings over %.1f of 100 ms",
+                  1e-6 * static_cast<double>(sweep.duration_ns));
+  } else {
+    std::snprintf(text, sizeof(text), "partial revolution: firings over %.1f of 360 deg",
+                  sweep.turned_deg);
+  }
+  return text;
+}
+
+}  // namespace
+
+PacketScans::PacketScans(const OpenOptions& options, std::string metadata) : options_(options) {
+  if (!options_.sensor.empty() && !sensors::is_sensor_name(options_.sensor)) {
+    throw ReadError("no sensor is called '" + options_.sensor +
+                    "'; there are: " + joined(sensors::sensor_names()));
+  }
+  decoder_options_.returns = options_.dual_return;
+  decoder_options_.beam_origins = options_.beam_origins;
+  decoder_options_.metadata = std::move(metadata);
+  if (!options_.calibration_file.empty()) {
+    calibration_name_ = options_.calibration_file.string() + ": ";
+    try {
+      std::vector<std::byte> bytes;
+      read_whole_file(options_.calibration_file, bytes);
+      constexpr std::size_t kMostBytes = 4'000'000;
+      if (bytes.size() > kMostBytes) {
+        throw ReadError("it has " + std::to_string(bytes.size()) +
+                        " bytes; expected a sensor's calibration or metadata");
+      }
+      decoder_options_.calibration = text_of(bytes);
+    } catch (const ReadError& error) {
+      throw ReadError(calibration_name_ + error.what());
+    }
+  }
+}
+
+PacketScans::~PacketScans() = default;
+
+bool PacketScans::pending() const { return cutter_ && cutter_->pending(); }
+std::string PacketScans::sensor() const { return decoder_ ? decoder_->sensor() : ""; }
+std::string PacketScans::return_mode() const { return decoder_ ? decoder_->return_mode() : ""; }
+
+PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> payload) {
+  if (!decoder_) {
+    try {
+      decoder_ = sensors::find_decoder(payload, options_.sensor, decoder_options_, reason_);
+    } catch (const sensors::CalibrationError& error) {
+      throw ReadError(calibration_name_ + error.what());
+    }
+    if (!decoder_) {
+      return PacketUse::kOther;
+    }
+  }
+  const sensors::PacketKind kind = decoder_->decode(payload, firings_);
+  if (kind != sensors::PacketKind::kData) {
+    return kind == sensors::PacketKind::kOther ? PacketUse::kOther : PacketUse::kMalformed;
+  }
+  const std::optional<SensorClock::Reading> reading =
+      clock_.read(firings_.time_ns, firings_.base, arrival_ns);
+  if (!reading) {
+    return PacketUse::kLate;
+  }
+  if (!cutter_) {
+    begin();
+  }
+  if (reading->jumped) {
+    cutter_->finish();
+    notes_.push_back("the sensor's clock was set during revolution " + std::to_string(next_) +
+                     "; the capture's clock bridges it");
+    last_number_.reset();
+  } else {
+    count_lost(reading->since_last_ns);
+  }
+  last_period_ns_ = firings_.period_ns;
+  if (firings_.numbers > 0) {
+    last_number_ = firings_.number;
+  }
+  cutter_->add(firings_, reading->stamp_ns, reading->since_last_ns);
+  return PacketUse::kUsed;
+}
+
+void PacketScans::begin() {
+  cutter_.emplace(decoder_->sweep_end(), options_.cut_azimuth_deg, decoder_->sweep_deg());
+  notes_.push_back("return mode: " + decoder_->return_mode());
+  notes_.push_back(clock_.note());
+}
+
+// By the packets' numbers where they have some, else by their times.
+void PacketScans::count_lost(std::int64_t since_last_ns) {
+  // More than an hour of packets is not lost but counted anew.
+  constexpr std::uint64_t kMost = 20'000'000;
+  std::uint64_t missing = 0;
+  if (firings_.numbers > 0 && last_number_) {
+    const std::uint64_t step =
+        (firings_.number + firings_.numbers - *last_number_ % firings_.numbers) % firings_.numbers;
+    missing = step > 0 ? step - 1 : 0;
+  } else if (firings_.numbers == 0 && last_period_ns_ > 0) {
+    const double packets =
+        std::round(static_cast<double>(since_last_ns) / static_cast<double>(last_period_ns_));
+    missing = packets > 1.0 ? static_cast<std::uint64_t>(packets) - 1 : 0;
+  }
+  lost_ += missing <= kMost ? missing : 0;
+}
+
+void PacketScans::finish() {
+  if (cutter_) {
+    cutter_->finish();
+  }
+}
+
+std::optional<ScanItem> PacketScans::take() {
+  std::optional<sensors::Sweep> sweep = cutter_ ? cutter_->take() : std::nullopt;
+  if (!sweep) {
+    return std::nullopt;
+  }
+  ScanItem item;
+  item.name = "revolution " + std::to_string(next_++);
+  item.layout = decoder_->sensor() + " packets";
+  if (!sweep->whole) {
+    item.remark = remark_of(*sweep, decoder_->sweep_end());
+  }
+  item.scan = std::move(sweep->scan);
+  return item;
+}
+
+}  // namespace surefoot::io

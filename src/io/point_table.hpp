@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What PCD and PLY have in common once their text is understood: named columns of numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sensors/bytes.hpp"
+
+namespace surefoot::io {
+
+enum class ScalarType { kI8, kU8, kI16, kU16, kI32, kU32, kI64, kU64, kF32, kF64 };
+
+[[nodiscard]] std::size_t size_of(ScalarType type);
+/// "f32", "u16", ...
+[[nodiscard]] const char* name_of(ScalarType type);
+[[nodiscard]] constexpr bool is_float(ScalarType type) {
+  return type == ScalarType::kF32 || type == ScalarType::kF64;
+}
+
+/// One number of every point: the value of point i lies at first + i * stride.
+struct Column {
+  std::string name;
+  ScalarType type = ScalarType::kF32;
+  const std::byte* first = nullptr;
+  std::size_t stride = 0;  ///< [bytes]
+  bool swapped = false;    ///< stored in the other byte order than this machine's
+};
+
+/// Points as columns. They look into `storage` or into the bytes that the table was parsed from,
+/// which must outlive the table. Movable; a copy would look into the original.
+struct PointTable {
+  PointTable() = default;
+  PointTable(PointTable&&) = default;
+  PointTable& operator=(PointTable&&) = default;
+  PointTable(const PointTable&) = delete;
+  PointTable& operator=(const PointTable&) = delete;
+
+  std::size_t size = 0;
+  std::vector<Column> columns;
+  std::vector<std::byte> storage;
+  std::string format;  ///< "PCD binary", "PLY ascii", ...
+
+  [[nodiscard]] const Column* find(std::string_view name) const;
+  /// "PCD binary: x f32, y f32, ...".
+  [[nodiscard]] std::string layout() const;
+};
+
+/// Calls visitor(i, value) for the values of points 0..count-1, with the value in its stored type.
+/// The type is looked at once, not once a point.
+template <typename Visitor>
+void for_each_value(const Column& column, std::size_t count, Visitor&& visitor) {
+  const auto run = [&]<typename T>(T) {
+    const std::byte* at = column.first;
+    for (std::size_t i = 0; i < count; ++i, at += column.stride) {
+      visitor(i, load<T>(at, column.swapped));
+    }
+  };
+  switch (column.type) {
+    case ScalarType::kI8:
+      return run(std::int8_t{});
+    case ScalarType::kU8:
+      return run(std::uint8_t{});
+    case ScalarType::kI16:
+      return run(std::int16_t{});
+    case ScalarType::kU16:
+      return run(std::uint16_t{});
+    case ScalarType::kI32:
+      return run(std::int32_t{});
+    case ScalarType::kU32:
+      return run(std::uint32_t{});
+    case ScalarType::kI64:
+      return run(std::int64_t{});
+    case ScalarType::kU64:
+      return run(std::uint64_t{});
+    case ScalarType::kF32:
+      return run(float{});
+    case ScalarType::kF64:
+      return run(double{});
+  }
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/point_time.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace surefoot::io {
+namespace {
+
+struct UnitFacts {
+  TimeUnit unit;
+  const char* name;
+  double per_second;
+};
+constexpr std::array<UnitFacts, 4> kUnits = {{{TimeUnit::kSeconds, "seconds", 1.0},
+                                              {TimeUnit::kMilliseconds, "milliseconds", 1e3},
+                                              {TimeUnit::kMicroseconds, "microseconds", 1e6},
+                                              {TimeUnit::kNanoseconds, "nanoseconds", 1e9}}};
+
+// Epoch times from September 2001 to February 2103 [s].
+constexpr double kEpochLeast = 1e9;
+constexpr double kEpochGreatest = 4.2e9;
+
+// How far from a scan's stamp its points may be, where the points do not include the stamp: the
+// longest scan that is one without a warning [s].
+constexpr double kNear = 1.0;
+// Shorter scans are unusual [s].
+constexpr double kShortest = 0.01;
+// Stamps nearer to zero than this cannot tell absolute from relative [s].
+constexpr double kStampNearZero = 2.0 * kNear;
+
+const UnitFacts& facts_of(TimeUnit unit) {
+  return kUnits[static_cast<std::size_t>(unit) - static_cast<std::size_t>(TimeUnit::kSeconds)];
+}
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.12g", value);
+  return text;
+}
+
+std::string seen(const TimeExtents& extents, ScalarType type) {
+  return std::string(name_of(type)) + " values " + number(extents.least) + " .. " +
+         number(extents.greatest);
+}
+
+std::optional<TimeUnit> unit_by_epoch(const TimeExtents& extents) {
+  for (const UnitFacts& facts : kUnits) {
+    if (extents.least >= kEpochLeast * facts.per_second &&
+        extents.greatest <= kEpochGreatest * facts.per_second) {
+      return facts.unit;
+    }
+  }
+  return std::nullopt;
+}
+
+// Scans of 10 ms to 1 s spread over 0.01..1, 10..1e3, 1e4..1e6, 1e7..1e9. The gaps belong to the
+// unit that drivers use: seconds if floating, and nanoseconds, for shorter and longer scans.
+std::optional<TimeUnit> unit_by_spread(double spread, ScalarType type) {
+  if (spread < 10.0) {
+    return is_float(type) ? std::optional(TimeUnit::kSeconds) : std::nullopt;
+  }
+  if (spread <= 1e3) {
+    return TimeUnit::kMilliseconds;
+  }
+  if (spread >= 9e3 && spread <= 1e6) {
+    return TimeUnit::kMicroseconds;
+  }
+  return spread > 1e6 && spread <= 1e10 ? std::optional(TimeUnit::kNanoseconds) : std::nullopt;
+}
+
+// All values equal: nothing tells the unit, and for zero nothing depends on it.
+std::optional<TimeUnit> unit_of_constant(double value, std::optional<std::int64_t> stamp_ns,
+                                         ScalarType type) {
+  if (stamp_ns) {
+    const double stamp = static_cast<double>(*stamp_ns) * 1e-9;
+    for (const UnitFacts& facts : kUnits) {
+      if (std::abs(value / facts.per_second - stamp) <= kNear) {
+        return facts.unit;
+      }
+    }
+  }
+  if (value == 0.0) {
+    return is_float(type) ? TimeUnit::kSeconds : TimeUnit::kNanoseconds;
+  }
+  return is_float(type) && std::abs(value) <= kNear ? std::optional(TimeUnit::kSeconds)
+                                                    : std::nullopt;
+}
+
+std::optional<TimeUnit> find_unit(const TimeExtents& extents, ScalarType type,
+                                  std::optional<std::int64_t> stamp_ns) {
+  if (const std::optional<TimeUnit> unit = unit_by_epoch(extents)) {
+    return unit;
+  }
+  const double spread = extents.greatest - extents.least;
+  return spread > 0.0 ? unit_by_spread(spread, type)
+                      : unit_of_constant(extents.least, stamp_ns, type);
+}
+
+bool around(double instant, double least, double greatest) {
+  return least - kNear <= instant && instant <= greatest + kNear;
+}
+
+// Relative or absolute, from the values in seconds; clears `certain` where both would fit.
+std::optional<TimeReference> find_reference(double least, double greatest,
+                                            std::optional<std::int64_t> stamp_ns, bool& certain) {
+  const double stamp = stamp_ns ? static_cast<double>(*stamp_ns) * 1e-9 : 0.0;
+  const bool fits_relative = around(0.0, least, greatest);
+  const bool fits_absolute = stamp_ns && around(stamp, least, greatest);
+  if (fits_relative && fits_absolute) {
+    certain = std::abs(stamp) > kStampNearZero;
+    return TimeReference::kRelative;
+  }
+  if (fits_relative) {
+    return TimeReference::kRelative;
+  }
+  const bool is_epoch = least >= kEpochLeast && greatest <= kEpochGreatest;
+  if (fits_absolute || (!stamp_ns && is_epoch) || (!stamp_ns && least > kNear)) {
+    return TimeReference::kAbsolute;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void fail(const TimeExtents& extents, ScalarType type,
+                       std::optional<std::int64_t> stamp_ns, const char* what) {
+  throw ReadError("point times: " + seen(extents, type) +
+                  (stamp_ns ? " in a scan stamped " + number(1e-9 * double(*stamp_ns)) + " s"
+                            : std::string(" in a scan without a stamp")) +
+                  " fit no " + what +
+                  "; expected a spread of 0.01 to 1 s in s, ms, us or ns, around zero or around "
+                  "the stamp. Give the time unit and reference, or the name of another time field");
+}
+
+}  // namespace
+
+std::int64_t nanoseconds_in(TimeUnit unit) {
+  return static_cast<std::int64_t>(1e9 / facts_of(unit).per_second);
+}
+
+PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
+                                std::optional<std::int64_t> stamp_ns, const OpenOptions& options) {
+  PointTimeRule rule;
+  rule.certain = extents.greatest > extents.least;
+  std::optional<TimeUnit> unit = options.time_unit;
+  if (unit == TimeUnit::kAuto) {
+    unit = find_unit(extents, type, stamp_ns);
+  }
+  if (!unit) {
+    fail(extents, type, stamp_ns, "unit");
+  }
+  rule.unit = *unit;
+  std::optional<TimeReference> reference = options.time_reference;
+  if (reference == TimeReference::kAuto) {
+    const double per_second = facts_of(rule.unit).per_second;
+    reference = find_reference(extents.least / per_second, extents.greatest / per_second, stamp_ns,
+                               rule.certain);
+  }
+  if (!reference) {
+    fail(extents, type, stamp_ns, "reference");
+  }
+  rule.reference = *reference;
+  return rule;
+}
+
+std::string describe_point_time(const std::string& field, ScalarType type,
+                                const PointTimeRule& rule, const TimeExtents& extents) {
+  const double duration = (extents.greatest - extents.least) / facts_of(rule.unit).per_second;
+  const bool usual = duration == 0.0 || (duration >= kShortest && duration <= kNear);
+  return "time field '" + field + "': " + name_of(type) + ", " + facts_of(rule.unit).name +
+         (rule.reference == TimeReference::kRelative ? " relative to the stamp, "
+                                                     : " since the epoch (absolute), ") +
+         number(extents.least) + " .. " + number(extents.greatest) +
+         (usual ? "" : "; a scan of " + number(duration) + " s is unusual, 0.01 to 1 s expected");
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What the values of a point-time field mean. Drivers write seconds or nanoseconds (and some ms or
+// us), counted from the scan's stamp or from the epoch; files do not say which.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/point_table.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+
+/// Smallest and largest value of a scan's time field, over the points that are returns.
+struct TimeExtents {
+  double least = 0.0;
+  double greatest = 0.0;
+  std::size_t count = 0;
+};
+
+/// The meaning of a time field; never "auto".
+struct PointTimeRule {
+  TimeUnit unit = TimeUnit::kSeconds;
+  TimeReference reference = TimeReference::kRelative;
+  /// The values admit only this meaning. Not so where all are equal, or where the stamp is so near
+  /// zero that relative and absolute cannot be told apart: then another scan may know better.
+  bool certain = true;
+};
+
+/// Finds the rule from one scan's values:
+///  - unit: values of the size of an epoch time (2001 to 2100) tell it by their size; others by
+///    their spread, as a scan lasts between 10 ms and 1 s (with a margin where no other unit is
+///    near);
+///  - relative if the values lie around zero, absolute if around `stamp_ns` or of epoch size.
+/// What the options fix is not guessed. Throws ReadError naming the values where no rule fits.
+[[nodiscard]] PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
+                                              std::optional<std::int64_t> stamp_ns,
+                                              const OpenOptions& options);
+
+/// "time field 'time': f32, seconds relative to the stamp, 0 .. 0.0996".
+[[nodiscard]] std::string describe_point_time(const std::string& field, ScalarType type,
+                                              const PointTimeRule& rule,
+                                              const TimeExtents& extents);
+
+/// Nanoseconds in one unit (not for kAuto).
+[[nodiscard]] std::int64_t nanoseconds_in(TimeUnit unit);
+
+/// A time value in nanoseconds, exactly rounded; nothing where it is not finite or too large.
+template <typename T>
+[[nodiscard]] inline std::optional<std::int64_t> to_nanoseconds(T value, std::int64_t scale) {
+  if constexpr (std::is_floating_point_v<T>) {
+    const auto wide = static_cast<double>(value);
+    if (!(std::abs(wide) < 9.2e18 / static_cast<double>(scale))) {
+      return std::nullopt;
+    }
+    const auto whole = static_cast<std::int64_t>(wide);
+    const double fraction = wide - static_cast<double>(whole);  // exact
+    return whole * scale + std::llrint(fraction * static_cast<double>(scale));
+  } else {
+    std::int64_t result = 0;
+    const bool overflow = __builtin_mul_overflow(value, scale, &result);
+    return overflow ? std::nullopt : std::optional(result);
+  }
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/point_time_watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <deque>
+#include <numbers>
+#include <utility>
+
+#include "io/recording_summary.hpp"
+
+namespace surefoot::io {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+constexpr const char* kNoTimes =
+    "point times: none in these scans, so that nothing can be deskewed: where the sensor moves the "
+    "error may grow a hundredfold. If the LiDAR spins, --derive-times azimuth (with --spin and "
+    "--cut) "
+    "gives them";
+constexpr const char* kEqualTimes =
+    "point times: all equal in a scan, so that nothing can be deskewed: where the sensor moves the "
+    "error may grow a hundredfold. If the LiDAR spins, --derive-times azimuth (with --spin and "
+    "--cut) "
+    "gives them";
+constexpr const char* kBackward =
+    "point times: they run counter-clockwise, seen from above, where LiDARs spin clockwise: right "
+    "if "
+    "it hangs upside down; else the times are reversed, and --derive-times azimuth gives better "
+    "ones";
+
+// Scans whose times are looked at; one odd scan is no habit of the recording.
+constexpr int kWatched = 20, kHabit = 3;
+// Scans that are looked at before the first is given out: their stamps tell the period.
+constexpr std::size_t kLookAhead = 10;
+
+double azimuth_of(const Eigen::Vector3f& point) {
+  return std::atan2(static_cast<double>(point.y()), static_cast<double>(point.x()));
+}
+
+bool is_return(const Eigen::Vector3f& point) { return point.allFinite() && !point.isZero(); }
+
+/// Adds to a recording what its scans' times lack.
+class WatchedRecording : public Recording {
+ public:
+  WatchedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
+      : recording_(std::move(recording)), options_(options) {
+    merge_notes();
+  }
+
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = take();
+    if (item && item->scan) watch(*item->scan);
+    merge_notes();
+    return item;
+  }
+  std::optional<std::size_t> size() const override { return recording_->size(); }
+  void skip(std::size_t scans) override {
+    for (; scans > 0 && !waiting_.empty(); --scans) waiting_.pop_front();
+    if (scans > 0) recording_->skip(scans);
+  }
+  double progress() const override { return recording_->progress(); }
+  const std::vector<std::string>& notes() const override { return notes_; }
+  std::string description() const override { return recording_->description(); }
+  CaptureCounts capture_counts() const override { return recording_->capture_counts(); }
+
+ private:
+  std::optional<ScanItem> take() {
+    if (options_.derive_times == DeriveTimes::kAzimuth && period_ns_ == 0) look_ahead();
+    if (waiting_.empty()) return recording_->next();
+    ScanItem item = std::move(waiting_.front());
+    waiting_.pop_front();
+    return item;
+  }
+
+  void look_ahead() {
+    std::vector<double> intervals;
+    std::optional<std::int64_t> last;
+    while (waiting_.size() < kLookAhead) {
+      std::optional<ScanItem> item = recording_->next();
+      if (!item) break;
+      if (item->scan) {
+        if (last) intervals.push_back(static_cast<double>(item->scan->stamp_ns - *last));
+        last = item->scan->stamp_ns;
+      }
+      waiting_.push_back(std::move(*item));
+    }
+    const double usual =
+        options_.rate_hz > 0.0 ? 1e9 / options_.rate_hz : spread_of(intervals).median;
+    if (!(usual > 0.0 && usual < 2e9)) {
+      throw ReadError(
+          "point times by azimuth: the stamps do not tell how long a revolution takes; "
+          "--rate does");
+    }
+    period_ns_ = std::llround(usual);
+    own_notes_.push_back("point times: derived from azimuth, a revolution of " +
+                         std::to_string(period_ns_ / 1000) + " us");
+  }
+
+  void watch(Scan& scan) {
+    if (options_.derive_times == DeriveTimes::kAzimuth) {
+      derive_times(scan, {options_.spin, options_.cut_azimuth_deg, period_ns_, options_.stamp_at});
+      return;
+    }
+    if (said_ || watched_ == kWatched || scan.points.empty()) return;
+    ++watched_;
+    const PointTimes times = point_times_of(scan);
+    const bool backward =
+        times == PointTimes::kThere && spin_of(scan) == std::optional(Spin::kCounterclockwise);
+    odd_ = times != PointTimes::kThere || backward ? odd_ + 1 : 0;
+    if (odd_ < kHabit) return;
+    own_notes_.push_back(backward                     ? kBackward
+                         : times == PointTimes::kNone ? kNoTimes
+                                                      : kEqualTimes);
+    said_ = true;
+  }
+
+  /// The recording's own notes grow, too; what was given out once stays where it is.
+  void merge_notes() {
+    const std::vector<std::string>& inner = recording_->notes();
+    for (; taken_ < inner.size(); ++taken_) notes_.push_back(inner[taken_]);
+    for (; taken_own_ < own_notes_.size(); ++taken_own_) notes_.push_back(own_notes_[taken_own_]);
+  }
+
+  std::unique_ptr<Recording> recording_;
+  OpenOptions options_;
+  std::deque<ScanItem> waiting_;
+  std::int64_t period_ns_ = 0;
+  int watched_ = 0, odd_ = 0;  // scans; odd ones in a row
+  bool said_ = false;
+  std::vector<std::string> notes_, own_notes_;
+  std::size_t taken_ = 0, taken_own_ = 0;
+};
+
+}  // namespace
+
+PointTimes point_times_of(const Scan& scan) {
+  if (scan.times_ns.empty()) return PointTimes::kNone;
+  const auto [least, greatest] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
+  return *least == *greatest ? PointTimes::kEqual : PointTimes::kThere;
+}
+
+std::optional<Spin> spin_of(const Scan& scan) {
+  if (point_times_of(scan) != PointTimes::kThere) return std::nullopt;
+  // All lasers of a spinning LiDAR look about one way at an instant: the mean direction of each
+  // stretch of time is sharp, and turns steadily.
+  constexpr std::size_t kStretches = 40;
+  const auto [least, greatest] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
+  const double duration = static_cast<double>(*greatest) - static_cast<double>(*least);
+  std::array<std::complex<double>, kStretches> sums{};
+  std::array<double, kStretches> counts{};
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    if (!is_return(scan.points[i])) continue;
+    const double share =
+        (static_cast<double>(scan.times_ns[i]) - static_cast<double>(*least)) / duration;
+    const auto k = std::min(static_cast<std::size_t>(share * kStretches), kStretches - 1);
+    sums[k] += std::polar(1.0, azimuth_of(scan.points[i]));
+    counts[k] += 1.0;
+  }
+  constexpr double kSharp = 0.9;
+  int clockwise = 0, counterclockwise = 0;
+  for (std::size_t k = 1; k < kStretches; ++k) {
+    const bool sharp = std::abs(sums[k - 1]) > kSharp * counts[k - 1] && counts[k - 1] > 0.0 &&
+                       std::abs(sums[k]) > kSharp * counts[k] && counts[k] > 0.0;
+    if (sharp) ++(std::arg(sums[k] / sums[k - 1]) < 0.0 ? clockwise : counterclockwise);
+  }
+  constexpr int kMost = static_cast<int>(kStretches) * 3 / 4;
+  if (clockwise >= kMost) return Spin::kClockwise;
+  if (counterclockwise >= kMost) return Spin::kCounterclockwise;
+  return std::nullopt;
+}
+
+void derive_times(Scan& scan, const Sweep& sweep) {
+  const double cut = sweep.cut_deg * std::numbers::pi / 180.0;
+  const double sign = sweep.spin == Spin::kClockwise ? -1.0 : 1.0;
+  const std::int64_t first = sweep.stamp_at == StampAt::kEnd ? -sweep.period_ns : 0;
+  scan.times_ns.resize(scan.points.size());
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    std::int64_t offset = 0;
+    if (is_return(scan.points[i])) {
+      const double turned = sign * (azimuth_of(scan.points[i]) - cut) / kTurn;
+      offset = std::llround((turned - std::floor(turned)) * static_cast<double>(sweep.period_ns));
+    }
+    scan.times_ns[i] = static_cast<std::int32_t>(first + offset);
+  }
+}
+
+std::unique_ptr<Recording> watch_point_times(std::unique_ptr<Recording> recording,
+                                             const OpenOptions& options) {
+  return std::make_unique<WatchedRecording>(std::move(recording), options);
+}
+
+}  // namespace surefoot::io

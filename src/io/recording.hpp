@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A recording is a sequence of scans, whatever it is stored in. Open one with open_recording().
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sensors/packet_decoder.hpp"
+#include "surefoot/scan.hpp"
+
+namespace surefoot::io {
+
+/// What was read is not what it should be. The message names the file, what was seen and what was
+/// expected.
+class ReadError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class TimeUnit { kAuto, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
+/// What the values of a time field count from: the scan's stamp, or the epoch of the stamps.
+enum class TimeReference { kAuto, kRelative, kAbsolute };
+/// Which instant of a scan its stamp names, where relative point times are all positive.
+enum class StampAt { kStart, kEnd };
+/// Whether point times are made up where the recording has none.
+enum class DeriveTimes {
+  kNo,
+  kAzimuth,  ///< by where a point lies within a revolution
+};
+/// How a LiDAR turns, seen from above.
+enum class Spin { kClockwise, kCounterclockwise };
+using sensors::ReturnChoice;
+
+/// How to read. The defaults find everything out from the recording itself.
+struct OpenOptions {
+  /// "pcd", "ply" or "bin" for a folder that holds several kinds; empty: the one kind there is.
+  std::string format;
+  /// Topic of a bag; empty: the only one that scans can be made of.
+  std::string topic;
+  /// Name of the field of point times; empty: the first of the names that drivers use.
+  std::string time_field;
+  TimeUnit time_unit = TimeUnit::kAuto;
+  TimeReference time_reference = TimeReference::kAuto;
+  StampAt stamp_at = StampAt::kStart;
+  DeriveTimes derive_times = DeriveTimes::kNo;
+  Spin spin = Spin::kClockwise;  ///< of derived times
+  /// Mend stamps that cannot be (stamp_repair.hpp), and say so.
+  bool repair_stamps = true;
+  /// Scans a second where nothing else gives stamps [Hz]; 0: unknown.
+  double rate_hz = 0.0;
+  /// File of stamps, one line a scan; empty: looked for beside the scans.
+  std::filesystem::path stamps_file;
+  /// Turn KITTI's HDL-64E points up by 0.205 deg, the known error of its calibration.
+  bool kitti_hdl64_correction = false;
+  /// Sensor whose packets a capture or bag holds, where they do not say it themselves or say it
+  /// wrongly: one of sensors::sensor_names(); empty: found out.
+  std::string sensor;
+  /// Calibration or metadata file of that sensor; empty: its manual's table.
+  std::filesystem::path calibration_file;
+  /// Let beams start where they leave the sensor, as with a VLP-16: up to 11.2 mm above or below
+  /// its centre.
+  bool beam_origins = true;
+  ReturnChoice dual_return = ReturnChoice::kStrongest;
+  /// Azimuth at which a revolution is cut from the next [deg], in [0, 360). For derived times it is
+  /// taken in the points' own frame, counter-clockwise from x.
+  double cut_azimuth_deg = 0.0;
+  /// Port that the sensor's packets go to in a capture; 0: that of the first LiDAR found.
+  std::uint16_t udp_port = 0;
+};
+
+/// One scan of a recording, or why there is none: a bad file in a folder does not end the reading.
+struct ScanItem {
+  std::optional<Scan> scan;
+  std::string name;                ///< file name, or "revolution 12"
+  std::string error;               ///< why `scan` is empty
+  std::string layout;              ///< what is stored: "PCD binary: x f32, y f32, z f32, time f32"
+  std::string remark;              ///< what is odd about this scan alone: "partial revolution"
+  std::size_t dropped_points = 0;  ///< points left out for want of a usable time
+};
+
+/// Counters of a packet capture so far; all zero for other recordings.
+struct CaptureCounts {
+  std::size_t packets = 0;           ///< frames in the capture, of any kind
+  std::size_t data_packets = 0;      ///< data packets of the sensor that were used
+  std::size_t position_packets = 0;  ///< position (GPS) packets, skipped
+  std::size_t truncated = 0;         ///< cut by the capture's snap length or malformed, skipped
+  std::size_t other = 0;             ///< other traffic, skipped
+  std::size_t fragments = 0;         ///< parts of longer datagrams, before their last
+  std::size_t lost = 0;              ///< missing between used packets, from the sensor's clock
+};
+
+/// A sequence of scans, read from front to back.
+class Recording {
+ public:
+  virtual ~Recording() = default;
+
+  /// The next scan, or nothing at the end. Throws ReadError where reading cannot go on.
+  [[nodiscard]] virtual std::optional<ScanItem> next() = 0;
+  /// Number of scans, where it is known without reading them all.
+  [[nodiscard]] virtual std::optional<std::size_t> size() const = 0;
+  /// Passes over scans; cheap where they are separate files.
+  virtual void skip(std::size_t scans) = 0;
+  /// Share of the recording that was read, 0..1.
+  [[nodiscard]] virtual double progress() const = 0;
+  /// What was found out from values or assumed, one sentence each. May grow while reading.
+  [[nodiscard]] virtual const std::vector<std::string>& notes() const = 0;
+  /// What kind of recording it is: "folder of 90 PCD files".
+  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual CaptureCounts capture_counts() const { return {}; }
+};
+
+/// Opens a folder of PCD, PLY or KITTI .bin files (also KITTI's folders above them), one such file,
+/// a capture (.pcap, .pcapng) of a LiDAR's packets, also in a folder of its own, or a bag: .bag,
+/// .db3, .mcap, or a folder of a bag's parts. Throws ReadError.
+[[nodiscard]] std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
+                                                        const OpenOptions& options = {});
+
+}  // namespace surefoot::io

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/scan_builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "io/decimal_time.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::array<std::string_view, 8> kTimeNames = {
+    "t", "time", "timestamp", "time_stamp", "offset_time", "time_offset", "timeoffset", "stamp"};
+// Where LOAM's descendants put milliseconds; in other clouds it is what it says.
+constexpr std::string_view kCurvature = "curvature";
+constexpr double kLeastMilliseconds = 10.0;  // of a scan; no curvature spreads as far
+constexpr std::array<std::string_view, 3> kRingNames = {"ring", "line", "channel"};
+constexpr std::array<std::string_view, 2> kIntensityNames = {"intensity", "reflectivity"};
+
+constexpr std::int64_t kNoTime = std::numeric_limits<std::int64_t>::min();
+
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name) {
+    plain += (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  constexpr std::string_view kCloudCompare = "scalar_";
+  return plain.starts_with(kCloudCompare) ? plain.substr(kCloudCompare.size()) : plain;
+}
+
+// The column of the first of the names that there is.
+const Column* find_one_of(const PointTable& table, std::span<const std::string_view> names) {
+  for (const std::string_view name : names) {
+    for (const Column& column : table.columns) {
+      if (plain_name(column.name) == name) {
+        return &column;
+      }
+    }
+  }
+  return nullptr;
+}
+
+bool is_return(const Eigen::Vector3f& point) {
+  return point.allFinite() && (point.x() != 0.0F || point.y() != 0.0F || point.z() != 0.0F);
+}
+
+std::vector<Eigen::Vector3f> points_of(const PointTable& table, const ScanColumns& columns) {
+  std::vector<Eigen::Vector3f> points(table.size);
+  const std::array<const Column*, 3> axes = {columns.x, columns.y, columns.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    for_each_value(*axes[static_cast<std::size_t>(axis)], table.size,
+                   [&](std::size_t i, auto value) { points[i][axis] = static_cast<float>(value); });
+  }
+  return points;
+}
+
+std::vector<float> floats_of(const Column& column, std::size_t size) {
+  std::vector<float> values(size);
+  for_each_value(column, size,
+                 [&](std::size_t i, auto value) { values[i] = static_cast<float>(value); });
+  return values;
+}
+
+std::vector<std::uint16_t> rings_of(const Column& column, std::size_t size) {
+  std::vector<std::uint16_t> rings(size);
+  for_each_value(column, size, [&](std::size_t i, auto value) {
+    const auto wide = static_cast<double>(value);
+    rings[i] = wide >= 0.0 ? static_cast<std::uint16_t>(std::min(wide, 65535.0)) : std::uint16_t{0};
+  });
+  return rings;
+}
+
+// Where nearly all values lie, and a margin to both sides: what lies beyond is stray. A regular
+// sample of the values does.
+struct UsualValues {
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+  [[nodiscard]] bool holds(double value) const { return least <= value && value <= greatest; }
+};
+
+// `margins`: of the width of where nearly all lie, but at least `least_margin`.
+UsualValues usual_values(const std::vector<double>& values, double margins, double least_margin) {
+  constexpr std::size_t kSample = 2000;
+  constexpr double kTail = 0.01;
+  if (values.size() < 100) return {};  // too few to call one of them stray
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < values.size(); i += values.size() / kSample + 1) {
+    sample.push_back(values[i]);
+  }
+  std::sort(sample.begin(), sample.end());
+  const auto tail = static_cast<std::size_t>(kTail * static_cast<double>(sample.size()));
+  const double low = sample[tail], high = sample[sample.size() - 1 - tail];
+  const double margin = std::max(margins * (high - low), least_margin);
+  return {low - margin, high + margin};
+}
+
+// Point times in nanoseconds as the field counts them, and their extents over the returns.
+struct FieldTimes {
+  std::vector<std::int64_t> ns;  ///< kNoTime where there is none
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::int64_t greatest = std::numeric_limits<std::int64_t>::min();
+
+  [[nodiscard]] bool any_return() const { return least <= greatest; }
+};
+
+FieldTimes field_times(const Column& column, const std::vector<Eigen::Vector3f>& points,
+                       std::int64_t scale) {
+  FieldTimes times;
+  times.ns.resize(points.size());
+  std::vector<double> of_returns;
+  of_returns.reserve(points.size());
+  for_each_value(column, points.size(), [&](std::size_t i, auto value) {
+    const std::optional<std::int64_t> ns = to_nanoseconds(value, scale);
+    times.ns[i] = ns.value_or(kNoTime);
+    if (ns && is_return(points[i])) of_returns.push_back(static_cast<double>(*ns));
+  });
+  constexpr double kUsualScan = 1e8;  // [ns] all of it may lie beside where nearly all returns are
+  const UsualValues usual = usual_values(of_returns, 1.0, kUsualScan);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int64_t ns = times.ns[i];
+    if (ns == kNoTime || !is_return(points[i]) || !usual.holds(static_cast<double>(ns))) continue;
+    times.least = std::min(times.least, ns);
+    times.greatest = std::max(times.greatest, ns);
+  }
+  return times;
+}
+
+const Column* times_in_curvature(const PointTable& table, ScanColumns columns) {
+  columns.time = find_one_of(table, {&kCurvature, 1});
+  if (columns.time == nullptr) return nullptr;
+  const TimeExtents extents = time_extents(table, columns);
+  return extents.greatest - extents.least >= kLeastMilliseconds ? columns.time : nullptr;
+}
+
+// What has to be taken from the field's times so that they count from the stamp.
+std::int64_t origin_of(const FieldTimes& times, TimeReference reference, std::int64_t stamp_ns,
+                       StampAt stamp_at) {
+  if (reference == TimeReference::kAbsolute) {
+    return stamp_ns;
+  }
+  const bool counts_from_start = times.least >= 0;
+  return stamp_at == StampAt::kEnd && counts_from_start ? times.greatest : 0;
+}
+
+void check_offsets(const FieldTimes& times, std::int64_t origin) {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  const bool overflow = __builtin_sub_overflow(times.least, origin, &first) ||
+                        __builtin_sub_overflow(times.greatest, origin, &last);
+  constexpr std::int64_t kFarthest = std::numeric_limits<std::int32_t>::max();
+  if (overflow || first < -kFarthest || last > kFarthest) {
+    throw ReadError("point times: from " + format_seconds(times.least) + " to " +
+                    format_seconds(times.greatest) + " s, counted from " + format_seconds(origin) +
+                    " s; expected no more than 2.1 s between a point and its scan's stamp");
+  }
+}
+
+// Moves the elements of the points that stay to the front.
+template <typename T>
+void keep_only(std::vector<T>& values, const std::vector<std::size_t>& kept) {
+  if (values.empty()) {
+    return;
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    values[i] = values[kept[i]];
+  }
+  values.resize(kept.size());
+}
+
+// Sets times_ns; returns how many points had to go for want of a usable time.
+std::size_t set_times(Scan& scan, const FieldTimes& times, std::int64_t origin) {
+  scan.times_ns.resize(times.ns.size());
+  std::vector<std::size_t> kept;
+  kept.reserve(times.ns.size());
+  for (std::size_t i = 0; i < times.ns.size(); ++i) {
+    if (times.ns[i] >= times.least && times.ns[i] <= times.greatest) {
+      scan.times_ns[i] = static_cast<std::int32_t>(times.ns[i] - origin);
+      kept.push_back(i);
+    }
+  }
+  const std::size_t dropped = times.ns.size() - kept.size();
+  if (dropped > 0) {
+    keep_only(scan.points, kept);
+    keep_only(scan.intensities, kept);
+    keep_only(scan.rings, kept);
+    keep_only(scan.times_ns, kept);
+  }
+  return dropped;
+}
+
+}  // namespace
+
+ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& options) {
+  ScanColumns columns;
+  const auto one = [&table](std::string_view name) { return find_one_of(table, {&name, 1}); };
+  columns.x = one("x");
+  columns.y = one("y");
+  columns.z = one("z");
+  if (columns.x == nullptr || columns.y == nullptr || columns.z == nullptr) {
+    throw ReadError("fields are '" + table.layout() + "'; expected x, y and z among them");
+  }
+  columns.intensity = find_one_of(table, kIntensityNames);
+  columns.ring = find_one_of(table, kRingNames);
+  if (options.time_field.empty()) {
+    columns.time = find_one_of(table, kTimeNames);
+    if (columns.time == nullptr) columns.time = times_in_curvature(table, columns);
+  } else {
+    columns.time = table.find(options.time_field);
+    if (columns.time == nullptr) {
+      throw ReadError("no field '" + options.time_field + "' for the point times; fields are '" +
+                      table.layout() + "'");
+    }
+  }
+  return columns;
+}
+
+TimeExtents time_extents(const PointTable& table, const ScanColumns& columns) {
+  const std::vector<Eigen::Vector3f> points = points_of(table, columns);
+  std::vector<double> values;
+  values.reserve(table.size);
+  for_each_value(*columns.time, table.size, [&](std::size_t i, auto value) {
+    const auto wide = static_cast<double>(value);
+    if (std::isfinite(wide) && is_return(points[i])) values.push_back(wide);
+  });
+  constexpr double kMargins = 20.0;  // the unit is not known yet
+  const UsualValues usual = usual_values(values, kMargins, 0.0);
+  TimeExtents extents;
+  for (const double value : values) {
+    if (!usual.holds(value)) continue;
+    extents.least = extents.count == 0 ? value : std::min(extents.least, value);
+    extents.greatest = extents.count == 0 ? value : std::max(extents.greatest, value);
+    ++extents.count;
+  }
+  return extents;
+}
+
+BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
+                     const std::optional<PointTimeRule>& rule, std::optional<std::int64_t> stamp_ns,
+                     StampAt stamp_at) {
+  BuiltScan built;
+  Scan& scan = built.scan;
+  scan.stamp_ns = stamp_ns.value_or(0);
+  scan.points = points_of(table, columns);
+  if (columns.intensity != nullptr) {
+    scan.intensities = floats_of(*columns.intensity, table.size);
+  }
+  if (columns.ring != nullptr) {
+    scan.rings = rings_of(*columns.ring, table.size);
+  }
+  if (columns.time == nullptr || !rule) {
+    return built;
+  }
+  const FieldTimes times = field_times(*columns.time, scan.points, nanoseconds_in(rule->unit));
+  if (!times.any_return()) {
+    scan.times_ns.assign(scan.points.size(), 0);
+    return built;
+  }
+  if (!stamp_ns && rule->reference == TimeReference::kAbsolute) {
+    scan.stamp_ns = times.least;
+  }
+  const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
+  check_offsets(times, origin);
+  built.dropped_points = set_times(scan, times, origin);
+  return built;
+}
+
+}  // namespace surefoot::io

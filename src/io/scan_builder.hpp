@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "io/point_table.hpp"
+#include "io/point_time.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+
+/// The columns that a scan is made of; those that may be absent are null.
+struct ScanColumns {
+  const Column* x = nullptr;
+  const Column* y = nullptr;
+  const Column* z = nullptr;
+  const Column* intensity = nullptr;
+  const Column* ring = nullptr;
+  const Column* time = nullptr;
+};
+
+/// Finds the columns by the names that drivers use, in any case and also behind CloudCompare's
+/// "scalar_". Throws ReadError where x, y or z, or a time field named in the options, is missing.
+[[nodiscard]] ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& options);
+
+/// Smallest and largest time value over the points that are returns (finite, not zero); values far
+/// from nearly all others are left out.
+/// `columns.time` must not be null.
+[[nodiscard]] TimeExtents time_extents(const PointTable& table, const ScanColumns& columns);
+
+struct BuiltScan {
+  Scan scan;
+  std::size_t dropped_points = 0;
+};
+
+/// The scan that a table holds. `rule` is needed where there is a time column. Without a `stamp_ns`
+/// absolute times give it: the earliest return's; else it is zero. Points whose time is not finite
+/// or far from nearly all others', and points without return whose time lies outside the returns',
+/// are dropped. Rings outside
+/// 0..65535 become the nearer of the two. Throws ReadError where a point lies more than 2.1 s from
+/// the stamp.
+[[nodiscard]] BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
+                                   const std::optional<PointTimeRule>& rule,
+                                   std::optional<std::int64_t> stamp_ns, StampAt stamp_at);
+
+}  // namespace surefoot::io

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/scan_sink.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "io/bags/bag_writer.hpp"
+#include "io/decimal_time.hpp"
+#include "io/file_writer.hpp"
+#include "io/files/pcd_writer.hpp"
+#include "io/files/ply_writer.hpp"
+#include "io/messages/point_cloud2_writer.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BagSink final : public ScanSink {
+ public:
+  BagSink(std::unique_ptr<BagWriter> bag, SinkOptions options)
+      : bag_(std::move(bag)),
+        options_(std::move(options)),
+        topic_(bag_->add_topic(options_.topic, point_cloud2_definition())) {}
+
+  void add(const Scan& scan) override {
+    bag_->write(topic_, scan.stamp_ns, format_point_cloud2(scan, options_.frame, bag_->flavour()));
+  }
+  void finish() override { bag_->finish(); }
+
+ private:
+  std::unique_ptr<BagWriter> bag_;
+  SinkOptions options_;
+  std::size_t topic_;
+};
+
+class FolderSink final : public ScanSink {
+ public:
+  FolderSink(fs::path folder, ScanFormat format) : folder_(std::move(folder)), format_(format) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw WriteError(folder_.string() + ": cannot be made: " + error.message());
+  }
+
+  void add(const Scan& scan) override {
+    char name[32];
+    std::snprintf(name, sizeof(name), "%06zu.%s", scans_++,
+                  scan_format_names()[static_cast<std::size_t>(format_)].c_str());
+    write(folder_ / name, scan);
+    stamps_ += format_seconds(scan.stamp_ns) + '\n';
+    any_times_ = any_times_ || !scan.times_ns.empty();
+    any_rings_ = any_rings_ || !scan.rings.empty();
+  }
+
+  void finish() override { write_whole_file(folder_ / "times.txt", stamps_); }
+
+  std::string lost() const override {
+    if (format_ == ScanFormat::kPcd || (!any_times_ && !any_rings_)) return {};
+    return std::string(any_times_ ? "the points' times" : "") +
+           (any_times_ && any_rings_ ? " and " : "") + (any_rings_ ? "rings" : "") +
+           (format_ == ScanFormat::kPly ? " are not written to PLY"
+                                        : " do not fit into KITTI's .bin");
+  }
+
+ private:
+  void write(const fs::path& file, const Scan& scan) const {
+    if (format_ == ScanFormat::kPcd) return write_pcd(file, scan);
+    if (format_ == ScanFormat::kPly) return write_ply(file, scan.points, scan.intensities);
+    std::string bytes;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) append_bytes(bytes, scan.points[i][axis]);
+      append_bytes(bytes, scan.intensities.empty() ? 0.0F : scan.intensities[i]);
+    }
+    write_whole_file(file, bytes);
+  }
+
+  fs::path folder_;
+  ScanFormat format_;
+  std::string stamps_;
+  std::size_t scans_ = 0;
+  bool any_times_ = false;
+  bool any_rings_ = false;
+};
+
+}  // namespace
+
+const std::vector<std::string>& scan_format_names() {
+  static const std::vector<std::string> names = {"pcd", "ply", "bin", "mcap", "rosbag2", "bag"};
+  return names;
+}
+
+ScanFormat scan_format_named(const std::string& name) {
+  const std::vector<std::string>& names = scan_format_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::invalid_argument("no format is called '" + name + "'");
+  return static_cast<ScanFormat>(found - names.begin());
+}
+
+std::unique_ptr<ScanSink> make_scan_sink(const fs::path& path, ScanFormat format,
+                                         const SinkOptions& options) {
+  switch (format) {
+    case ScanFormat::kMcap:
+      return std::make_unique<BagSink>(make_mcap_bag(path), options);
+    case ScanFormat::kRosbag2:
+      return std::make_unique<BagSink>(make_sqlite_bag(path), options);
+    case ScanFormat::kRos1Bag:
+      return std::make_unique<BagSink>(make_ros1_bag(path), options);
+    default:
+      return std::make_unique<FolderSink>(path, format);
+  }
+}
+
+}  // namespace surefoot::io

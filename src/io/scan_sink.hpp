@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Scans out, to any of the formats that scans are stored in.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surefoot/scan.hpp"
+
+namespace surefoot::io {
+
+enum class ScanFormat { kPcd, kPly, kKittiBin, kMcap, kRosbag2, kRos1Bag };
+
+/// "pcd", "ply", "bin", "mcap", "rosbag2", "bag", in the order of ScanFormat.
+[[nodiscard]] const std::vector<std::string>& scan_format_names();
+/// Throws std::invalid_argument for another name.
+[[nodiscard]] ScanFormat scan_format_named(const std::string& name);
+
+struct SinkOptions {
+  std::string topic = "/points";  ///< of a bag
+  std::string frame = "lidar";    ///< of its messages
+};
+
+class ScanSink {
+ public:
+  virtual ~ScanSink() = default;
+  /// Scans in their order. Throws WriteError.
+  virtual void add(const Scan& scan) = 0;
+  /// Ends the recording; throws WriteError.
+  virtual void finish() = 0;
+  /// What the format cannot hold of the scans so far; empty: nothing is lost.
+  [[nodiscard]] virtual std::string lost() const { return {}; }
+};
+
+/// A folder of scans with times.txt, a folder of a ROS 2 bag (sqlite3), or one file: MCAP with
+/// ROS 2 messages, ROS 1 bag. Throws WriteError naming what cannot be made.
+[[nodiscard]] std::unique_ptr<ScanSink> make_scan_sink(const std::filesystem::path& path,
+                                                       ScanFormat format,
+                                                       const SinkOptions& options = {});
+
+}  // namespace surefoot::io

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/sensor_clock.hpp"
+
+#include <cstdlib>
+
+#include "io/decimal_time.hpp"
+
+namespace surefoot::io {
+namespace {
+
+using sensors::TimeBase;
+
+constexpr std::int64_t kHourNs = 3'600'000'000'000;
+constexpr std::int64_t kAgreeNs = 2'000'000'000;
+constexpr std::int64_t kSetBackNs = 100'000'000;
+// Times since the epoch: from September 2001 to August 2112. Smaller ones count from the sensor's
+// start; there are no larger ones.
+constexpr std::int64_t kEpochLeastNs = 1'000'000'000'000'000'000;
+constexpr std::int64_t kGreatestNs = 4'500'000'000'000'000'000;
+
+// `difference` plus the whole hours that bring it nearest to `target`.
+std::int64_t nearest_by_hours(std::int64_t difference, std::int64_t target) {
+  std::int64_t rest = (target - difference) % kHourNs;  // in (-1 h, 1 h)
+  if (rest > kHourNs / 2) {
+    rest -= kHourNs;
+  } else if (rest < -kHourNs / 2) {
+    rest += kHourNs;
+  }
+  return target - rest;
+}
+
+}  // namespace
+
+SensorClock::Reading SensorClock::start(std::int64_t time_ns, TimeBase base,
+                                        std::int64_t arrival_ns) {
+  started_ = true;
+  const bool past_hour = base == TimeBase::kHour;
+  const std::int64_t by_sensor = past_hour ? nearest_by_hours(time_ns, arrival_ns) : time_ns;
+  const std::int64_t difference = by_sensor - arrival_ns;
+  const std::string seconds = format_seconds(difference);
+  if (!past_hour && time_ns >= kEpochLeastNs) {
+    source_ = "the sensor's own time since the epoch (GPS or PTP)";
+    note_ = "stamps: " + source_ + "; it differs from the capture's clock by " + seconds + " s";
+    last_stamp_ns_ = by_sensor;
+  } else if (std::abs(difference) <= kAgreeNs) {
+    source_ = past_hour ? "the sensor's time past the hour" : "the sensor's clock";
+    note_ = "stamps: " + source_ + ", the hour from the capture's clock (they differ by " +
+            seconds + " s)";
+    last_stamp_ns_ = by_sensor;
+  } else {
+    source_ = "the sensor's clock from the capture's start on";
+    note_ = past_hour
+                ? "stamps: the sensor's time past the hour and the capture's clock differ by " +
+                      seconds +
+                      " s; the first packet has the capture's time, the others follow by the "
+                      "sensor's clock"
+                : "stamps: the sensor counts from its own start (no GPS or PTP); the first packet "
+                  "has the capture's time, the others follow by the sensor's clock";
+    last_stamp_ns_ = arrival_ns;
+  }
+  return {last_stamp_ns_, 0, false};
+}
+
+std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, TimeBase base,
+                                                      std::int64_t arrival_ns) {
+  const auto is_time = [](std::int64_t ns) { return ns >= 0 && ns <= kGreatestNs; };
+  if (!is_time(time_ns) || arrival_ns < -kGreatestNs || arrival_ns > kGreatestNs) {
+    return std::nullopt;
+  }
+  const bool past_hour = base == TimeBase::kHour;
+  time_ns = past_hour ? time_ns % kHourNs : time_ns;
+  Reading reading;
+  if (!started_) {
+    reading = start(time_ns, base, arrival_ns);
+  } else {
+    const std::int64_t by_arrival = arrival_ns - last_arrival_ns_;
+    const std::int64_t by_sensor = time_ns - last_time_ns_;
+    std::int64_t step = past_hour ? nearest_by_hours(by_sensor, by_arrival) : by_sensor;
+    const bool set_back = step <= 0 && by_arrival > kSetBackNs;
+    reading.jumped = set_back || std::abs(step - by_arrival) > kAgreeNs;
+    step = reading.jumped ? by_arrival : step;
+    if (step <= 0 || last_stamp_ns_ + step > kGreatestNs) {
+      return std::nullopt;
+    }
+    last_stamp_ns_ += step;
+    reading.stamp_ns = last_stamp_ns_;
+    reading.since_last_ns = step;
+  }
+  last_time_ns_ = time_ns;
+  last_arrival_ns_ = arrival_ns;
+  return reading;
+}
+
+}  // namespace surefoot::io

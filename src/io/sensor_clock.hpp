@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sensors/firings.hpp"
+
+namespace surefoot::io {
+
+/// Turns the times in a sensor's packets into absolute stamps.
+///
+/// The sensor's clock says how packets follow each other; the clock of whoever received them (the
+/// arrival) says no more than which hour it is, of sensors that count within the hour, and where to
+/// begin, of sensors that count from their own start or disagree with it by more than 2 s. A time
+/// since the epoch (GPS or PTP) is taken as it is.
+class SensorClock {
+ public:
+  struct Reading {
+    std::int64_t stamp_ns = 0;
+    std::int64_t since_last_ns = 0;  ///< 0 for the first packet
+    bool jumped = false;  ///< the sensor's clock was set; the arrival's clock bridges the jump
+  };
+
+  /// Stamp of a packet, or nothing for one that is not later than the one before (repeated or out
+  /// of order) or whose time is none. Where packets stay behind for longer than a tenth of a second
+  /// of arrivals, the clock was set back: a jump.
+  [[nodiscard]] std::optional<Reading> read(std::int64_t time_ns, sensors::TimeBase base,
+                                            std::int64_t arrival_ns);
+
+  /// What was decided, for the user.
+  [[nodiscard]] const std::string& note() const { return note_; }
+  /// "GPS or PTP", "time past the hour", ...
+  [[nodiscard]] const std::string& source() const { return source_; }
+
+ private:
+  Reading start(std::int64_t time_ns, sensors::TimeBase base, std::int64_t arrival_ns);
+
+  bool started_ = false;
+  std::int64_t last_time_ns_ = 0;
+  std::int64_t last_arrival_ns_ = 0;
+  std::int64_t last_stamp_ns_ = 0;
+  std::string note_;
+  std::string source_;
+};
+
+}  // namespace surefoot::io

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/stamp_repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "io/decimal_time.hpp"
+
+namespace surefoot::io {
+
+namespace {
+
+constexpr std::size_t kAhead = 2;       // scans that are read before one is given out
+constexpr std::size_t kIntervals = 15;  // last ones, whose median is the usual interval
+constexpr std::int64_t kUnknownInterval = 100'000'000;  // [ns] before any is known
+// A stamp off by more than so many intervals is wild, if its neighbours fit each other.
+constexpr std::int64_t kWild = 5;
+// The first has one neighbour: a driver that did not know the time yet says zero.
+constexpr std::int64_t kWildFirst = 100'000;
+constexpr std::int64_t kLongestInterval = 10'000'000'000;  // [ns] of a LiDAR
+
+/// Stamps may be anything: sums stay within the range of the type.
+std::int64_t sum(std::int64_t a, std::int64_t b) {
+  std::int64_t result = 0;
+  if (!__builtin_add_overflow(a, b, &result)) return result;
+  return b > 0 ? std::numeric_limits<std::int64_t>::max()
+               : std::numeric_limits<std::int64_t>::min();
+}
+std::int64_t difference(std::int64_t a, std::int64_t b) {
+  std::int64_t result = 0;
+  if (!__builtin_sub_overflow(a, b, &result)) return result;
+  return b < 0 ? std::numeric_limits<std::int64_t>::max()
+               : std::numeric_limits<std::int64_t>::min();
+}
+
+class RepairedRecording : public Recording {
+ public:
+  RepairedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
+      : recording_(std::move(recording)),
+        known_interval_ns_(options.rate_hz > 0.0 ? std::llround(1e9 / options.rate_hz) : 0) {
+    merge_notes();
+  }
+
+  std::optional<ScanItem> next() override {
+    while (true) {
+      fill();
+      if (waiting_.empty()) return std::nullopt;
+      ScanItem item = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (!item.scan) return item;
+      if (last_ && is_sent_twice(*item.scan)) {
+        note_once(twice_,
+                  "stamps: scans that were sent twice, first " + item.name + ", are left out");
+        continue;
+      }
+      repair(item);
+      return item;
+    }
+  }
+  std::optional<std::size_t> size() const override { return recording_->size(); }
+  void skip(std::size_t scans) override {
+    for (; scans > 0 && !waiting_.empty(); --scans) waiting_.pop_front();
+    if (scans > 0) recording_->skip(scans);
+  }
+  double progress() const override { return recording_->progress(); }
+  const std::vector<std::string>& notes() const override { return notes_; }
+  std::string description() const override { return recording_->description(); }
+  CaptureCounts capture_counts() const override { return recording_->capture_counts(); }
+
+ private:
+  void fill() {
+    std::size_t scans = 0;
+    for (const ScanItem& item : waiting_) scans += item.scan ? 1 : 0;
+    while (scans <= kAhead) {
+      std::optional<ScanItem> item = recording_->next();
+      merge_notes();
+      if (!item) return;
+      scans += item->scan ? 1 : 0;
+      waiting_.push_back(std::move(*item));
+    }
+  }
+
+  /// Stamps of the scans that wait, as the recording gives them.
+  std::vector<std::int64_t> stamps_ahead() const {
+    std::vector<std::int64_t> stamps;
+    for (const ScanItem& item : waiting_) {
+      if (item.scan) stamps.push_back(item.scan->stamp_ns);
+    }
+    return stamps;
+  }
+
+  [[nodiscard]] std::int64_t usual_interval_ns() const {
+    if (known_interval_ns_ > 0) return known_interval_ns_;
+    if (intervals_.empty()) return kUnknownInterval;
+    std::vector<std::int64_t> sorted(intervals_.begin(), intervals_.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+  }
+
+  [[nodiscard]] bool is_sent_twice(const Scan& scan) const {
+    return scan.stamp_ns == given_ns_ && scan.points.size() == last_points_.size() &&
+           !last_points_.empty() &&
+           std::equal(scan.points.begin(), scan.points.end(), last_points_.begin(),
+                      [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+                        return (a.array() == b.array() || (a.array() != a.array())).all();
+                      });
+  }
+
+  void repair(ScanItem& item) {
+    Scan& scan = *item.scan;
+    const std::int64_t given = scan.stamp_ns;
+    if (!last_) {
+      scan.stamp_ns = first_stamp(given, item.name);
+    } else if (is_wild(given)) {
+      // Where it would be, but before the next.
+      const std::int64_t next = sum(stamps_ahead().front(), offset_ns_);
+      scan.stamp_ns = sum(*last_, std::min(usual_interval_ns(), difference(next, *last_) / 2 + 1));
+      note_wild(given, item.name);
+    } else {
+      if (sum(given, offset_ns_) <= *last_) set_clock(given, item.name);
+      scan.stamp_ns = sum(given, offset_ns_);
+      const std::int64_t step = difference(scan.stamp_ns, *last_);
+      if (step < kWild * usual_interval_ns()) intervals_.push_back(step);
+      if (intervals_.size() > kIntervals) intervals_.pop_front();
+    }
+    given_ns_ = given;
+    last_ = scan.stamp_ns;
+    last_points_ = scan.points;
+  }
+
+  /// The first one's, or, where the next two fit each other and not the first, what fits them.
+  std::int64_t first_stamp(std::int64_t given, const std::string& name) {
+    const std::vector<std::int64_t> ahead = stamps_ahead();
+    if (ahead.size() < 2) return given;
+    const std::int64_t interval = difference(ahead[1], ahead[0]);
+    if (interval <= 0 || interval > kLongestInterval) return given;
+    const std::int64_t step = difference(ahead[0], given), steps = difference(ahead[1], given);
+    if (step > 0 && step < kWildFirst * interval) return given;
+    if (steps > 0 && steps <= kLongestInterval) return given;  // it is the second that is wild
+    note_wild(given, name);
+    return difference(ahead[0], interval);
+  }
+
+  /// Whether the next ones go on from the last, as if this one had told its stamp wrongly.
+  [[nodiscard]] bool is_wild(std::int64_t given) const {
+    const std::int64_t usual = usual_interval_ns();
+    const std::int64_t step = difference(sum(given, offset_ns_), *last_);
+    if (step > 0 && step <= kWild * usual) return false;
+    const std::vector<std::int64_t> ahead = stamps_ahead();
+    std::int64_t intervals = 2;
+    for (const std::int64_t stamp : ahead) {
+      const std::int64_t since = difference(sum(stamp, offset_ns_), *last_);
+      if (2 * since <= usual || since >= (intervals + kWild) * usual) return false;
+      ++intervals;
+    }
+    return !ahead.empty();
+  }
+
+  /// The clock goes on where it was, from this scan on.
+  void set_clock(std::int64_t given, const std::string& name) {
+    const std::int64_t back = difference(*last_, sum(given, offset_ns_));
+    offset_ns_ = difference(sum(*last_, usual_interval_ns()), given);
+    if (given == given_ns_) {
+      note_once(stands_noted_,
+                "stamps: they stand still at " + name + "; the usual interval is taken instead");
+    } else {
+      note_once(set_back_noted_, "stamps: the clock goes back by " + format_seconds(back) +
+                                     " s at " + name + "; it goes on where it was");
+    }
+  }
+
+  void note_wild(std::int64_t given, const std::string& name) {
+    note_once(wild_noted_, "stamps: that of " + name + ", " + format_seconds(given) +
+                               " s, fits neither side; such are put where they belong");
+  }
+
+  void note_once(bool& noted, std::string text) {
+    if (!noted) own_notes_.push_back(std::move(text));
+    noted = true;
+    merge_notes();
+  }
+
+  /// The recording's own notes grow, too; what was given out once stays where it is.
+  void merge_notes() {
+    const std::vector<std::string>& inner = recording_->notes();
+    for (; taken_ < inner.size(); ++taken_) notes_.push_back(inner[taken_]);
+    for (; taken_own_ < own_notes_.size(); ++taken_own_) notes_.push_back(own_notes_[taken_own_]);
+  }
+
+  std::unique_ptr<Recording> recording_;
+  std::int64_t known_interval_ns_;
+  std::deque<ScanItem> waiting_;
+  std::deque<std::int64_t> intervals_;
+  std::optional<std::int64_t> last_;  // as given out
+  std::int64_t given_ns_ = 0;         // the same scan's, as read
+  std::vector<Eigen::Vector3f> last_points_;
+  std::int64_t offset_ns_ = 0;
+  bool wild_noted_ = false, set_back_noted_ = false, stands_noted_ = false, twice_ = false;
+  std::vector<std::string> notes_, own_notes_;
+  std::size_t taken_ = 0, taken_own_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
+                                         const OpenOptions& options) {
+  return std::make_unique<RepairedRecording>(std::move(recording), options);
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Stamps that cannot be: a scan that claims to be from yesterday, a clock that jumps back, a driver
+// that sends one stamp for ever. What the scans before and after tell is taken instead, and said.
+#pragma once
+
+#include <memory>
+
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+
+/// The recording with its stamps made to grow. A scan waits for two more before it is given out.
+///
+/// - One scan far off its neighbours, which fit each other: it is put where it belongs.
+/// - From some scan on earlier than before: the clock was set. It goes on where it was.
+/// - Equal to the one before: the stamp stands. The usual interval is taken instead; a scan that is
+///   the same as the one before, point by point, was sent twice and is left out.
+/// A jump forward that stays is a gap, however long: time may have passed.
+[[nodiscard]] std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
+                                                       const OpenOptions& options);
+
+}  // namespace surefoot::io

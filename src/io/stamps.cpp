@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/stamps.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "io/ascii_values.hpp"
+#include "io/decimal_time.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+bool is_whole(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::optional<std::int64_t> parse_whole(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} ? std::optional(value) : std::nullopt;
+}
+
+// Whole seconds of this size would be 3,000 years: they are nanoseconds.
+constexpr std::int64_t kLeastNanoseconds = 100'000'000'000;
+
+std::string_view trimmed(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) {
+    return {};
+  }
+  return line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
+}
+
+struct StampLine {
+  std::string_view text;
+  std::size_t number;
+};
+
+std::vector<StampLine> stamp_lines(std::string_view text) {
+  std::vector<StampLine> lines;
+  LineReader reader(text);
+  for (std::string_view line; reader.next(line);) {
+    line = trimmed(line);
+    if (!line.empty() && line.front() != '#') {
+      lines.push_back({line, reader.line_number()});
+    }
+  }
+  return lines;
+}
+
+std::optional<std::int64_t> stamp_of_name(const std::string& name) {
+  if (name.empty() || name.find_first_not_of("0123456789.") != std::string::npos) {
+    return std::nullopt;
+  }
+  if (!is_whole(name)) {
+    return parse_decimal_seconds(name);
+  }
+  if (name.size() == 18 || name.size() == 19) {
+    return name.front() == '0' ? std::nullopt : parse_whole(name);
+  }
+  constexpr std::int64_t kEpochLeast = 1'000'000'000;
+  constexpr std::int64_t kEpochGreatest = 4'200'000'000;
+  const std::optional<std::int64_t> seconds = parse_whole(name);
+  const bool is_epoch = seconds && *seconds >= kEpochLeast && *seconds <= kEpochGreatest;
+  return is_epoch ? std::optional(*seconds * 1'000'000'000) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> parse_stamps(std::string_view text) {
+  const std::vector<StampLine> lines = stamp_lines(text);
+  bool nanoseconds = !lines.empty();
+  std::int64_t greatest = 0;
+  for (const StampLine& line : lines) {
+    nanoseconds = nanoseconds && is_whole(line.text);
+    greatest = nanoseconds ? std::max(greatest, parse_whole(line.text).value_or(0)) : 0;
+  }
+  nanoseconds = nanoseconds && greatest >= kLeastNanoseconds;
+
+  std::vector<std::int64_t> stamps;
+  stamps.reserve(lines.size());
+  for (const StampLine& line : lines) {
+    std::optional<std::int64_t> stamp =
+        nanoseconds ? parse_whole(line.text) : parse_decimal_seconds(line.text);
+    stamp = stamp ? stamp : parse_date_time(line.text);
+    if (!stamp) {
+      throw ReadError("line " + std::to_string(line.number) + ": " + in_quotes(line.text) +
+                      "; expected one stamp: seconds, whole nanoseconds or a date and time");
+    }
+    stamps.push_back(*stamp);
+  }
+  return stamps;
+}
+
+std::filesystem::path find_stamps_file(const std::filesystem::path& folder) {
+  const std::filesystem::path above = std::filesystem::absolute(folder / "").parent_path();
+  for (const std::filesystem::path& place : {folder, above.parent_path()}) {
+    for (const char* name : {"times.txt", "timestamps.txt", "stamps.txt"}) {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(place / name, ignored)) {
+        return place / name;
+      }
+    }
+  }
+  return {};
+}
+
+std::optional<std::vector<std::int64_t>> stamps_from_names(
+    const std::vector<std::filesystem::path>& files) {
+  std::vector<std::int64_t> stamps;
+  for (const std::filesystem::path& file : files) {
+    const std::optional<std::int64_t> stamp = stamp_of_name(file.stem().string());
+    if (!stamp) {
+      return std::nullopt;
+    }
+    stamps.push_back(*stamp);
+  }
+  return stamps;
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where the stamps of a folder of scans come from.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace surefoot::io {
+
+/// One stamp a line: decimal seconds, KITTI's date lines, or (all lines whole numbers of 100 s or
+/// more in nanoseconds) whole nanoseconds. Empty lines and `#` comments are passed over. Throws
+/// ReadError naming the line.
+[[nodiscard]] std::vector<std::int64_t> parse_stamps(std::string_view text);
+
+/// times.txt, timestamps.txt or stamps.txt in the folder, else in the one above; empty: none.
+[[nodiscard]] std::filesystem::path find_stamps_file(const std::filesystem::path& folder);
+
+/// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, numbers with a decimal
+/// point or of epoch size (1e9 .. 4.2e9) seconds. Nothing where one name is neither: then they are
+/// names or indices.
+[[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_from_names(
+    const std::vector<std::filesystem::path>& files);
+
+}  // namespace surefoot::io

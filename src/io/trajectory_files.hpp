@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Trajectories as the field keeps them. TUM: `t x y z qx qy qz qw`, t in seconds, `#` comments.
+// KITTI: the 12 numbers of the upper 3x4 matrix, row by row, no stamps.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::io {
+
+/// Stamps and translations with nine decimals, the stamps exactly; quaternions with twelve.
+[[nodiscard]] std::string format_tum(const Trajectory& trajectory);
+[[nodiscard]] std::string format_kitti_poses(const Trajectory& trajectory);
+/// Write the file whole or not at all. Throw WriteError.
+void write_tum(const std::filesystem::path& file, const Trajectory& trajectory);
+void write_kitti_poses(const std::filesystem::path& file, const Trajectory& trajectory);
+
+/// Words are separated by any white space; stamps are read to the nanosecond; quaternions are
+/// normalised. Throws ReadError naming the line.
+[[nodiscard]] Trajectory parse_tum(std::string_view text);
+/// The 3x3 parts are made rotations again, as they are written with few digits. Throws ReadError
+/// naming the line.
+[[nodiscard]] std::vector<Pose> parse_kitti_poses(std::string_view text);
+/// The same from files; the message of a ReadError names the file too.
+[[nodiscard]] Trajectory read_tum(const std::filesystem::path& file);
+[[nodiscard]] std::vector<Pose> read_kitti_poses(const std::filesystem::path& file);
+
+}  // namespace surefoot::io

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "surefoot/odometry.hpp"
+
+namespace surefoot::mapping {
+
+/// The whole map of a run: every registered scan's deskewed points, one per cube, without those of
+/// what moved away.
+class MapBuilder {
+ public:
+  /// `voxel`: side of the cubes [m].
+  explicit MapBuilder(double voxel) : inverse_voxel_(1.0 / voxel) {}
+
+  /// Adds a scan whose LiDAR stood at `T_map_lidar` at mid-scan, `seconds` after the first scan.
+  void add(const DeskewedScan& scan, const Pose& T_map_lidar, double seconds);
+
+  /// What was seen in these cubes before has moved away.
+  void forget(const Cubes& cubes, double seconds);
+  /// Drops the points that were forgotten.
+  void drop_forgotten();
+
+  [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
+  /// Empty if any scan had no intensities.
+  [[nodiscard]] const std::vector<float>& intensities() const { return intensities_; }
+  /// When the scan was taken that put the point into the map [s after the first scan].
+  [[nodiscard]] const std::vector<float>& first_seen() const { return first_seen_; }
+
+ private:
+  [[nodiscard]] bool forgotten(std::size_t point) const;
+
+  double inverse_voxel_;
+  bool has_intensities_ = true;
+  std::unordered_map<std::uint64_t, std::uint32_t> taken_;  // by which point
+  double inverse_side_ = 1.0;                               // [1/m] of the emptied cubes
+  std::unordered_map<std::uint64_t, float> emptied_;        // when last [s]
+  std::vector<Eigen::Vector3f> points_;                     // [m] map frame
+  std::vector<float> intensities_;
+  std::vector<float> first_seen_;  // [s]
+};
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/beams.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// Cells about as wide as a LiDAR's usual step between rings, 2 deg.
+constexpr int kColumns = 180, kRows = 60;
+
+constexpr float kNear = 0.5F, kFar = 30.0F;  // [m] where surfels are asked about
+
+// A beam that went through something ends behind it by so much at least [m], and this share of the
+// distance: from half a metre's height one that passes a hand above the ground ends a quarter
+// farther on.
+constexpr double kBehind = 0.5, kBehindShare = 0.2;
+
+// A plane that a beam meets at less than this (sine) may not have been in its way.
+constexpr double kOblique = 0.2;
+
+// Of what is no plane, a beam passes the middle within this share of the variance, or this [m].
+constexpr double kMiddle = 0.5, kSmall = 0.1;
+
+// Where on the sphere, in cells: not by angles but by what grows with them and needs no
+// trigonometry (the octahedron's). Nowhere does it grow faster than by this per radian.
+constexpr double kFastest = kColumns / 4.0;
+
+struct Direction {
+  float column, row;
+};
+
+Direction direction_of(const Eigen::Vector3f& d) {
+  const float level = std::abs(d.x()) + std::abs(d.y());
+  const float across = level > 0.0F ? d.y() / level : 0.0F;          // -1 to 1
+  const float turn = d.x() >= 0.0F ? 1.0F + across : 3.0F - across;  // 0 to 4
+  const float rise = 1.0F + d.z() / (level + std::abs(d.z()));       // 0 to 2
+  return {turn * (kColumns / 4.0F), rise * (kRows / 2.0F)};
+}
+
+int cell_at(int column, int row) { return row * kColumns + column; }
+
+int cell_of(const Direction& direction) {
+  return cell_at(std::clamp(static_cast<int>(direction.column), 0, kColumns - 1),
+                 std::clamp(static_cast<int>(direction.row), 0, kRows - 1));
+}
+
+/// Calls f for the cells that lie up to so many columns and rows away, until it says true.
+template <typename Function>
+bool any_about(const Direction& direction, float columns, float rows, const Function& f) {
+  const int first_row = std::max(static_cast<int>(direction.row - rows), 0);
+  const int last_row = std::min(static_cast<int>(direction.row + rows), kRows - 1);
+  const int first = static_cast<int>(direction.column - columns + kColumns);
+  const int last = static_cast<int>(direction.column + columns + kColumns);
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first; column <= last; ++column) {
+      if (f(cell_at(column % kColumns, row))) return true;
+    }
+  }
+  return false;
+}
+
+/// How near to a surfel's mean a beam passes it [m^2].
+double reach2_of(const Surfel& surfel) {
+  return surfel.directions == 1 ? surfel.extent
+                                : std::max(kMiddle * surfel.extent, kSmall * kSmall);
+}
+
+/// Whether a ray passes the middle of what lies at `d` from where it begins.
+bool meets(const Surfel& surfel, const Eigen::Vector3d& ray, const Eigen::Vector3d& d) {
+  if (surfel.directions != 1) return (d - d.dot(ray) * ray).squaredNorm() < reach2_of(surfel);
+  const Eigen::Vector3d& n = surfel.across[0];
+  const double along = n.dot(ray);
+  return std::abs(along) >= kOblique &&
+         (n.dot(d) / along * ray - d).squaredNorm() < reach2_of(surfel);
+}
+
+}  // namespace
+
+Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& rays,
+             const std::vector<double>& ranges)
+    : sensor_(sensor), begins_(kColumns * kRows + 1, 0), beams_(rays.size()) {
+  std::vector<int> cells(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    cells[i] = cell_of(direction_of(rays[i].cast<float>()));
+    ++begins_[cells[i]];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& begin : begins_) begin = sum += begin;
+  for (std::size_t i = rays.size(); i-- > 0;) {
+    beams_[--begins_[cells[i]]] = {rays[i], (ranges[i] - kBehind) / (1.0 + kBehindShare)};
+  }
+  find_clear();
+}
+
+void Beams::find_clear() {
+  std::vector<float> clear(std::size_t{kColumns} * kRows, 0.0F);
+  for (std::size_t cell = 0; cell < clear.size(); ++cell) {
+    for (std::uint32_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
+      clear[cell] = std::max(clear[cell], static_cast<float>(beams_[i].clear));
+    }
+  }
+  clear2_.resize(clear.size());
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      float& farthest = clear2_[cell_at(column, row)];
+      const Direction middle{static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F};
+      any_about(middle, 1.0F, 1.0F, [&](int cell) {
+        farthest = std::max(farthest, clear[cell]);
+        return false;
+      });
+      farthest *= farthest;
+    }
+  }
+}
+
+bool Beams::may_pass(const Eigen::Vector3f& place) const {
+  const Eigen::Vector3f d = place - sensor_.cast<float>();
+  const float squared = d.squaredNorm();
+  if (squared < kNear * kNear || squared > kFar * kFar) return false;
+  return clear2_[cell_of(direction_of(d))] > squared;
+}
+
+bool Beams::pass(const Surfel& surfel) const {
+  const Eigen::Vector3d d = surfel.mean - sensor_;
+  const double distance = d.norm();
+  if (surfel.directions == 1 && std::abs(surfel.across[0].dot(d)) < kOblique * distance)
+    return false;
+  const double reach = kFastest * std::sqrt(reach2_of(surfel));
+  const auto columns = static_cast<float>(std::min(reach / d.head<2>().norm(), 1.0));
+  const auto rows = static_cast<float>(std::min(reach / distance, 1.0));
+  return any_about(direction_of(d.cast<float>()), columns, rows, [&](int cell) {
+    return std::any_of(
+        beams_.begin() + begins_[cell], beams_.begin() + begins_[cell + 1],
+        [&](const Beam& beam) { return beam.clear > distance && meets(surfel, beam.ray, d); });
+  });
+}
+
+}  // namespace surefoot

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "methods/knots/knot_registration.hpp"
+
+namespace surefoot {
+
+/// What registrations of the last scans ended with: fading means.
+struct UsualFit {
+  double misfit = 1.0;        ///< KnotRegistration::misfit
+  double disagreement = 1.0;  ///< KnotRegistration::disagreement()
+  double misfit_of_seen = 1.0;
+
+  /// `rate`: weight of this registration, 1 to forget all others.
+  void learn(const KnotRegistration& found, double rate, const Config::Knots& config);
+  /// A registration whose misfit to what the map has seen is larger is wrong.
+  [[nodiscard]] double most_misfit_of_seen(const Config::Knots& config) const;
+};
+
+/// The best of as many registrations as the scan needs. Most need one. One that ends worse than
+/// usual is tried again from several motions: a map has many wrong places where a scan almost fits.
+/// docs/method.md, "Convergence".
+/// @param points of the scan; their places in the map are left as the last attempt found them
+/// @param predicted the knots as the velocity model expects them
+[[nodiscard]] KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& problem,
+                                                    const KnotWindow& predicted,
+                                                    const UsualFit& usual);
+
+}  // namespace surefoot

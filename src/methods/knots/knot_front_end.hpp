@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/front_end.hpp"
+#include "methods/knots/knot_attempts.hpp"
+#include "methods/knots/knot_prediction.hpp"
+#include "methods/knots/surfel_map.hpp"
+#include "methods/knots/velocity_model.hpp"
+
+namespace surefoot {
+
+/// Surefoot's own method: the poses within the scan are estimated, not predicted. docs/method.md.
+class KnotFrontEnd : public FrontEnd {
+ public:
+  explicit KnotFrontEnd(const Session& session);
+
+  Estimate add(const PreparedScan& scan) override;
+
+  [[nodiscard]] std::optional<StampedPose> last_pose() const override { return last_pose_; }
+  [[nodiscard]] Twist velocity() const override { return velocity_; }
+  [[nodiscard]] const LevelReport& level() const override { return level_; }
+  [[nodiscard]] const DeskewedScan& deskewed_scan() const override { return last_scan_; }
+  [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override { return map_.points(); }
+  [[nodiscard]] Cubes emptied_cubes() const override { return emptied_; }
+
+ private:
+  struct FirstScan {
+    PreparedScan scan;
+    std::vector<std::uint32_t> thinned;
+  };
+
+  Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] KnotProblem problem(const KnotEnd& begin) const;
+  [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
+                                  const Pose& T_0, std::size_t points) const;
+  Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                const KnotWindow& predicted, const KnotEnd& begin, Estimate estimate);
+  void learn(const KnotRegistration& found, const KnotEnd& begin);
+  void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  void map_first_scan(const Twist& velocity);
+  [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
+                                     const std::vector<std::uint32_t>& thinned);
+  void integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                 const ScanTrajectory& trajectory);
+  void finish(const KnotWindow& window, const Matrix12& information);
+  [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
+
+  const Session& session_;
+  const Config& config_;
+
+  // Everything that outlives a scan.
+  SurfelMap map_;
+  VelocityModel model_;
+  PointChoice map_choice_;
+  PointChoice choice_;
+  KnotEnd end_;
+  std::optional<StampedPose> last_pose_;
+  Twist velocity_ = Twist::Zero();
+  UsualFit usual_;
+  double dependence_;
+  std::optional<FirstScan> first_scan_;  // until its motion is known
+  LevelReport level_;
+  DeskewedScan last_scan_;
+  Cubes emptied_;  // by the last scan
+  int lost_in_a_row_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/normal_equations.hpp"
+#include "core/parallel.hpp"
+#include "methods/knots/knot_points.hpp"
+#include "methods/knots/knot_prior.hpp"
+#include "methods/knots/knot_window.hpp"
+#include "methods/knots/surfel_map.hpp"
+#include "methods/knots/velocity_model.hpp"
+#include "surefoot/config.hpp"
+#include "surefoot/odometry.hpp"
+
+namespace surefoot {
+
+/// What all registrations of a scan have in common.
+struct KnotProblem {
+  const SurfelMap& map;
+  const KnotPrior& prior;
+  const VelocityModel& model;
+  const Config::Knots& config;
+  const Workers& workers;
+  const StepObserver& begin_step;
+};
+
+/// How the robust kernel narrows.
+struct Annealing {
+  double start;  ///< [m] its first scale
+  double decay;  ///< factor on its scale per iteration
+  int max_iterations;
+};
+
+[[nodiscard]] Annealing usual_annealing(const Config::Knots& config);
+/// From farther away and in smaller steps, for what the usual one loses.
+[[nodiscard]] Annealing patient_annealing(const Config::Knots& config);
+
+/// Where the registration of a window ended.
+struct KnotRegistration {
+  KnotWindow window;
+  BandedSystem::Covariance covariance;  ///< of the knots; valid if solved
+  bool solved = false;                  ///< every step had a finite solution
+  bool converged = false;
+  int iterations = 0;
+  int matches = 0;
+  double misfit = 1.0;            ///< 0: every point lies on its surfel; 1: no point near any
+  double unseen = 1.0;            ///< share of the points where the map has no surfel
+  double dependence = 1.0;        ///< of neighbours' residuals: so many count as one
+  NormalEquations<6> rigid;       ///< of the scan as one rigid body, at the last iteration
+  double squared_distance = 0.0;  ///< weighted sum of |s|^2 over the matches
+
+  /// Information of the window's last two knots, all others integrated out; valid if solved.
+  Matrix12 last_two = Matrix12::Zero();
+
+  /// The misfit, with little weight on the points where the map has no surfel.
+  [[nodiscard]] double disagreement(double unseen_weight) const;
+  /// The misfit of the points where the map has a surfel; 1 if there are none.
+  [[nodiscard]] double misfit_of_seen() const;
+  /// Covariance of the pose at an instant of the window; valid if solved.
+  [[nodiscard]] Matrix6 covariance_at(std::int64_t instant_ns) const;
+};
+
+/// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first
+/// two knots, and the velocity model.
+/// @param start the knots, at first
+///
+/// The problem is far from convex, since a point changes its surfel as it moves. So the first
+/// iterations trust neither far residuals' smallness nor the surfels much: the kernel is wide, the
+/// noise as large, and both narrow from step to step; the velocity model, and not the surfels,
+/// shapes the motion at first.
+[[nodiscard]] KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
+                                              const KnotWindow& start, const Annealing& annealing);
+
+}  // namespace surefoot

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/surfel.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// A pole stands: its axis is within 45 deg of the map's z axis. A lying line is one ring of the
+// LiDAR on a wall or floor, whose place along that surface says nothing.
+constexpr double kStanding = 0.7;
+
+// Who sees a plane at a smaller angle than this (sine) may be on either side of it.
+constexpr double kGrazing = 0.05;
+
+}  // namespace
+
+bool Surfel::from_behind(const Eigen::Vector3d& ray) const {
+  if (directions != 1) return false;
+  const double along = across[0].dot(ray);
+  return along > 0.0 && along * along > kGrazing * kGrazing * ray.squaredNorm();
+}
+
+SurfelMoments::Products SurfelMoments::products_of(const Eigen::Vector3d& v) {
+  return (Products() << v.x() * v.x(), v.x() * v.y(), v.x() * v.z(), v.y() * v.y(), v.y() * v.z(),
+          v.z() * v.z())
+      .finished();
+}
+
+Eigen::Matrix3d SurfelMoments::matrix_of(const Products& p) {
+  return (Eigen::Matrix3d() << p[0], p[1], p[2], p[1], p[3], p[4], p[2], p[4], p[5]).finished();
+}
+
+void SurfelMoments::add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range) {
+  ++count_;
+  sum_ += point;
+  products_ += products_of(point);
+  ray_sum_ += ray;
+  rays_ += products_of(ray);
+  squared_ranges_ += range * range;
+}
+
+Eigen::Matrix3d SurfelMoments::unseen(double ring_gap) const {
+  const Eigen::Vector3d ray = ray_sum_.normalized();
+  const double variance = ring_gap * ring_gap * squared_ranges_ / (3.0 * count_);
+  return variance * (Eigen::Matrix3d::Identity() - ray * ray.transpose());  // [K24]
+}
+
+Surfel SurfelMoments::fit(const Eigen::Vector3d& corner, double size,
+                          const Config::Knots& config) const {
+  Surfel surfel;
+  const Eigen::Vector3d middle = mean();
+  const Eigen::Matrix3d C = matrix_of(products_) / count_ - middle * middle.transpose();
+  surfel.mean = corner + middle;
+  surfel.extent = C.trace();
+  if (count_ < config.min_points) return surfel;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(C);
+  const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0.0);
+  const double broad = config.breadth * config.breadth * size * size;
+  // A ring that passes through foliage, or whose ranges are noisy, spreads along its rays: its
+  // points lie on the plane that the rays sweep, which goes with the sensor.
+  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const double facing = normal.dot(matrix_of(rays_) * normal) / count_;  // [K18]
+  // [K17]
+  const bool plane = spread[1] >= broad && spread[0] <= config.flatness * spread[1] &&
+                     facing >= config.edge_on * config.edge_on;
+  const bool pole = !plane && count_ >= 2 * config.min_points && spread[2] >= broad &&
+                    spread[1] <= config.slenderness * spread[2] &&
+                    std::abs(eigen.eigenvectors()(2, 2)) >= kStanding;
+  surfel.directions = plane ? 1 : pole ? 2 : config.cloud_weight > 0.0 ? 3 : 0;
+  if (surfel.cloud()) eigen.computeDirect(C + unseen(config.ring_gap));
+  for (int i = 0; i < std::max(surfel.directions, 2); ++i) {
+    surfel.across[i] = eigen.eigenvectors().col(i);
+    surfel.variance[i] = std::max(eigen.eigenvalues()[i], 0.0);
+  }
+  if (surfel.across[0].dot(ray_sum_) > 0.0) surfel.across[0] *= -1.0;
+  return surfel;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surefoot/config.hpp"
+
+namespace surefoot {
+
+/// What a voxel's points lie on: a plane (one direction across it), a pole (two), or neither: a
+/// cloud (three) of leaves, grass or stones.
+struct Surfel {
+  int directions = 0;                              ///< 0: too few points
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
+  Eigen::Vector3d across[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                               Eigen::Vector3d::Zero()};  ///< unit; a plane's: to who sees it
+  double variance[3] = {0.0, 0.0, 0.0};  ///< along them [m^2]: the points', a cloud's widened
+  double extent = 0.0;                   ///< variance of the points, all ways [m^2]
+
+  [[nodiscard]] bool cloud() const { return directions == 3; }
+
+  /// Whether a ray (of any length, from the sensor) meets a plane's back.
+  [[nodiscard]] bool from_behind(const Eigen::Vector3d& ray) const;
+};
+
+/// Sums over a voxel's points, and over the rays that measured them.
+class SurfelMoments {
+ public:
+  /// `point`: from the voxel's corner [m]; `ray`: unit vector from the sensor, `range` [m] away.
+  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range);
+
+  [[nodiscard]] int count() const { return count_; }
+  /// Of at least one point, from the voxel's corner [m].
+  [[nodiscard]] Eigen::Vector3d mean() const { return sum_ / count_; }
+  /// `corner` [m, map frame] of a voxel of side `size` [m].
+  [[nodiscard]] Surfel fit(const Eigen::Vector3d& corner, double size,
+                           const Config::Knots& config) const;
+
+ private:
+  /// The upper triangle of a sum of v v^T, row by row.
+  using Products = Eigen::Matrix<double, 6, 1>;
+
+  [[nodiscard]] static Products products_of(const Eigen::Vector3d& v);
+  [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
+  /// What the rings leave unseen between them, as a covariance [m^2].
+  [[nodiscard]] Eigen::Matrix3d unseen(double ring_gap) const;
+
+  int count_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Products products_ = Products::Zero();
+  Eigen::Vector3d ray_sum_ = Eigen::Vector3d::Zero();
+  Products rays_ = Products::Zero();
+  double squared_ranges_ = 0.0;
+};
+
+}  // namespace surefoot

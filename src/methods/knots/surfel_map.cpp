@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/surfel_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace surefoot {
+
+namespace {
+
+// The map is cleaned when the sensor went this share of the radius, not at every scan.
+constexpr double kCleaningShare = 0.05;
+
+// A surfel is fitted anew when its points grew by this factor, not at every point: to save time.
+constexpr double kGrowth = 1.15;
+
+// What no beam is known to have gone through is asked for at every so many-th scan only.
+constexpr std::size_t kTurn = 3;
+
+// So many points ahead, memory is asked for what the map knows of them: they lie all over it.
+constexpr std::size_t kAhead = 8;
+
+// Scans that are counted: what fits Sight's 16 bits.
+constexpr int kMost = 60'000;
+
+/// Of something up to three cache lines large.
+template <typename T>
+void prefetch(const T& value) {
+#if defined(__GNUC__)
+  for (std::size_t at = 0; at < sizeof(T); at += 64) {
+    __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
+  }
+#endif
+}
+
+// voxel_key() leaves the first bit free: it tells a voxel's back.
+constexpr std::uint64_t kBack = std::uint64_t{1} << 63;
+
+}  // namespace
+
+SurfelMap::SurfelMap(const Config::Knots& config, double radius)
+    : config_(config), radius_(radius) {
+  double size = config.finest_voxel;
+  for (int level = 0; level < config.levels; ++level, size *= 2.0) {
+    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}});
+  }
+}
+
+const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray, int finest,
+                              Place& last) const {
+  const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
+  if (last.asked == finest && last.voxel == index) {
+    if (last.level < 0) return nullptr;
+    const Surfel& surfel = grids_[last.level].surfels[last.index];
+    if (!surfel.from_behind(ray)) return &surfel;
+  }
+  last = {-1, finest, index, 0};
+  for (int level = finest; level < static_cast<int>(grids_.size()); ++level) {
+    const Grid& grid = grids_[level];
+    const std::uint64_t key = voxel_key(voxel_index(place, grid.inverse_size));
+    std::uint32_t found = grid.table.find(key);
+    if (found == VoxelTable::kNone) continue;
+    if (grid.surfels[found].from_behind(ray)) {
+      last.asked = -1;  // the answer depends on the ray, too
+      found = grid.table.find(key | kBack);
+      if (found == VoxelTable::kNone || grid.surfels[found].from_behind(ray)) continue;
+    }
+    const Surfel& surfel = grid.surfels[found];
+    if (surfel.directions == 0 || (surfel.cloud() && last.level >= 0)) continue;
+    last.level = level;
+    last.index = found;
+    if (!surfel.cloud()) break;
+  }
+  return last.level < 0 ? nullptr : &grids_[last.level].surfels[last.index];
+}
+
+int SurfelMap::level_of(double size) const {
+  const auto large = [size](const Grid& grid) { return grid.size >= size; };
+  const auto found = std::find_if(grids_.begin(), grids_.end() - 1, large);
+  return static_cast<int>(found - grids_.begin());
+}
+
+struct SurfelMap::Sweep {
+  Sweep(const std::vector<Eigen::Vector3d>& of, const Eigen::Vector3d& sensor) : points(of) {
+    rays.reserve(points.size());
+    ranges.reserve(points.size());
+    for (const Eigen::Vector3d& point : points) {
+      const Eigen::Vector3d ray = point - sensor;
+      ranges.push_back(ray.norm());
+      rays.emplace_back(ray / ranges.back());
+    }
+  }
+
+  const std::vector<Eigen::Vector3d>& points;
+  std::vector<Eigen::Vector3d> rays;
+  std::vector<double> ranges;
+};
+
+/// The voxel, or its back, made if there is none yet.
+std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
+  const auto next = static_cast<std::uint32_t>(grid.voxels.size());
+  const auto [at, inserted] = grid.table.find_or_insert(key, next);
+  if (inserted) {
+    Voxel& fresh = grid.voxels.emplace_back();
+    fresh.key = key;
+    fresh.index = index;
+    grid.surfels.emplace_back();
+    grid.sights.emplace_back();
+  }
+  return at;
+}
+
+void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
+  const std::size_t n = sweep.points.size();
+  std::vector<VoxelIndex> indices;
+  indices.reserve(n);
+  for (const Eigen::Vector3d& point : sweep.points) {
+    indices.push_back(voxel_index(point, grid.inverse_size));
+  }
+  std::vector<std::uint32_t> sides(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + kAhead < n) grid.table.prefetch(voxel_key(indices[i + kAhead]));
+    sides[i] = side_of(grid, voxel_key(indices[i]), indices[i]);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + kAhead < n) {
+      prefetch(grid.surfels[sides[i + kAhead]]);
+      prefetch(grid.voxels[sides[i + kAhead]]);
+    }
+    if (grid.surfels[sides[i]].from_behind(sweep.rays[i])) {
+      sides[i] = side_of(grid, voxel_key(indices[i]) | kBack, indices[i]);
+    }
+    Sight& sight = grid.sights[sides[i]];
+    sight.now = true;
+    if (sight.full) continue;
+    Voxel& voxel = grid.voxels[sides[i]];
+    voxel.moments.add(sweep.points[i] - indices[i].cast<double>() * grid.size, sweep.rays[i],
+                      sweep.ranges[i]);
+    const int count = voxel.moments.count();
+    sight.full = count >= config_.points_per_voxel;  // what was seen first is kept: no drift
+    if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
+      voxel.stale = true;
+      grid.stale.push_back(sides[i]);
+    }
+  }
+}
+
+void SurfelMap::fit(Grid& grid) const {
+  for (const std::uint32_t at : grid.stale) {
+    Voxel& voxel = grid.voxels[at];
+    const Eigen::Vector3d corner = voxel.index.cast<double>() * grid.size;
+    grid.surfels[at] = voxel.moments.fit(corner, grid.size, config_);
+    grid.sights[at].middle = grid.surfels[at].mean.cast<float>();
+    voxel.stale = false;
+    voxel.fitted_at = voxel.moments.count();
+  }
+  grid.stale.clear();
+}
+
+/// What beams went through time and again since one last hit it has moved away.
+std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
+  std::vector<Eigen::Vector3d> emptied;
+  for (std::size_t at = 0; at < grid.sights.size(); ++at) {
+    Sight& sight = grid.sights[at];
+    if (sight.now) {
+      sight.now = false;
+      sight.passed = 0;
+      sight.hits = static_cast<std::uint16_t>(std::min(sight.hits + 1, kMost));
+      continue;
+    }
+    const std::size_t turn = sight.passed > 0 ? 1 : kTurn;
+    if (sight.hits == 0 || (at + scan_) % turn != 0) continue;
+    if (!beams.may_pass(sight.middle) || !beams.pass(grid.surfels[at])) continue;
+    sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
+    // [K19]
+    if (sight.passed < config_.gone_after + config_.gone_share * sight.hits) continue;
+    Voxel& voxel = grid.voxels[at];
+    const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
+    if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
+      emptied.emplace_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
+    }
+    voxel.moments = {};
+    voxel.fitted_at = 0;
+    grid.surfels[at] = {};
+    sight = {};
+  }
+  return emptied;
+}
+
+std::vector<Eigen::Vector3d> SurfelMap::insert(const std::vector<Eigen::Vector3d>& points,
+                                               const Eigen::Vector3d& sensor,
+                                               const Workers& workers) {
+  ++scan_;
+  const Sweep sweep(points, sensor);
+  std::optional<Beams> beams;
+  if (config_.gone_after > 0) beams.emplace(sensor, sweep.rays, sweep.ranges);
+  std::vector<Eigen::Vector3d> emptied;
+  workers.for_each(grids_.size(), [&](std::size_t level) {
+    Grid& grid = grids_[level];
+    add(grid, sweep);
+    fit(grid);
+    if (!beams) return;
+    std::vector<Eigen::Vector3d> here = empty_passed(grid, *beams);
+    if (level == 0) emptied = std::move(here);
+  });
+  return emptied;
+}
+
+void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
+  if (!cleaned_at_) cleaned_at_ = sensor;
+  if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius_) return;
+  cleaned_at_ = sensor;
+  for (Grid& grid : grids_) {
+    std::uint32_t kept = 0;
+    grid.table.clear();
+    for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
+      const Voxel& voxel = grid.voxels[at];
+      const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
+      if (voxel.moments.count() == 0 || (centre - sensor).norm() > radius_) continue;
+      grid.table.find_or_insert(voxel.key, kept);
+      grid.voxels[kept] = voxel;
+      grid.surfels[kept] = grid.surfels[at];
+      grid.sights[kept] = grid.sights[at];
+      ++kept;
+    }
+    grid.voxels.resize(kept);
+    grid.surfels.resize(kept);
+    grid.sights.resize(kept);
+  }
+}
+
+void SurfelMap::clear() {
+  for (Grid& grid : grids_) {
+    grid.table.clear();
+    grid.surfels.clear();
+    grid.voxels.clear();
+    grid.sights.clear();
+    grid.stale.clear();
+  }
+  cleaned_at_.reset();
+}
+
+std::vector<Eigen::Vector3d> SurfelMap::points() const {
+  std::vector<Eigen::Vector3d> means;
+  const Grid& grid = grids_.front();
+  means.reserve(grid.voxels.size());
+  for (const Voxel& voxel : grid.voxels) {
+    if (voxel.moments.count() == 0) continue;
+    means.emplace_back(voxel.index.cast<double>() * grid.size + voxel.moments.mean());
+  }
+  return means;
+}
+
+}  // namespace surefoot

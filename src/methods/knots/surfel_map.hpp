@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "core/voxel_key.hpp"
+#include "core/voxel_table.hpp"
+#include "methods/knots/beams.hpp"
+#include "methods/knots/surfel.hpp"
+#include "surefoot/config.hpp"
+
+namespace surefoot {
+
+/// The map around the sensor at several scales: grids of voxels, each twice as coarse as the one
+/// before, each voxel with its points' moments and the surfel fitted to them.
+///
+/// A wall or a flight of stairs has two sides, a hand apart. A voxel whose plane is later hit from
+/// behind keeps those points apart, as its back, and a point is only ever compared with the side
+/// that its ray can have hit.
+///
+/// What moved away does not stay: a voxel is emptied that beams went through time and again since
+/// one last hit it.
+///
+/// Where points are dense (a staircase, a corridor) the finest grid answers; far away, or between
+/// the LiDAR's rings, a coarser one. So one set of parameters serves every scale of scene.
+class SurfelMap {
+ public:
+  explicit SurfelMap(const Config::Knots& config, double radius);
+
+  /// Where a surfel was found, so that it can be known again without a search.
+  struct Place {
+    int level = -1;                         ///< -1: no surfel
+    int asked = -1;                         ///< the finest level that was asked for
+    VoxelIndex voxel = VoxelIndex::Zero();  ///< of the finest level asked
+    std::uint32_t index = 0;
+  };
+
+  /// The plane or pole of the finest grid, from `finest` on, whose voxel about a place has one that
+  /// `ray` (of any length, from the sensor) can have hit; if none has, the finest cloud there, or
+  /// null. `last` is what the last call
+  /// for this point left, and is brought up to date: the map must not change in between.
+  [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
+                                   int finest, Place& last) const;
+
+  /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
+  /// and empties those that the beams went through. Returns the centres [m] of the finest grid's
+  /// emptied ones (both sides).
+  std::vector<Eigen::Vector3d> insert(const std::vector<Eigen::Vector3d>& points,
+                                      const Eigen::Vector3d& sensor,
+                                      const Workers& workers = Workers(1));
+  /// Drops the voxels that lie farther than the radius from the sensor.
+  void remove_far(const Eigen::Vector3d& sensor);
+  void clear();
+
+  [[nodiscard]] bool empty() const { return grids_.front().voxels.empty(); }
+  /// The finest grid whose voxels are at least so large [m], or the coarsest.
+  [[nodiscard]] int level_of(double size) const;
+  /// The means of the finest grid's voxels [m].
+  [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
+
+ private:
+  /// One side of a voxel.
+  struct Voxel {
+    std::uint64_t key = 0;
+    VoxelIndex index = VoxelIndex::Zero();
+    SurfelMoments moments;
+    int fitted_at = 0;  // count when the surfel was fitted
+    bool stale = false;
+  };
+  /// When it was seen, and what else is asked of every voxel at every scan.
+  struct Sight {
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();  // of its points [m]
+    std::uint16_t hits = 0;                            // scans; none: it is empty
+    std::uint16_t passed = 0;  // scans whose beams went through since the last hit
+    bool now = false;          // hit by this scan
+    bool full = false;         // takes no more points
+  };
+  /// A voxel's side is one index into three arrays: what is searched, what is added to, and what
+  /// is gone through at every scan.
+  struct Grid {
+    double size;
+    double inverse_size;
+    VoxelTable table;
+    std::vector<Surfel> surfels;
+    std::deque<Voxel> voxels;  // the large ones: never copied to grow
+    std::vector<Sight> sights;
+    std::vector<std::uint32_t> stale;  // to fit anew
+  };
+
+  /// What a scan adds to the map: points, and the beams that measured them.
+  struct Sweep;
+
+  [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
+                                             const VoxelIndex& index);
+  void add(Grid& grid, const Sweep& sweep) const;
+  void fit(Grid& grid) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
+
+  Config::Knots config_;
+  double radius_;
+  std::vector<Grid> grids_;
+  std::optional<Eigen::Vector3d> cleaned_at_;
+  std::size_t scan_ = 0;  // number of the last one
+};
+
+}  // namespace surefoot

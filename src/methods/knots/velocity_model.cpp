@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/velocity_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// Before anything was learnt: an ordinary trot's.
+const Twist kFirstFluctuation = (Twist() << 0.3, 0.3, 0.3, 0.6, 0.6, 0.4).finished();
+
+// However smoothly it rolls, a sensor's velocity may change; the model is never infinitely stiff.
+constexpr double kLeastFluctuation = 0.003;  // [m/s, rad/s]
+
+/// How the deviation e_k = (v_{k+1} - m) - phi (v_k - m) depends on knots k, k + 1 and k + 2: the
+/// same factor for each axis. For rotations this takes the knots' turns to be small.
+std::array<double, 3> slopes_of(const KnotWindow& window, std::size_t k, double phi) {
+  const double before = window.duration(k), after = window.duration(k + 1);
+  return {phi / before, -1.0 / after - phi / before, 1.0 / after};
+}
+
+/// Axes that are alike however the map's x axis lies share one value.
+Twist alike(const Twist& v) {
+  Twist shared = v;
+  shared[0] = shared[1] = 0.5 * (v[0] + v[1]);
+  shared[3] = shared[4] = 0.5 * (v[3] + v[4]);
+  return shared;
+}
+
+}  // namespace
+
+VelocityModel::VelocityModel(const Config::Knots& config, const Twist& fluctuation)
+    : config_(config), variance_(fluctuation.cwiseAbs2()) {}
+
+VelocityModel::VelocityModel(const Config::Knots& config)
+    : VelocityModel(config, kFirstFluctuation) {}
+
+void VelocityModel::begin(const Twist& velocity, const Eigen::Quaterniond& rotation) {
+  mean_ = rotated(rotation.conjugate(), velocity);
+  learnt_ = 1;
+}
+
+VelocityModel VelocityModel::looser(double factor) const {
+  VelocityModel model = *this;
+  model.variance_ *= factor * factor;
+  return model;
+}
+
+Twist VelocityModel::mean(const Eigen::Quaterniond& rotation) const {
+  return rotated(rotation, mean_);
+}
+
+double VelocityModel::pull(double step) const { return std::exp(-step / config_.correlation_time); }
+
+Twist VelocityModel::next(const Twist& velocity, const Eigen::Quaterniond& rotation,
+                          double step) const {
+  const Twist m = mean(rotation);
+  return m + pull(step) * (velocity - m);  // [K6]
+}
+
+void VelocityModel::add_to(BandedSystem& system, const KnotWindow& window,
+                           const Eigen::Quaterniond& rotation) const {
+  for (std::size_t k = 0; k + 2 < window.knots.size(); ++k) {
+    const double phi = pull(window.duration(k + 1));
+    const Twist e =
+        window.velocity(k + 1) - next(window.velocity(k), rotation, window.duration(k + 1));
+    const Twist information = (variance_ * (1.0 - phi * phi)).cwiseInverse();  // [K7]
+    const auto a = slopes_of(window, k, phi);
+    for (std::size_t i = 0; i < 3; ++i) {
+      system.add(k + i, a[i] * information.cwiseProduct(e));
+      for (std::size_t j = 0; j <= i; ++j) {
+        system.add(k + i, k + j, (a[i] * a[j] * information).asDiagonal());
+      }
+    }
+  }
+}
+
+void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
+                          const Eigen::Quaterniond& rotation) {
+  Twist squares = Twist::Zero();  // expectation of e^2, given the scan
+  for (std::size_t k = 1; k + 2 < window.knots.size(); ++k) {
+    const double phi = pull(window.step);
+    const Twist e = window.velocity(k + 1) - next(window.velocity(k), rotation, window.step);
+    squares += e.cwiseAbs2() / (1.0 - phi * phi);
+    const auto a = slopes_of(window, k, phi);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        squares += a[i] * a[j] / (1.0 - phi * phi) * covariance(k + i, k + j).diagonal();
+      }
+    }
+  }
+  if (window.segments() > 1) {
+    const Twist seen = alike(squares / static_cast<double>(window.segments() - 1));
+    variance_ += config_.learning_rate * (seen - variance_);  // [K15]
+    variance_ = variance_.cwiseMax(kLeastFluctuation * kLeastFluctuation);
+  }
+  ++learnt_;
+  const Twist seen = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
+  // [K16] The mean of all scans until they are more than the fading mean's memory.
+  mean_ += std::max(config_.learning_rate, 1.0 / learnt_) * (seen - mean_);
+}
+
+}  // namespace surefoot

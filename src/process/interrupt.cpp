@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "process/interrupt.hpp"
+
+#include <csignal>
+
+namespace surefoot::process {
+
+namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+
+void on_signal(int signal) {
+  signalled = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  signalled = 0;
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
+
+InterruptGuard::~InterruptGuard() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+bool InterruptGuard::interrupted() const { return signalled != 0; }
+
+}  // namespace surefoot::process

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/odometry_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "process/machine.hpp"
+#include "runs/length_unit.hpp"
+#include "runs/report_maker.hpp"
+#include "runs/run_bag.hpp"
+#include "runs/run_files.hpp"
+#include "runs/run_output.hpp"
+#include "surefoot/odometry.hpp"
+#include "surefoot/seconds.hpp"
+
+namespace surefoot::runs {
+
+namespace {
+
+class OdometryRun {
+ public:
+  OdometryRun(const RunOptions& options, const RunListener& listener)
+      : options_(options),
+        listener_(listener),
+        config_(config_of(options)),
+        recording_(io::open_recording(options.input, options.reader)),
+        odometry_(config_, options.threads),
+        T_lidar_written_(written_frame(options, config_)),
+        map_(options.map_voxel) {
+    odometry_.set_step_observer([this](Step step) { times_.begin(step); });
+  }
+
+  [[nodiscard]] RunOutcome execute();
+
+ private:
+  void say_new_notes();
+  [[nodiscard]] std::optional<io::ScanItem> first_scan();
+  void use_all(std::optional<io::ScanItem> item, RunOutput& output);
+  void use(const io::ScanItem& item, RunOutput& output);
+  void tell(const io::ScanItem& item, const Estimate& estimate);
+  void count(const Estimate& estimate, const Trajectory& path);
+  [[nodiscard]] double progress(std::size_t done) const;
+  [[nodiscard]] RunDescription description() const;
+  void open_bags();
+  void write_page(const std::filesystem::path& folder) const;
+
+  const RunOptions& options_;
+  const RunListener& listener_;
+  const Config config_;
+  std::unique_ptr<io::Recording> recording_;
+  Odometry odometry_;
+  Pose T_lidar_written_;
+  mapping::MapBuilder map_;
+  StepTimes times_;
+  std::vector<RunBag> bags_;
+  RunOutcome outcome_;
+  std::vector<std::string> notes_;      ///< the recording's that were said
+  std::vector<std::string> own_notes_;  ///< the run's
+  Status last_status_ = Status::ok;
+  std::int64_t first_stamp_ns_ = 0;
+};
+
+RunOutcome OdometryRun::execute() {
+  auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
+  if (!item) {
+    throw io::ReadError(
+        fmt::format("{}: no scans after the first {}", options_.input.string(), options_.start));
+  }
+  if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
+  RunOutput output(options_);
+  outcome_.folder = output.folder().path();
+  if (output.folder().replaced()) {
+    listener_.say(
+        fmt::format("note: {}: an earlier run's files are replaced", outcome_.folder.string()));
+  }
+  open_bags();
+  use_all(std::move(item), output);
+  say_new_notes();
+  map_.drop_forgotten();
+  const RunDescription run = description();
+  output.finish(options_, run, map_);
+  for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
+  outcome_.poses = output.trajectory().size();
+  write_page(outcome_.folder);
+  return std::move(outcome_);
+}
+
+/// The scan that the map begins with. A capture hardly ever begins where a revolution does; the
+/// part of one that it begins with shows the next scan too little, and is left out unless it is all
+/// there is.
+std::optional<io::ScanItem> OdometryRun::first_scan() {
+  recording_->skip(options_.start);
+  auto first = recording_->next();
+  if (!first || first->remark.empty()) return first;
+  auto second = recording_->next();
+  if (!second) return first;
+  ++outcome_.partial;
+  own_notes_.push_back(fmt::format("left out: {}: {}", first->name, first->remark));
+  listener_.say(own_notes_.back());
+  return second;
+}
+
+void OdometryRun::use_all(std::optional<io::ScanItem> item, RunOutput& output) {
+  std::size_t done = 0;
+  while (item && !listener_.interrupted()) {
+    say_new_notes();
+    use(*item, output);
+    ++done;
+    listener_.progress(done, progress(done));
+    if (done == options_.count) break;
+    recording_->skip(options_.stride - 1);
+    item = recording_->next();
+  }
+  outcome_.interrupted = listener_.interrupted();
+}
+
+void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
+  if (!item.scan) {
+    ++outcome_.unreadable;
+    listener_.say("left out: " + item.error);
+    return;
+  }
+  times_.reset();
+  const Estimate estimate = odometry_.add_scan(*item.scan);
+  if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
+  output.add(item.name, estimate, T_lidar_written_, times_);
+  for (RunBag& bag : bags_) bag.add(item.name, estimate, odometry_);
+  if (estimate.trusted() && !options_.no_map) {
+    const double time = seconds(estimate.stamp_ns - first_stamp_ns_);
+    map_.forget(odometry_.emptied_cubes(), time);
+    map_.add(odometry_.deskewed_scan(), estimate.T_map_lidar, time);
+  }
+  tell(item, estimate);
+  count(estimate, output.trajectory());
+}
+
+/// Each trouble once, when it begins.
+void OdometryRun::tell(const io::ScanItem& item, const Estimate& estimate) {
+  const bool serious = !estimate.trusted() || estimate.status == Status::first_scan;
+  if (serious && estimate.status != last_status_) {
+    listener_.say(
+        fmt::format("{}: {}: {}", item.name, to_string(estimate.status), estimate.message));
+  }
+  last_status_ = estimate.status;
+}
+
+void OdometryRun::count(const Estimate& estimate, const Trajectory& path) {
+  ++outcome_.statuses[estimate.status];
+  outcome_.milliseconds.push_back(times_.total());
+  if (estimate.status != Status::rejected && path.size() > 1) {
+    outcome_.length +=
+        (path.back().pose.translation - path[path.size() - 2].pose.translation).norm();
+  }
+}
+
+void OdometryRun::say_new_notes() {
+  const std::vector<std::string>& all = recording_->notes();
+  for (; notes_.size() < all.size(); notes_.push_back(all[notes_.size()])) {
+    listener_.say("note: " + all[notes_.size()]);
+  }
+}
+
+double OdometryRun::progress(std::size_t done) const {
+  if (const auto size = recording_->size()) {
+    const std::size_t left = *size > options_.start ? *size - options_.start : 1;
+    const std::size_t total =
+        std::min((left + options_.stride - 1) / options_.stride, options_.count);
+    return static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total, 1));
+  }
+  return recording_->progress();
+}
+
+RunDescription OdometryRun::description() const {
+  const auto untrusted = [this](Status status) {
+    const auto found = outcome_.statuses.find(status);
+    return found == outcome_.statuses.end() ? 0 : found->second;
+  };
+  RunDescription run;
+  run.version = SUREFOOT_VERSION;
+  run.method = method_of(options_);
+  run.input = std::filesystem::absolute(options_.input).string();
+  run.content = recording_->description();
+  run.notes = notes_;
+  run.notes.insert(run.notes.end(), own_notes_.begin(), own_notes_.end());
+  run.options = options_.given;
+  run.scans = std::to_string(outcome_.scans());
+  run.untrusted = std::to_string(untrusted(Status::too_few_matches) + untrusted(Status::diverged) +
+                                 untrusted(Status::rejected));
+  run.interrupted = outcome_.interrupted ? "true" : "false";
+  run.level = odometry_.level().message;
+  run.pose_of = options_.pose_of;
+  run.processor = process::processor_name();
+  run.cores = std::to_string(process::processor_cores());
+  run.threads = std::to_string(options_.threads);
+  run.compiler = __VERSION__;
+  run.parameters = parameter_texts(config_);
+  return run;
+}
+
+void OdometryRun::open_bags() {
+  const bool of_base = options_.pose_of == "base";
+  const std::optional<Pose> T_lidar_base = of_base ? std::optional(T_lidar_written_) : std::nullopt;
+  if (!options_.mcap.empty()) bags_.emplace_back(io::make_mcap_bag(options_.mcap), T_lidar_base);
+  if (!options_.rosbag2.empty()) {
+    bags_.emplace_back(io::make_sqlite_bag(options_.rosbag2), T_lidar_base);
+  }
+}
+
+/// The page is an extra: without it the run is whole all the same.
+void OdometryRun::write_page(const std::filesystem::path& folder) const {
+  if (options_.no_report || !has_report_page()) return;
+  try {
+    ReportMaker maker;
+    maker.add_run(folder);
+    write_report(maker.take({}), folder / kReportFile);
+  } catch (const std::exception& error) {
+    listener_.say(fmt::format("no {}: {}", kReportFile, error.what()));
+  }
+}
+
+}  // namespace
+
+RunOutcome run_odometry(const RunOptions& options, const RunListener& listener) {
+  return OdometryRun(options, listener).execute();
+}
+
+}  // namespace surefoot::runs

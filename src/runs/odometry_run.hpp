@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A recording in, a run's folder out.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runs/run_options.hpp"
+#include "surefoot/estimate.hpp"
+
+namespace surefoot::runs {
+
+/// What came of a run.
+struct RunOutcome {
+  std::map<Status, std::size_t> statuses;
+  std::vector<double> milliseconds;  ///< of each scan
+  double length = 0.0;               ///< of the path [m]
+  std::size_t unreadable = 0;        ///< scans that could not be read
+  std::size_t partial = 0;           ///< scans that were left out for being part of one
+  std::size_t poses = 0;
+  bool interrupted = false;
+  std::filesystem::path folder;
+
+  [[nodiscard]] std::size_t scans() const { return milliseconds.size(); }
+};
+
+/// Who is told what goes on while it runs.
+struct RunListener {
+  std::function<void(const std::string& text)> say;
+  std::function<void(std::size_t scans, double share)> progress;
+  std::function<bool()> interrupted;  ///< true ends the run in good order
+};
+
+/// Runs the odometry from the first scan to the last file. Bad input leaves no folder behind.
+/// Throws ConfigError, io::ReadError, std::runtime_error for what cannot be written.
+[[nodiscard]] RunOutcome run_odometry(const RunOptions& options, const RunListener& listener);
+
+}  // namespace surefoot::runs

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where a run writes to, and what must not be lost there.
+#pragma once
+
+#include <filesystem>
+
+#include "process/folder_lock.hpp"
+
+namespace surefoot::runs {
+
+/// A folder that one run has for itself.
+class OutputFolder {
+ public:
+  /// Makes the folder that was asked for, or a new one under results/ with results/latest pointing
+  /// to it. An earlier run's files are removed, so that files of two runs never lie beside each
+  /// other. Throws std::runtime_error for a folder that another run is writing to, that the
+  /// recording itself lies in, or, unless `overwrite`, that holds files of a run's names, or
+  /// scans, which no run has left.
+  OutputFolder(const std::filesystem::path& asked, const std::filesystem::path& input,
+               bool overwrite);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Whether an earlier run's files were removed.
+  [[nodiscard]] bool replaced() const { return replaced_; }
+
+ private:
+  std::filesystem::path path_;
+  process::FolderLock lock_;
+  bool replaced_;
+};
+
+/// Whether a run has left the folder, to its end or not.
+[[nodiscard]] bool is_run_folder(const std::filesystem::path& folder);
+
+}  // namespace surefoot::runs

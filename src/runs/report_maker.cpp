@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/report_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "evaluation/ape.hpp"
+#include "evaluation/evaluate.hpp"
+#include "evaluation/evaluation_json.hpp"
+#include "io/file_writer.hpp"
+#include "io/trajectory_files.hpp"
+#include "report/page.hpp"
+#include "report/report_json.hpp"
+#include "runs/run_folder.hpp"
+
+namespace surefoot::runs {
+
+namespace fs = std::filesystem;
+using evaluation::AssociatedTrajectories;
+using evaluation::Relation;
+
+namespace {
+
+constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hundreds of hertz
+
+report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
+  report::ErrorSeries series;
+  const std::vector<double> translations = absolute_errors(pairs, Relation::kTranslation);
+  const std::vector<evaluation::SplitError> split = absolute_split_errors(pairs);
+  for (std::size_t i = 0; i < split.size(); ++i) {
+    const Pose& estimate = pairs.estimate[i].pose;
+    const Pose& reference = pairs.reference[i].pose;
+    series.stamps_ns.push_back(pairs.estimate[i].stamp_ns);
+    series.translation_m.push_back(static_cast<float>(translations[i]));
+    series.horizontal_m.push_back(static_cast<float>(split[i].horizontal));
+    series.vertical_m.push_back(
+        static_cast<float>(estimate.translation.z() - reference.translation.z()));
+    series.tilt_deg.push_back(static_cast<float>(split[i].tilt));
+    series.yaw_deg.push_back(static_cast<float>(split[i].yaw));
+  }
+  return series;
+}
+
+/// From the run's frame to the truth's.
+void move_run(const Pose& T_world_map, report::ReportRun& run) {
+  for (std::optional<Pose>& pose : run.poses) {
+    if (pose) pose = T_world_map * *pose;
+  }
+  const Eigen::Matrix3f R = T_world_map.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_world_map.translation.cast<float>();
+  for (Eigen::Vector3f& point : run.map.points) point = R * point + t;
+}
+
+/// The figures are those of `surefoot eval` with its defaults. What is drawn is laid on the truth
+/// by orientations, too: on a straight way positions leave the turn about it open, and the map
+/// would lie on its side.
+void evaluate_run(const Trajectory& truth, const Trajectory& measured, report::ReportRun& run) {
+  const evaluation::EvaluationOptions options;
+  // Named as `surefoot eval` names it: by the file.
+  const auto figures = evaluation::evaluate("trajectory", truth, measured, options);
+  AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);
+  const evaluation::Alignment shown =
+      evaluation::find_alignment(pairs, evaluation::AlignmentMethod::kPoses);
+  pairs.estimate = evaluation::aligned(pairs.estimate, shown);
+  run.evaluation = {evaluation::json_of(figures).dump(), error_series(pairs)};
+  move_run(shown.pose, run);
+}
+
+/// The part of the truth during the run, thinned evenly.
+Trajectory truth_during(const Trajectory& truth, const report::ScanTable& scans) {
+  Trajectory part;
+  if (scans.stamps_ns.empty()) return part;
+  for (const StampedPose& pose : truth) {
+    if (pose.stamp_ns >= scans.stamps_ns.front() && pose.stamp_ns <= scans.stamps_ns.back()) {
+      part.push_back(pose);
+    }
+  }
+  const std::size_t stride = part.size() / kTruthPoses + 1;
+  Trajectory thinned;
+  for (std::size_t i = 0; i < part.size(); i += stride) thinned.push_back(part[i]);
+  return thinned;
+}
+
+std::string name_of(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+}  // namespace
+
+std::size_t ReportMaker::recording_of(const fs::path& input) {
+  const auto found = std::find(inputs_.begin(), inputs_.end(), input);
+  const auto index = static_cast<std::size_t>(found - inputs_.begin());
+  if (found == inputs_.end()) {
+    inputs_.push_back(input);
+    report_.recordings.push_back({input.empty() ? "recording not known" : name_of(input), {}});
+  }
+  return index;
+}
+
+void ReportMaker::add_run(const fs::path& folder, const std::string& name, const fs::path& truth) {
+  RunFolder read = read_run_folder(folder);
+  report::ReportRun run;
+  run.recording = recording_of(read.input);
+  run.facts = std::move(read.facts);
+  run.facts.emplace_back("Results", fs::absolute(folder).lexically_normal().string());
+  run.notes = std::move(read.notes);
+  run.parameters = std::move(read.parameters);
+  run.scans = std::move(read.scans);
+  run.poses = std::move(read.poses);
+  run.map = std::move(read.map);
+  run.name = !name.empty() ? name : read.method.empty() ? name_of(folder) : read.method;
+  const bool taken =
+      std::any_of(report_.runs.begin(), report_.runs.end(), [&](const report::ReportRun& other) {
+        return other.recording == run.recording && other.name == run.name;
+      });
+  if (taken) run.name += fmt::format(" ({})", name_of(folder));
+
+  fs::path truth_file = truth.empty() ? truth_ : truth;
+  if (truth_file.empty() && read.poses_of_lidar && fs::is_regular_file(read.input / "gt.tum")) {
+    truth_file = read.input / "gt.tum";
+  }
+  if (!truth_file.empty()) {
+    const Trajectory poses = io::read_tum(truth_file);
+    run.facts.emplace_back("Truth", truth_file.string());
+    try {
+      evaluate_run(poses, read.measured, run);
+      Trajectory& shown = report_.recordings[run.recording].truth;
+      if (shown.empty()) shown = truth_during(poses, run.scans);
+    } catch (const std::exception& error) {
+      run.notes.push_back(fmt::format("not compared with the truth: {}", error.what()));
+      problems_.push_back(fmt::format("{}: {}", folder.string(), run.notes.back()));
+    }
+  }
+  report_.runs.push_back(std::move(run));
+}
+
+report::Report ReportMaker::take(const std::string& title) {
+  report_.version = SUREFOOT_VERSION;
+  report_.title = title;
+  if (title.empty() && report_.recordings.size() == 1) {
+    report_.title = report_.recordings.front().name;
+  } else if (title.empty()) {
+    report_.title =
+        fmt::format("{} recordings, {} runs", report_.recordings.size(), report_.runs.size());
+  }
+  return std::move(report_);
+}
+
+bool has_report_page() { return !report::page_template().empty(); }
+
+void write_report(const report::Report& report, const fs::path& file, std::size_t map_points) {
+  if (!has_report_page()) {
+    throw std::runtime_error(
+        "this program was built without the report's page; with Node.js 18 or later, npm and the "
+        "network, cmake -D SUREFOOT_WEB=ON builds it or says what is missing");
+  }
+  io::write_whole_file(file, report::make_page(report::page_template(), report.title,
+                                               report::to_json(report, map_points)));
+}
+
+}  // namespace surefoot::runs

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/run_bag.hpp"
+
+#include <fmt/format.h>
+
+#include "io/messages/point_cloud2_writer.hpp"
+#include "io/messages/pose_messages.hpp"
+
+namespace surefoot::runs {
+
+namespace {
+
+constexpr const char* kWorld = "odom";
+constexpr const char* kLidar = "lidar";
+constexpr const char* kBase = "base_link";
+constexpr std::int64_t kMapPeriodNs = 1'000'000'000;
+
+Eigen::Matrix3d cross(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d matrix;
+  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return matrix;
+}
+
+/// The pose's covariance for a frame that sits at T_lidar_written: a rotation of the LiDAR moves it
+/// by the lever between the two.
+Matrix6 moved_covariance(const Estimate& estimate, const Pose& T_lidar_written) {
+  const Eigen::Vector3d lever = estimate.T_map_lidar.rotation * T_lidar_written.translation;
+  Matrix6 change = Matrix6::Identity();
+  change.block<3, 3>(0, 3) = -cross(lever);
+  return change * estimate.covariance * change.transpose();
+}
+
+/// The LiDAR's velocity as that of a frame fixed to it, in that frame.
+Twist moved_twist(const Twist& twist, const Pose& T_lidar_written) {
+  const Eigen::Vector3d linear = twist.head<3>();
+  const Eigen::Vector3d angular = twist.tail<3>();
+  const Eigen::Quaterniond R_written_lidar = T_lidar_written.rotation.conjugate();
+  Twist moved;
+  moved.head<3>() = R_written_lidar * (linear + angular.cross(T_lidar_written.translation));
+  moved.tail<3>() = R_written_lidar * angular;
+  return moved;
+}
+
+io::Diagnostic::Level level_of(const Estimate& estimate) {
+  if (!estimate.trusted()) return io::Diagnostic::Level::kError;
+  return estimate.status == Status::degenerate ? io::Diagnostic::Level::kWarn
+                                               : io::Diagnostic::Level::kOk;
+}
+
+}  // namespace
+
+RunBag::RunBag(std::unique_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base)
+    : bag_(std::move(bag)),
+      T_lidar_written_(T_lidar_base.value_or(Pose{})),
+      of_base_(T_lidar_base.has_value()),
+      frame_(of_base_ ? kBase : kLidar) {
+  topics_.scan = bag_->add_topic("/surefoot/scan", io::point_cloud2_definition());
+  topics_.map = bag_->add_topic("/surefoot/local_map", io::point_cloud2_definition());
+  topics_.odometry = bag_->add_topic("/surefoot/odometry", io::odometry_definition());
+  topics_.path = bag_->add_topic("/surefoot/path", io::path_definition());
+  topics_.transforms = bag_->add_topic("/tf", io::transforms_definition());
+  topics_.diagnostics = bag_->add_topic("/diagnostics", io::diagnostics_definition());
+}
+
+void RunBag::add(const std::string& name, const Estimate& estimate, const Odometry& odometry) {
+  write_diagnosis(name, estimate);
+  if (!estimate.trusted()) return;
+  write_pose(estimate);
+  write_clouds(estimate, odometry);
+  // So that all of its messages together are a few times the path, not its square.
+  if (path_.size() > path_written_ + path_written_ / 4) write_path();
+}
+
+void RunBag::write_pose(const Estimate& estimate) {
+  const std::int64_t stamp = estimate.stamp_ns;
+  io::OdometryMessage message{stamp, kWorld, frame_, estimate.T_map_lidar * T_lidar_written_};
+  message.covariance = moved_covariance(estimate, T_lidar_written_);
+  message.twist = moved_twist(estimate.twist, T_lidar_written_);
+  bag_->write(topics_.odometry, stamp, io::format_odometry(message));
+  std::vector<io::Transform> transforms = {{stamp, kWorld, frame_, message.T_frame_child}};
+  if (of_base_) transforms.push_back({stamp, kBase, kLidar, T_lidar_written_.inverse()});
+  bag_->write(topics_.transforms, stamp, io::format_transforms(transforms));
+  path_.push_back({stamp, message.T_frame_child});
+}
+
+void RunBag::write_clouds(const Estimate& estimate, const Odometry& odometry) {
+  Scan cloud;
+  cloud.stamp_ns = estimate.stamp_ns;
+  cloud.points = odometry.deskewed_scan().points;
+  cloud.intensities = odometry.deskewed_scan().intensities;
+  bag_->write(topics_.scan, cloud.stamp_ns,
+              io::format_point_cloud2(cloud, kLidar, bag_->flavour()));
+  if (any_map_ && estimate.stamp_ns < next_map_ns_) return;
+  any_map_ = true;
+  next_map_ns_ = estimate.stamp_ns + kMapPeriodNs;
+  cloud.points.clear();
+  cloud.intensities.clear();
+  for (const Eigen::Vector3d& point : odometry.local_map()) {
+    cloud.points.push_back(point.cast<float>());
+  }
+  bag_->write(topics_.map, cloud.stamp_ns, io::format_point_cloud2(cloud, kWorld, bag_->flavour()));
+}
+
+void RunBag::write_path() {
+  bag_->write(topics_.path, path_.back().stamp_ns, io::format_path(path_, kWorld));
+  path_written_ = path_.size();
+}
+
+void RunBag::write_diagnosis(const std::string& name, const Estimate& estimate) {
+  io::Diagnostic diagnostic;
+  diagnostic.stamp_ns = estimate.stamp_ns;
+  diagnostic.level = level_of(estimate);
+  diagnostic.name = "surefoot: odometry";
+  diagnostic.message = std::string(to_string(estimate.status));
+  if (!estimate.message.empty()) diagnostic.message += ": " + estimate.message;
+  const auto add = [&](const char* key, const auto& value) {
+    diagnostic.values.emplace_back(key, fmt::format("{}", value));
+  };
+  add("scan", name);
+  add("points", estimate.points);
+  add("registered points", estimate.registered_points);
+  add("matches", estimate.horizontal.matches);
+  add("iterations", estimate.horizontal.iterations);
+  add("residual [m]", estimate.horizontal.residual);
+  std::string weak;
+  for (const DegenerateDirection& direction : estimate.degenerate) {
+    weak += (weak.empty() ? "" : " ") + direction.name;
+  }
+  add("weak directions", weak);
+  bag_->write(topics_.diagnostics, estimate.stamp_ns, io::format_diagnostic(diagnostic));
+}
+
+void RunBag::finish(const std::string& run_yaml) {
+  if (path_.size() > path_written_) write_path();
+  bag_->attach("run.yaml", "application/yaml", run_yaml);
+  bag_->finish();
+}
+
+}  // namespace surefoot::runs

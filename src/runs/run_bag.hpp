@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "io/bags/bag_writer.hpp"
+#include "surefoot/odometry.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::runs {
+
+/// A run as a bag to be played or looked at: deskewed scans, the local map about once a second, the
+/// odometry with covariance and twist, the path so far, transforms, and a diagnosis of every scan.
+/// Everything of a scan is stamped with the instant of its pose. Frames are "odom" and "lidar", or
+/// "base_link" with the LiDAR on it.
+class RunBag {
+ public:
+  /// `T_lidar_base`: where the base sits, if its poses are to be written; else the LiDAR's.
+  RunBag(std::unique_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base);
+
+  /// A scan's answer; `odometry` has just given it. Throws io::WriteError.
+  void add(const std::string& name, const Estimate& estimate, const Odometry& odometry);
+  /// Ends the bag; `run_yaml` goes with it where the format has room. Throws io::WriteError.
+  void finish(const std::string& run_yaml);
+
+ private:
+  struct Topics {
+    std::size_t scan, map, odometry, path, transforms, diagnostics;
+  };
+  void write_pose(const Estimate& estimate);
+  void write_clouds(const Estimate& estimate, const Odometry& odometry);
+  void write_path();
+  void write_diagnosis(const std::string& name, const Estimate& estimate);
+
+  std::unique_ptr<io::BagWriter> bag_;
+  Pose T_lidar_written_;
+  bool of_base_;
+  std::string frame_;  ///< whose poses are written
+  Topics topics_;
+  Trajectory path_;
+  std::size_t path_written_ = 0;  ///< poses when it was written last
+  std::int64_t next_map_ns_ = 0;
+  bool any_map_ = false;
+};
+
+}  // namespace surefoot::runs

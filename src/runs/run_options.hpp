@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "io/recording.hpp"
+#include "runs/run_yaml.hpp"
+#include "surefoot/config.hpp"
+#include "surefoot/pose.hpp"
+
+namespace surefoot::runs {
+
+inline constexpr const char* kDefaultMethod = "surefoot";
+
+/// What a run is asked for.
+struct RunOptions {
+  std::filesystem::path input;
+  io::OpenOptions reader;
+
+  std::string method;  ///< empty: the config file's, else kDefaultMethod
+  std::filesystem::path config_file;
+  std::vector<std::string> settings;
+  std::vector<double> extrinsic;  ///< x y z [m] roll pitch yaw [deg]
+  std::string level;
+  int threads = 1;
+
+  std::size_t start = 0;
+  std::size_t count = std::numeric_limits<std::size_t>::max();
+  std::size_t stride = 1;
+
+  std::filesystem::path output;
+  bool overwrite = false;         ///< also files that no run has left
+  std::filesystem::path mcap;     ///< a file for the run as messages; empty: none
+  std::filesystem::path rosbag2;  ///< a folder for the same
+  std::string pose_of = "lidar";
+  double map_voxel = 0.1;  ///< [m]
+  double pose_rate = 0.0;  ///< [Hz] of trajectory_dense.tum; 0: not written
+  bool no_map = false;
+  bool no_picture = false;
+  bool no_report = false;
+  bool quiet = false;
+
+  OptionTexts given;  ///< those of the above, but the input's and the parameters', that were given
+};
+
+/// options.method, else the method that the config file names, else the default. Throws
+/// ConfigError.
+[[nodiscard]] std::string method_of(const RunOptions& options);
+/// Method, then the file, then the flags; the later wins. Throws ConfigError.
+[[nodiscard]] Config config_of(const RunOptions& options);
+
+/// T_lidar_x: from the frame whose poses are written (LiDAR or base) to the LiDAR.
+[[nodiscard]] Pose written_frame(const RunOptions& options, const Config& config);
+
+}  // namespace surefoot::runs

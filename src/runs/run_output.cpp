@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/run_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "io/files/ply_writer.hpp"
+#include "io/trajectory_files.hpp"
+#include "runs/run_files.hpp"
+#ifdef SUREFOOT_HAS_PICTURES
+#include "report/run_picture.hpp"
+#endif
+
+namespace surefoot::runs {
+
+namespace fs = std::filesystem;
+
+RunOutput::RunOutput(const RunOptions& options)
+    : folder_(options.output, options.input, options.overwrite), csv_(open(kScansFile)) {
+  csv_ << scans_csv_header() << std::flush;  // first: by it the folder is known for a run's
+  tum_ = open(kTrajectoryFile);
+  kitti_ = open(kKittiTrajectoryFile);
+  tum_ << "# stamp [s] at mid-scan, x y z [m], qx qy qz qw: T_map_" << options.pose_of
+       << ", measured poses only\n";
+  if (options.pose_rate > 0.0) {
+    pose_period_ns_ = std::max<std::int64_t>(std::llround(1e9 / options.pose_rate), 1);
+    dense_ = open(kDenseTrajectoryFile);
+    dense_ << "# stamp [s], x y z [m], qx qy qz qw: T_map_" << options.pose_of
+           << " within the measured scans\n";
+  }
+}
+
+std::ofstream RunOutput::open(const char* name) {
+  std::ofstream file(folder_.path() / name);
+  if (!file) throw std::runtime_error((folder_.path() / name).string() + ": cannot be written");
+  return file;
+}
+
+void RunOutput::add(const std::string& name, const Estimate& estimate, const Pose& T_lidar_written,
+                    const StepTimes& times) {
+  const StampedPose pose{estimate.stamp_ns, estimate.T_map_lidar * T_lidar_written};
+  if (estimate.trusted()) tum_ << io::format_tum({pose}) << std::flush;
+  if (estimate.trusted() && dense_.is_open()) add_dense(estimate, T_lidar_written);
+  if (estimate.status != Status::rejected) {
+    trajectory_.push_back(pose);
+    untrusted_.push_back(!estimate.trusted());
+  }
+  kitti_ << io::format_kitti_poses({pose}) << std::flush;
+  csv_ << scans_csv_line({lines_++, name, estimate, times}) << std::flush;
+  if (!tum_ || !kitti_ || !csv_ || !dense_) {
+    throw std::runtime_error(folder_.path().string() + ": cannot be written any more (disk full?)");
+  }
+}
+
+/// Poses at multiples of the period, each once: of two scans that overlap, the first one's.
+void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written) {
+  const std::int64_t from = std::max(estimate.trajectory.start_ns(), dense_until_ns_);
+  const std::int64_t to = estimate.trajectory.end_ns();
+  for (std::int64_t t = (from / pose_period_ns_ + 1) * pose_period_ns_; t <= to;
+       t += pose_period_ns_) {
+    dense_ << io::format_tum({{t, estimate.pose_at(t) * T_lidar_written}});
+  }
+  dense_ << std::flush;
+  dense_until_ns_ = std::max(dense_until_ns_, to);
+}
+
+void RunOutput::finish(const RunOptions& options, const RunDescription& description,
+                       const mapping::MapBuilder& map) {
+  if (!options.no_map) {
+    const std::vector<io::PlyColumn> columns = {{"intensity", map.intensities()},
+                                                {"first_seen", map.first_seen()}};
+    io::write_ply(folder_.path() / kMapFile, map.points(), columns);
+  }
+#ifdef SUREFOOT_HAS_PICTURES
+  if (!options.no_picture) {
+    const fs::path input = fs::absolute(options.input).lexically_normal();
+    const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
+    const std::string title = fmt::format("{}, method {}", name.string(), description.method);
+    report::draw_run_picture({title, trajectory_, map.points(), {}, untrusted_},
+                             folder_.path() / kPictureFile);
+  }
+#endif
+  write_run_yaml(folder_.path() / kDescriptionFile, description);
+}
+
+}  // namespace surefoot::runs

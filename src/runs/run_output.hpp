@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The folder that a run leaves behind.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "mapping/map_builder.hpp"
+#include "runs/output_folder.hpp"
+#include "runs/run_options.hpp"
+#include "runs/scans_csv.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::runs {
+
+/// The trajectories and scans.csv grow line by line, so that whatever ends the run leaves whole
+/// lines; the rest is written by finish(), run.yaml last: a run that has it came to its end.
+class RunOutput {
+ public:
+  /// Makes the folder. Throws std::runtime_error naming what cannot be written.
+  explicit RunOutput(const RunOptions& options);
+
+  /// A line for a scan: in scans.csv and trajectory_kitti.txt always, in trajectory.tum only if its
+  /// pose was measured. `T_lidar_written`: where the frame whose poses are written sits.
+  void add(const std::string& name, const Estimate& estimate, const Pose& T_lidar_written,
+           const StepTimes& times);
+  /// map.ply, the picture and run.yaml.
+  void finish(const RunOptions& options, const RunDescription& description,
+              const mapping::MapBuilder& map);
+
+  [[nodiscard]] const OutputFolder& folder() const { return folder_; }
+  [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
+
+ private:
+  std::ofstream open(const char* name);
+  void add_dense(const Estimate& estimate, const Pose& T_lidar_written);
+
+  OutputFolder folder_;
+  std::ofstream csv_, tum_, kitti_, dense_;
+  std::int64_t pose_period_ns_ = 0;  // of dense_
+  std::int64_t dense_until_ns_ = std::numeric_limits<std::int64_t>::min() / 2;
+  Trajectory trajectory_;
+  std::vector<bool> untrusted_;
+  std::size_t lines_ = 0;
+};
+
+}  // namespace surefoot::runs

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/run_yaml.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include "io/file_writer.hpp"
+#include "io/recording.hpp"
+#include "runs/config_file.hpp"
+#include "runs/method_parameters.hpp"
+
+namespace surefoot::runs {
+
+namespace {
+
+/// Tells `visit` every entry with its section, in the order in which they are written.
+template <typename Run, typename Visit>
+void each_entry(Run& run, Visit&& visit) {
+  visit("", "surefoot", run.version);
+  visit("", "method", run.method);
+  visit("input", "path", run.input);
+  visit("input", "content", run.content);
+  visit("input", "notes", run.notes);
+  visit("", "options", run.options);
+  visit("result", "scans", run.scans);
+  visit("result", "untrusted_scans", run.untrusted);
+  visit("result", "interrupted", run.interrupted);
+  visit("result", "level", run.level);
+  visit("result", "pose_of", run.pose_of);
+  visit("machine", "processor", run.processor);
+  visit("machine", "cores", run.cores);
+  visit("machine", "threads", run.threads);
+  visit("machine", "compiler", run.compiler);
+}
+
+class Writer {
+ public:
+  Writer() { out_ << YAML::BeginMap; }
+
+  template <typename Value>
+  void operator()(const std::string& section, const char* key, const Value& value) {
+    begin(section);
+    out_ << YAML::Key << key << YAML::Value;
+    write(value);
+  }
+  [[nodiscard]] std::string finish(const OptionTexts& parameters) {
+    begin("");
+    out_ << YAML::Key << "parameters" << YAML::Value;
+    emit_parameters(out_, parameters);
+    out_ << YAML::EndMap;
+    return std::string(out_.c_str()) + '\n';
+  }
+
+ private:
+  void begin(const std::string& section) {
+    if (section == section_) return;
+    if (!section_.empty()) out_ << YAML::EndMap;
+    if (!section.empty()) out_ << YAML::Key << section << YAML::Value << YAML::BeginMap;
+    section_ = section;
+  }
+  void write(const std::string& value) { out_ << value; }
+  void write(const std::vector<std::string>& values) { out_ << values; }
+  void write(const OptionTexts& options) {
+    out_ << YAML::BeginMap;
+    for (const auto& [name, value] : options) out_ << YAML::Key << name << YAML::Value << value;
+    out_ << YAML::EndMap;
+  }
+
+  YAML::Emitter out_;
+  std::string section_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const YAML::Node& root) : root_(root) {}
+
+  template <typename Value>
+  void operator()(const char* section, const char* key, Value& value) const {
+    const YAML::Node group = *section == '\0' ? root_ : root_[section];
+    if (group && group.IsMap() && group[key]) read(group[key], value);
+  }
+
+ private:
+  static void read(const YAML::Node& node, std::string& value) {
+    if (node.IsScalar()) value = node.Scalar();
+  }
+  static void read(const YAML::Node& node, std::vector<std::string>& values) {
+    if (!node.IsSequence()) return;
+    for (const YAML::Node& item : node) {
+      if (item.IsScalar()) values.push_back(item.Scalar());
+    }
+  }
+  static void read(const YAML::Node& node, OptionTexts& options) {
+    if (!node.IsMap()) return;
+    for (const auto& item : node) {
+      if (item.first.IsScalar() && item.second.IsScalar()) {
+        options.emplace_back(item.first.Scalar(), item.second.Scalar());
+      }
+    }
+  }
+
+  const YAML::Node& root_;
+};
+
+OptionTexts read_parameters(const YAML::Node& groups) {
+  OptionTexts result;
+  if (!groups || !groups.IsMap()) return result;
+  for (const auto& group : groups) {
+    if (!group.first.IsScalar() || !group.second.IsMap()) continue;
+    for (const auto& item : group.second) {
+      if (!item.first.IsScalar() || !item.second.IsScalar()) continue;
+      result.emplace_back(group.first.Scalar() + '.' + item.first.Scalar(), item.second.Scalar());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+OptionTexts parameter_texts(const Config& config) {
+  OptionTexts result;
+  for (const ParameterInfo& info : parameters()) {
+    if (!reads_parameter(config.method, info.name)) continue;
+    result.emplace_back(info.name, get_parameter(config, info.name));
+  }
+  return result;
+}
+
+std::string run_yaml_text(const RunDescription& run) {
+  Writer writer;
+  each_entry(run, writer);
+  return writer.finish(run.parameters);
+}
+
+void write_run_yaml(const std::filesystem::path& file, const RunDescription& run) {
+  io::write_whole_file(file, run_yaml_text(run));
+}
+
+RunDescription read_run_yaml(const std::filesystem::path& file) {
+  try {
+    const YAML::Node root = YAML::LoadFile(file.string());
+    if (root.IsNull()) return {};
+    if (!root.IsMap()) throw io::ReadError(file.string() + ": expected a run's run.yaml");
+    RunDescription run;
+    each_entry(run, Reader(root));
+    run.parameters = read_parameters(root["parameters"]);
+    return run;
+  } catch (const YAML::Exception& error) {
+    throw io::ReadError(file.string() + ": not YAML: " + error.what());
+  }
+}
+
+}  // namespace surefoot::runs

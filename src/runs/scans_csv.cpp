@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/scans_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "io/ascii_values.hpp"
+#include "io/decimal_time.hpp"
+#include "io/recording.hpp"
+#include "runs/csv_table.hpp"
+
+namespace surefoot::runs {
+
+using io::ReadError;
+
+namespace {
+
+constexpr const char* kStamp = "stamp";
+constexpr const char* kStatus = "status";
+constexpr const char* kMessage = "message";
+constexpr const char* kDegenerate = "degenerate";
+constexpr const char* kTotalTime = "ms_total";
+
+struct Column {
+  enum class Kind { text, number };
+  std::string name;
+  Kind kind;
+  std::function<std::string(const ScanRow&)> value;
+};
+
+/// In quotes, on one line: a file's name may hold any byte.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c == '"' ? "\"\"" : std::string(1, c);
+    }
+  }
+  return result + '"';
+}
+
+std::string names_of(const std::vector<DegenerateDirection>& directions) {
+  std::string names;
+  for (const DegenerateDirection& weak : directions) {
+    names += (names.empty() ? "" : " ") + weak.name;
+  }
+  return names;
+}
+
+Column whole(std::string name, int Estimate::*member) {
+  return {std::move(name), Column::Kind::number,
+          [member](const ScanRow& row) { return std::to_string(row.estimate.*member); }};
+}
+
+Column real(std::string name, std::function<double(const Estimate&)> value) {
+  return {std::move(name), Column::Kind::number, [value = std::move(value)](const ScanRow& row) {
+            return fmt::format("{:.6f}", value(row.estimate));
+          }};
+}
+
+void add_stage(const std::string& name, StageReport Estimate::*stage,
+               std::vector<Column>& columns) {
+  const auto add = [&](const char* part, int StageReport::*member) {
+    columns.push_back({name + part, Column::Kind::number, [stage, member](const ScanRow& row) {
+                         return std::to_string(row.estimate.*stage.*member);
+                       }});
+  };
+  add("_iterations", &StageReport::iterations);
+  add("_matches", &StageReport::matches);
+  columns.push_back(
+      real(name + "_residual_m", [stage](const Estimate& e) { return (e.*stage).residual; }));
+}
+
+void add_sigmas(std::vector<Column>& columns) {
+  const char* const names[] = {"sigma_x_m",      "sigma_y_m",       "sigma_z_m",
+                               "sigma_roll_rad", "sigma_pitch_rad", "sigma_yaw_rad"};
+  for (int i = 0; i < 6; ++i) {
+    columns.push_back({names[i], Column::Kind::number, [i](const ScanRow& row) {
+                         return fmt::format("{:.3e}", std::sqrt(row.estimate.covariance(i, i)));
+                       }});
+  }
+}
+
+void add_times(std::vector<Column>& columns) {
+  for (std::size_t step = 0; step < kStepNames.size(); ++step) {
+    columns.push_back(
+        {std::string("ms_") + kStepNames[step], Column::Kind::number, [step](const ScanRow& row) {
+           return fmt::format("{:.4f}", row.times.milliseconds()[step]);
+         }});
+  }
+  columns.push_back({kTotalTime, Column::Kind::number,
+                     [](const ScanRow& row) { return fmt::format("{:.4f}", row.times.total()); }});
+}
+
+std::vector<Column> make_columns() {
+  using Kind = Column::Kind;
+  std::vector<Column> columns = {
+      {"scan", Kind::number, [](const ScanRow& row) { return std::to_string(row.scan); }},
+      {"name", Kind::text, [](const ScanRow& row) { return quoted(row.name); }},
+      {kStamp, Kind::text,
+       [](const ScanRow& row) { return io::format_seconds(row.estimate.stamp_ns); }},
+      {kStatus, Kind::text,
+       [](const ScanRow& row) { return std::string(to_string(row.estimate.status)); }},
+      {kMessage, Kind::text, [](const ScanRow& row) { return quoted(row.estimate.message); }},
+      real("x", [](const Estimate& e) { return e.T_map_lidar.translation.x(); }),
+      real("y", [](const Estimate& e) { return e.T_map_lidar.translation.y(); }),
+      real("z", [](const Estimate& e) { return e.T_map_lidar.translation.z(); }),
+      whole("points", &Estimate::points),
+      whole("registered_points", &Estimate::registered_points),
+      {"converged", Kind::number,
+       [](const ScanRow& row) { return std::string(row.estimate.converged ? "1" : "0"); }}};
+  add_stage("horizontal", &Estimate::horizontal, columns);
+  add_stage("vertical", &Estimate::vertical, columns);
+  columns.push_back(
+      real("vertical_observability", [](const Estimate& e) { return e.vertical.observability; }));
+  columns.push_back({kDegenerate, Kind::text,
+                     [](const ScanRow& row) { return names_of(row.estimate.degenerate); }});
+  columns.push_back(real("least_information", [](const Estimate& e) {
+    return e.degenerate.empty() ? 1.0 : e.degenerate.front().information;
+  }));
+  add_sigmas(columns);
+  add_times(columns);
+  return columns;
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> table = make_columns();
+  return table;
+}
+
+bool is_text(const std::string& name) {
+  return std::any_of(columns().begin(), columns().end(), [&](const Column& column) {
+    return column.name == name && column.kind == Column::Kind::text;
+  });
+}
+
+/// Texts of a column; empty ones if an older program did not write it.
+std::vector<std::string> texts_of(const CsvTable& table, std::string_view name) {
+  const auto found = std::find(table.names.begin(), table.names.end(), name);
+  std::vector<std::string> texts(table.rows.size());
+  if (found == table.names.end()) return texts;
+  const auto column = static_cast<std::size_t>(found - table.names.begin());
+  for (std::size_t row = 0; row < texts.size(); ++row) texts[row] = table.rows[row][column];
+  return texts;
+}
+
+[[noreturn]] void refuse(const CsvTable& table, std::size_t row, std::string_view column,
+                         const std::string& field) {
+  throw ReadError(fmt::format("{}: line {}: {} is {}, no number", table.file, csv_line(row), column,
+                              io::in_quotes(field)));
+}
+
+report::ScanColumn numbers_of(const CsvTable& table, std::size_t column) {
+  report::ScanColumn numbers{table.names[column], {}};
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string& field = table.rows[row][column];
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (!field.empty() && !io::parse_real(field, value)) refuse(table, row, numbers.name, field);
+    numbers.values.push_back(static_cast<float>(value));
+  }
+  return numbers;
+}
+
+/// The whole table's lines, each column by its own `value`.
+std::string joined(const std::function<std::string(const Column&)>& value) {
+  std::string line;
+  for (const Column& column : columns()) line += (line.empty() ? "" : ",") + value(column);
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string scans_csv_header() {
+  return joined([](const Column& column) { return column.name; });
+}
+
+std::string scans_csv_beginning() { return "scan,name,stamp,status,"; }
+
+std::string scans_csv_line(const ScanRow& row) {
+  return joined([&](const Column& column) { return column.value(row); });
+}
+
+report::ScanTable read_scans_csv(const std::filesystem::path& file) {
+  const CsvTable table = read_csv_table(file);
+  const std::size_t stamp_column = table.column(kStamp);
+  (void)table.column(kStatus);
+  report::ScanTable scans;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string& field = table.rows[row][stamp_column];
+    const auto stamp = io::parse_decimal_seconds(field);
+    if (!stamp) refuse(table, row, kStamp, field);
+    scans.stamps_ns.push_back(*stamp);
+  }
+  scans.statuses = texts_of(table, kStatus);
+  scans.messages = texts_of(table, kMessage);
+  scans.degenerate = texts_of(table, kDegenerate);
+  for (std::size_t column = 0; column < table.names.size(); ++column) {
+    if (!is_text(table.names[column])) scans.columns.push_back(numbers_of(table, column));
+  }
+  return scans;
+}
+
+std::map<std::string, std::size_t> count_statuses(const report::ScanTable& scans) {
+  std::map<std::string, std::size_t> counts;
+  for (const std::string& status : scans.statuses) ++counts[status];
+  return counts;
+}
+
+std::vector<double> scan_milliseconds(const report::ScanTable& scans,
+                                      const std::filesystem::path& file) {
+  for (const report::ScanColumn& column : scans.columns) {
+    if (column.name == kTotalTime) return {column.values.begin(), column.values.end()};
+  }
+  throw ReadError(fmt::format("{}: line 1: no column '{}'; expected a run's scans.csv",
+                              file.string(), kTotalTime));
+}
+
+}  // namespace surefoot::runs

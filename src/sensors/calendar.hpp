@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace surefoot::sensors {
+
+/// Seconds since the epoch of a date (UTC) in six bytes: year after `year_zero`, month, day, hour,
+/// minute, second. A year of zero may mean that the other five are the seconds themselves, most
+/// significant first, as a sensor that is synchronised by PTP sends them. Nothing where they are no
+/// date. @param bytes at least six.
+[[nodiscard]] inline std::optional<std::int64_t> unix_seconds(std::span<const std::byte> bytes,
+                                                              int year_zero) {
+  const auto value = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
+  const std::chrono::year_month_day date{std::chrono::year(year_zero + static_cast<int>(value(0))),
+                                         std::chrono::month(value(1)), std::chrono::day(value(2))};
+  if (date.ok() && value(3) < 24 && value(4) < 60 && value(5) <= 60) {
+    const std::chrono::sys_seconds seconds =
+        std::chrono::sys_days(date) + std::chrono::hours(value(3)) + std::chrono::minutes(value(4));
+    return seconds.time_since_epoch().count() + value(5);
+  }
+  if (value(0) != 0) {
+    return std::nullopt;
+  }
+  std::int64_t seconds = 0;
+  for (std::size_t i = 1; i < 6; ++i) {
+    seconds = seconds * 256 + static_cast<std::int64_t>(value(i));
+  }
+  return seconds;
+}
+
+}  // namespace surefoot::sensors

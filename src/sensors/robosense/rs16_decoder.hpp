@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sensors/packet_decoder.hpp"
+
+namespace surefoot::sensors {
+
+/// The RoboSense RS-LiDAR-16, at its nominal elevations of -15 to 15 deg. Frame as in its driver: x
+/// forward where the azimuth is zero, azimuth clockwise seen from above.
+class Rs16Decoder final : public PacketDecoder {
+ public:
+  explicit Rs16Decoder(const DecoderOptions& options) : choice_(options.returns) {}
+
+  [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
+  [[nodiscard]] std::string sensor() const override { return "RS-LiDAR-16"; }
+  [[nodiscard]] std::string return_mode() const override { return dual_ ? "dual" : "single"; }
+  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::kAzimuth; }
+
+ private:
+  struct Sequence;
+  void add_sequence(const std::byte* block, const Sequence& sequence, Firings& firings) const;
+
+  ReturnChoice choice_;
+  bool dual_ = false;
+  double usual_step_ = 39.96;  ///< from block to block; at first of 600 rpm [0.01 deg]
+  std::optional<std::int64_t> last_time_ns_;
+};
+
+}  // namespace surefoot::sensors

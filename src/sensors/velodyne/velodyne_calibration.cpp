@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "sensors/velodyne/velodyne_calibration.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sensors/packet_decoder.hpp"
+
+namespace surefoot::sensors {
+namespace {
+
+double number(const YAML::Node& laser, const char* key, bool required) {
+  const YAML::Node node = laser[key];
+  if (!node) {
+    if (required) {
+      throw CalibrationError(std::string("a laser without '") + key + "'");
+    }
+    return 0.0;
+  }
+  const double value = node.as<double>();
+  if (!std::isfinite(value) || std::abs(value) > 100.0) {
+    throw CalibrationError(std::string("'") + key + "' of a laser is out of range");
+  }
+  return value;
+}
+
+void apply(const YAML::Node& root, VelodyneModel& model) {
+  const YAML::Node lasers = root["lasers"];
+  if (!lasers || !lasers.IsSequence() || lasers.size() != model.lasers.size()) {
+    throw CalibrationError("it has " + std::to_string(lasers ? lasers.size() : 0) +
+                           " lasers; expected a list 'lasers' of " +
+                           std::to_string(model.lasers.size()) + " for the " + model.name);
+  }
+  constexpr double kDegree = 180.0 / std::numbers::pi;
+  for (const YAML::Node& one : lasers) {
+    const double id = number(one, "laser_id", true);
+    if (!(id >= 0.0 && id < static_cast<double>(model.lasers.size()))) {
+      throw CalibrationError("a laser's id is " + std::to_string(id));
+    }
+    VelodyneLaser& laser = model.lasers[static_cast<std::size_t>(id)];
+    laser.elevation_deg = kDegree * number(one, "vert_correction", true);
+    laser.azimuth_deg = -kDegree * number(one, "rot_correction", true);
+    laser.distance = number(one, "dist_correction", false);
+    laser.distance_x = number(one, "dist_correction_x", false);
+    laser.distance_y = number(one, "dist_correction_y", false);
+    const YAML::Node two = one["two_pt_correction_available"];
+    laser.two_points = two ? two.as<bool>() : laser.distance_x != 0.0 || laser.distance_y != 0.0;
+    laser.vertical_offset = number(one, "vert_offset_correction", false);
+    laser.horizontal_offset = number(one, "horiz_offset_correction", false);
+  }
+  if (const YAML::Node unit = root["distance_resolution"]; unit && model.name != "VLS-128") {
+    const double metres = unit.as<double>();
+    if (metres >= 0.001 && metres <= 0.01) {
+      model.distance_unit = metres;
+    }
+  }
+}
+
+}  // namespace
+
+void apply_velodyne_calibration(const std::string& yaml, VelodyneModel& model) {
+  try {
+    apply(YAML::Load(yaml), model);
+  } catch (const YAML::Exception& error) {
+    throw CalibrationError(std::string("no YAML calibration of a Velodyne: ") + error.what());
+  }
+}
+
+}  // namespace surefoot::sensors

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "sensors/velodyne/velodyne_decoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sensors/bytes.hpp"
+#include "sensors/rings.hpp"
+#include "sensors/velodyne/velodyne_calibration.hpp"
+#include "sensors/velodyne/vlp16.hpp"
+
+namespace surefoot::sensors {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+using vlp16::kAzimuthUnitsPerTurn;
+using vlp16::kBlockBytes;
+using vlp16::kBlocks;
+using vlp16::kChannelsPerBlock;
+using vlp16::kPacketBytes;
+
+constexpr std::size_t kBlockHeaderBytes = 4;  // flag and azimuth
+constexpr std::size_t kReturnBytes = 3;
+constexpr std::size_t kTail = kBlocks * kBlockBytes;
+constexpr double kUnit = 0.01 * std::numbers::pi / 180.0;  // [rad]
+
+// 1200 rpm turn 0.8 deg between blocks; a larger step, or none, is no turning head [0.01 deg].
+constexpr int kLargestStep = 200;
+
+std::uint16_t u16(Bytes bytes, std::size_t at) {
+  return load<std::uint16_t>(bytes.data() + at, false);
+}
+std::uint16_t flag_of(Bytes packet, std::size_t block) { return u16(packet, block * kBlockBytes); }
+int azimuth_of(Bytes packet, std::size_t block) { return u16(packet, block * kBlockBytes + 2); }
+
+// The flags of the blocks of a sequence, first bank first, as little-endian numbers.
+constexpr std::array<std::uint16_t, 4> kBankFlags = {0xeeff, 0xddff, 0xccff, 0xbbff};
+
+// A data packet has twelve flags, and azimuths below a turn.
+bool has_blocks(Bytes payload) {
+  if (payload.size() != kPacketBytes) {
+    return false;
+  }
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    const std::uint16_t flag = flag_of(payload, block);
+    if (std::find(kBankFlags.begin(), kBankFlags.end(), flag) == kBankFlags.end() ||
+        azimuth_of(payload, block) >= kAzimuthUnitsPerTurn) {
+      return false;
+    }
+  }
+  return true;
+}
+
+int turn_between(int from, int to) {
+  return (to - from + kAzimuthUnitsPerTurn) % kAzimuthUnitsPerTurn;
+}
+
+// The corrections of an HDL-64E (manual 63-HDL64E, appendix on calibration): two distances were
+// measured, along either axis, and what lies between is interpolated.
+Eigen::Vector3d corrected_point(const VelodyneLaser& laser, double distance, double cosine,
+                                double sine, double azimuth) {
+  constexpr double kFar = 25.04;  // [m]
+  constexpr double kNearX = 2.4;
+  constexpr double kNearY = 1.93;
+  const double vertical = laser.vertical_offset;
+  const double horizontal = laser.horizontal_offset;
+  const double cos_azimuth = std::cos(azimuth);
+  const double sin_azimuth = std::sin(azimuth);
+  double along_x = distance + laser.distance;
+  double along_y = along_x;
+  if (laser.two_points) {
+    const double flat = along_x * cosine - vertical * sine;
+    const double x = std::abs(flat * sin_azimuth - horizontal * cos_azimuth);
+    const double y = std::abs(flat * cos_azimuth + horizontal * sin_azimuth);
+    along_x = distance + laser.distance_x +
+              (laser.distance - laser.distance_x) * (x - kNearX) / (kFar - kNearX);
+    along_y = distance + laser.distance_y +
+              (laser.distance - laser.distance_y) * (y - kNearY) / (kFar - kNearY);
+  }
+  const double flat_x = along_x * cosine - vertical * sine;
+  const double flat_y = along_y * cosine - vertical * sine;
+  // The manual's x is to the right, its y forward.
+  const double right = flat_x * sin_azimuth - horizontal * cos_azimuth;
+  const double forward = flat_y * cos_azimuth + horizontal * sin_azimuth;
+  return {forward, -right, along_y * sine + vertical * cosine};
+}
+
+}  // namespace
+
+struct VelodyneDecoder::Head {
+  std::size_t block = 0;    ///< first of the position
+  std::size_t channel = 0;  ///< first of the sequence in its block
+  double azimuth = 0.0;     ///< of the first laser [0.01 deg]
+  double step = 0.0;        ///< to the next sequence [0.01 deg]
+  bool dual = false;
+};
+
+VelodyneDecoder::VelodyneDecoder(VelodyneModel model, const DecoderOptions& options)
+    : model_(std::move(model)), choice_(options.returns) {
+  if (!options.calibration.empty()) {
+    apply_velodyne_calibration(options.calibration, model_);
+  }
+  std::vector<double> elevations;
+  for (const VelodyneLaser& laser : model_.lasers) {
+    elevations.push_back(laser.elevation_deg);
+  }
+  const std::vector<std::uint16_t> rings = rings_of(elevations);
+  for (std::size_t id = 0; id < model_.lasers.size(); ++id) {
+    Laser laser{model_.lasers[id], 1.0, 0.0, rings[id]};
+    const double elevation = laser.table.elevation_deg * std::numbers::pi / 180.0;
+    laser.cosine = std::cos(elevation);
+    laser.sine = std::sin(elevation);
+    laser.table.height = options.beam_origins ? laser.table.height : 0.0;
+    lasers_.push_back(laser);
+  }
+  constexpr double kTurnNs = 1e8;  // 600 rpm
+  usual_step_ = kAzimuthUnitsPerTurn * model_.sequence_ns / kTurnNs;
+}
+
+std::string VelodyneDecoder::return_mode() const {
+  switch (mode_) {
+    case vlp16::kStrongest:
+      return "single, strongest";
+    case vlp16::kLast:
+      return "single, last";
+    case vlp16::kDual:
+      return "dual";
+    default:
+      return "single";
+  }
+}
+
+// An HDL-64E does not say it: its status byte goes through other things. Two firings of the same
+// azimuth do.
+bool VelodyneDecoder::is_dual(Bytes payload) const {
+  if (!model_.is_hdl64) {
+    return std::to_integer<std::uint8_t>(payload[kTail + 4]) == vlp16::kDual;
+  }
+  return azimuth_of(payload, 0) == azimuth_of(payload, 2) &&
+         azimuth_of(payload, 4) == azimuth_of(payload, 6) &&
+         azimuth_of(payload, 0) != azimuth_of(payload, 4);
+}
+
+PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
+  firings.clear();
+  if (payload.size() != kPacketBytes) {
+    return PacketKind::kOther;
+  }
+  if (!has_blocks(payload)) {
+    return PacketKind::kMalformed;
+  }
+  const auto mode = std::to_integer<std::uint8_t>(payload[kTail + 4]);
+  const auto product = std::to_integer<std::uint8_t>(payload[kTail + 5]);
+  const bool known = mode == vlp16::kStrongest || mode == vlp16::kLast || mode == vlp16::kDual;
+  if ((!model_.is_hdl64 && !known) || (model_.product && product != *model_.product)) {
+    return PacketKind::kOther;
+  }
+  const bool dual = is_dual(payload);
+  mode_ = !model_.is_hdl64 ? mode : (dual ? vlp16::kDual : std::uint8_t{0});
+  firings.base = TimeBase::kHour;
+  firings.time_ns = 1000LL * load<std::uint32_t>(payload.data() + kTail, false);
+  const std::size_t stride = model_.banks * (dual ? 2 : 1);  // blocks of one azimuth
+  const std::size_t positions = kBlocks / stride;  // VLS-128, dual: four blocks are unused
+  const std::size_t sequences = positions * model_.sequences_per_block;
+  const double sequence_ns = dual ? model_.dual_sequence_ns : model_.sequence_ns;
+  firings.period_ns = std::llround(sequence_ns * static_cast<double>(sequences));
+  for (std::size_t i = 0; i < sequences; ++i) {
+    const std::size_t position = i / model_.sequences_per_block;
+    const std::size_t part = i % model_.sequences_per_block;
+    const bool last = position + 1 == positions;
+    const int azimuth = azimuth_of(payload, position * stride);
+    int turn = 0;
+    if (!last) {
+      turn = turn_between(azimuth, azimuth_of(payload, (position + 1) * stride));
+    } else if (positions > 1) {
+      turn = turn_between(azimuth_of(payload, (position - 1) * stride), azimuth);
+    } else if (last_azimuth_ >= 0) {
+      turn = turn_between(last_azimuth_, azimuth);
+    }
+    if (turn > 0 && turn <= kLargestStep) {
+      usual_step_ = static_cast<double>(turn) / static_cast<double>(model_.sequences_per_block);
+    }
+    Head head{position * stride, part * kChannelsPerBlock / model_.sequences_per_block,
+              azimuth + static_cast<double>(part) * usual_step_, usual_step_, dual};
+    head.azimuth -= head.azimuth >= kAzimuthUnitsPerTurn ? kAzimuthUnitsPerTurn : 0;
+    Firing firing;
+    const double since_first = sequence_ns * static_cast<double>(i);
+    firing.offset_ns =
+        std::llround(model_.first_ns + since_first) - (model_.time_is_end ? firings.period_ns : 0);
+    firing.duration_ns = std::llround(sequence_ns);
+    firing.azimuth_deg = 0.01 * head.azimuth;
+    firing.turned_deg = 0.01 * head.step;
+    add_sequence(payload, head, firings);
+    firing.end = firings.points.size();
+    firings.firings.push_back(firing);
+  }
+  last_azimuth_ = azimuth_of(payload, (positions - 1) * stride);
+  return PacketKind::kData;
+}
+
+void VelodyneDecoder::add_sequence(Bytes payload, const Head& head, Firings& firings) const {
+  const std::size_t channels = kChannelsPerBlock / model_.sequences_per_block;
+  // Two blocks of a bank follow each other, or the blocks of one return those of the other.
+  const bool interleaved =
+      head.dual && flag_of(payload, head.block) == flag_of(payload, head.block + 1);
+  const double sequence_ns = head.dual ? model_.dual_sequence_ns : model_.sequence_ns;
+  for (std::size_t bank = 0; bank < model_.banks; ++bank) {
+    const std::size_t first_block = head.block + bank * (interleaved ? 2 : 1);
+    const std::size_t second_block = first_block + (interleaved ? 1 : model_.banks);
+    const auto return_at = [&](std::size_t block, std::size_t channel) {
+      const std::size_t at =
+          block * kBlockBytes + kBlockHeaderBytes + (head.channel + channel) * kReturnBytes;
+      return Return{u16(payload, at), std::to_integer<std::uint8_t>(payload[at + 2])};
+    };
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      const Laser& laser = lasers_[bank * kChannelsPerBlock + channel];
+      const double azimuth =
+          (head.azimuth + head.step * laser.table.time_ns / sequence_ns) * kUnit +
+          laser.table.azimuth_deg * std::numbers::pi / 180.0;
+      const Return last = return_at(first_block, channel);
+      const Return other = head.dual ? return_at(second_block, channel) : Return{};
+      // Where the last return is the strongest, the other block holds the second strongest.
+      const bool other_is_strongest =
+          head.dual && other.distance != 0 && other.reflectivity >= last.reflectivity;
+      if (!head.dual || choice_ == ReturnChoice::kLast) {
+        add_point(laser, last, azimuth, firings);
+      } else if (choice_ == ReturnChoice::kStrongest) {
+        add_point(laser, other_is_strongest || last.distance == 0 ? other : last, azimuth, firings);
+      } else {
+        add_point(laser, last, azimuth, firings);
+        if (other.distance != last.distance) {
+          add_point(laser, other, azimuth, firings);
+        }
+      }
+    }
+  }
+}
+
+void VelodyneDecoder::add_point(const Laser& laser, Return measured, double azimuth,
+                                Firings& firings) const {
+  if (measured.distance == 0) {
+    return;
+  }
+  const double distance = model_.distance_unit * measured.distance;
+  FiringPoint point;
+  if (model_.is_hdl64) {
+    point.position =
+        corrected_point(laser.table, distance, laser.cosine, laser.sine, azimuth).cast<float>();
+  } else {
+    const double horizontal = distance * laser.cosine;
+    point.position = {static_cast<float>(horizontal * std::cos(azimuth)),
+                      static_cast<float>(-horizontal * std::sin(azimuth)),
+                      static_cast<float>(distance * laser.sine + laser.table.height)};
+  }
+  point.intensity = measured.reflectivity;
+  point.offset_ns = static_cast<std::int32_t>(laser.table.time_ns);
+  point.ring = laser.ring;
+  firings.points.push_back(point);
+}
+
+const VelodyneModel* find_velodyne_model(Bytes payload, std::string& reason) {
+  if (!has_blocks(payload)) {
+    return nullptr;
+  }
+  const auto product = std::to_integer<std::uint8_t>(payload[kTail + 5]);
+  const auto model_of = [](auto&& fits) {
+    const auto& models = velodyne_models();
+    const auto found = std::find_if(models.begin(), models.end(), fits);
+    return found == models.end() ? nullptr : &*found;
+  };
+  // The HDL-64E's last byte is its status' value; its two banks tell it.
+  const bool two_banks = flag_of(payload, 0) == kBankFlags[0] &&
+                         flag_of(payload, 1) == kBankFlags[1] &&
+                         flag_of(payload, 2) == kBankFlags[0];
+  if (two_banks) {
+    return model_of([](const VelodyneModel& model) { return model.name == "HDL-64E-S3"; });
+  }
+  const VelodyneModel* found =
+      model_of([product](const VelodyneModel& model) { return model.product == product; });
+  if (found == nullptr) {
+    reason = "data packets of Velodyne's product " + velodyne_product_name(product);
+  }
+  return found;
+}
+
+}  // namespace surefoot::sensors

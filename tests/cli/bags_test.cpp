@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot convert, and bags in and out of the other commands: the same scans through every
+// container give the same trajectory, to the byte.
+#include <gtest/gtest.h>
+
+#include "capture.hpp"
+#include "io/bags/bag_files.hpp"
+#include "io/bags/bag_writer.hpp"
+#include "io/bags/compression.hpp"
+#include "io/messages/point_cloud2_writer.hpp"
+#include "process.hpp"
+#include "recordings.hpp"
+
+namespace surefoot::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kScans = 5;
+
+void compress_file(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to.parent_path());
+  write_content(to, io::compress(io::Compression::kZstd, file_content(from)));
+}
+
+TEST(Bags, EveryContainerGivesTheTrajectoryOfThePcdFiles) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  const ProcessResult reference =
+      run_surefoot({"run", "pcd", "-o", "expected", "--no-report"}, folder);
+  ASSERT_EQ(reference.exit_code, 0) << reference;
+  const std::string expected = file_content(folder / "expected" / "trajectory.tum");
+
+  for (const std::vector<std::string>& to :
+       {std::vector<std::string>{"a.mcap"}, {"a.bag"}, {"bag2", "--to", "rosbag2"}}) {
+    std::vector<std::string> arguments = {"convert", "pcd"};
+    arguments.insert(arguments.end(), to.begin(), to.end());
+    const ProcessResult result = run_surefoot(arguments, folder);
+    ASSERT_EQ(result.exit_code, 0) << result;
+    EXPECT_EQ(result.errors.find("lost:"), std::string::npos) << result;
+  }
+  compress_file(folder / "a.mcap", folder / "z" / "a.mcap.zstd");
+  compress_file(folder / "bag2" / "bag2_0.db3", folder / "zdb" / "bag2_0.db3.zstd");
+  for (const char* input : {"a.mcap", "a.bag", "bag2", "bag2/bag2_0.db3", "z/a.mcap.zstd", "zdb"}) {
+    fs::remove_all(folder / "out");
+    const ProcessResult result = run_surefoot({"run", input, "-o", "out", "--no-report"}, folder);
+    ASSERT_EQ(result.exit_code, 0) << input << result;
+    EXPECT_EQ(file_content(folder / "out" / "trajectory.tum"), expected) << input;
+    const ProcessResult info = run_surefoot({"info", input}, folder);
+    EXPECT_EQ(info.exit_code, 0) << info;
+    EXPECT_NE(info.output.find("topic /points (sensor_msgs/PointCloud2)"), std::string::npos)
+        << info;
+  }
+}
+
+TEST(Convert, ThereAndBackIsTheSame) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  ASSERT_EQ(run_surefoot({"convert", "pcd", "first"}, folder).exit_code, 0);
+  ASSERT_EQ(run_surefoot({"convert", "first", "a.mcap"}, folder).exit_code, 0);
+  ASSERT_EQ(run_surefoot({"convert", "a.mcap", "a.bag"}, folder).exit_code, 0);
+  ASSERT_EQ(run_surefoot({"convert", "a.bag", "second"}, folder).exit_code, 0);
+  for (const char* name : {"000000.pcd", "000004.pcd", "times.txt"}) {
+    EXPECT_FALSE(file_content(folder / "first" / name).empty()) << name;
+    EXPECT_EQ(file_content(folder / "second" / name), file_content(folder / "first" / name))
+        << name;
+  }
+}
+
+TEST(Convert, PartsOfARecordingAndWhatIsLost) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  const ProcessResult every =
+      run_surefoot({"convert", "pcd", "a", "--stride", "2", "--to", "bin"}, folder);
+  EXPECT_EQ(every.exit_code, 0) << every;
+  EXPECT_NE(every.output.find("3 scans"), std::string::npos) << every;
+  EXPECT_NE(every.errors.find("lost: the points' times"), std::string::npos) << every;
+  const ProcessResult range = run_surefoot(
+      {"convert", "pcd", "b", "--begin", "0.05", "--end", "0.25", "--to", "ply"}, folder);
+  EXPECT_NE(range.output.find("2 scans"), std::string::npos) << range;
+  EXPECT_NE(run_surefoot({"convert", "pcd", "c", "--begin", "99"}, folder).errors.find("no scan"),
+            std::string::npos);
+}
+
+TEST(Convert, RefusesWhatIsThereAlreadyAndOtherNames) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(1));
+  for (const char* output : {"pcd", "x.las"}) {
+    const ProcessResult result = run_surefoot({"convert", "pcd", output}, folder);
+    EXPECT_EQ(result.exit_code, 2) << result;
+  }
+}
+
+TEST(Convert, CaptureToBag) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_content(folder / "walk.pcap", pcap_file(vlp16_packets(3)));
+  const ProcessResult result = run_surefoot({"convert", "walk.pcap", "walk.mcap"}, folder);
+  EXPECT_EQ(result.exit_code, 0) << result;
+  const ProcessResult info = run_surefoot({"info", "walk.mcap"}, folder);
+  EXPECT_NE(info.output.find("rings          16"), std::string::npos) << info;
+}
+
+// Everything that a run says as messages, in both containers.
+TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  const ProcessResult result =
+      run_surefoot({"run", "pcd", "-o", "out", "--no-report", "--mcap", "run.mcap", "--rosbag2",
+                    "bag2", "--extrinsic", "0.1,0,0.3,0,0,0", "--pose-of", "base"},
+                   folder);
+  ASSERT_EQ(result.exit_code, 0) << result;
+  for (const char* bag : {"run.mcap", "bag2"}) {
+    std::map<std::string, int> counts;
+    const auto source = io::open_bag(io::bag_files(folder / bag));
+    while (const auto message = source->next()) {
+      ++counts[message->topic->name + " " + message->topic->type];
+    }
+    EXPECT_TRUE(source->notes().empty());
+    EXPECT_EQ(counts["/surefoot/odometry nav_msgs/Odometry"], kScans) << bag;
+    EXPECT_EQ(counts["/surefoot/scan sensor_msgs/PointCloud2"], kScans) << bag;
+    EXPECT_EQ(counts["/tf tf2_msgs/TFMessage"], kScans) << bag;
+    EXPECT_EQ(counts["/diagnostics diagnostic_msgs/DiagnosticArray"], kScans) << bag;
+    EXPECT_GE(counts["/surefoot/local_map sensor_msgs/PointCloud2"], 1) << bag;
+    EXPECT_GE(counts["/surefoot/path nav_msgs/Path"], 1) << bag;
+  }
+  const ProcessResult info =
+      run_surefoot({"info", "run.mcap", "--topic", "/surefoot/scan"}, folder);
+  EXPECT_EQ(info.exit_code, 0) << info;
+  const ProcessResult several = run_surefoot({"info", "run.mcap"}, folder);
+  EXPECT_EQ(several.exit_code, 2) << several;
+  EXPECT_NE(several.errors.find("--topic /surefoot/local_map"), std::string::npos) << several;
+}
+
+TEST(Bags, OneBadMessageIsNamedAndCountedAndTheRunGoesOn) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  const std::vector<Scan> scans = hall_scans(kScans);
+  const auto bag = io::make_mcap_bag(folder / "a.mcap");
+  const std::size_t topic = bag->add_topic("/points", io::point_cloud2_definition());
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    std::string message =
+        io::format_point_cloud2(scans[i], "lidar", io::MessageWriter::Flavour::kCdr);
+    if (i == 2) message.resize(message.size() / 2);
+    bag->write(topic, scans[i].stamp_ns, message);
+  }
+  bag->finish();
+  const ProcessResult result = run_surefoot({"run", "a.mcap", "-o", "out", "--no-report"}, folder);
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.errors.find("/points, message 2: "), std::string::npos) << result;
+  EXPECT_NE(result.output.find("1 unreadable"), std::string::npos) << result;
+  EXPECT_NE(result.output.find("4 scans"), std::string::npos) << result;
+}
+
+}  // namespace
+}  // namespace surefoot::test

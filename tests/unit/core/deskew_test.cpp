@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Deskewing, eqs. (10)-(12), against Eigen's matrix functions and static scenes seen by a moving
+// sensor.
+#include "core/deskew.hpp"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "support/matrix_exponential.hpp"
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+constexpr std::int64_t kStart = 5'000'000'000;
+constexpr std::int64_t kEnd = 5'100'000'000;
+
+/// A motion of K segments, each another way.
+ScanTrajectory random_trajectory(Random& random, int K) {
+  std::vector<Pose> boundaries{random.pose(100.0, 3.0)};
+  for (int k = 0; k < K; ++k) {
+    boundaries.push_back(boundaries.back() * se3_exp(random.twist(0.5 / K, 0.3 / K)));
+  }
+  return ScanTrajectory(std::move(boundaries), kStart, kEnd);
+}
+
+/// Points of a static scene as a sensor that moves along `T_map_lidar(tau)` measures them.
+template <typename Motion>
+PreparedScan measure(const std::vector<Eigen::Vector3d>& scene, const Motion& T_map_lidar) {
+  PreparedScan scan;
+  scan.start_ns = kStart;
+  scan.end_ns = kEnd;
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    const double tau = static_cast<double>(i) / static_cast<double>(scene.size() - 1);
+    scan.taus.push_back(static_cast<float>(tau));
+    const Eigen::Vector3d seen = T_map_lidar(scan.taus.back()).inverse() * scene[i];
+    scan.points.emplace_back(seen.cast<float>());
+  }
+  return scan;
+}
+
+std::vector<Eigen::Vector3d> random_scene(Random& random, const Pose& around, int count) {
+  std::vector<Eigen::Vector3d> scene;
+  for (int i = 0; i < count; ++i) scene.emplace_back(around * random.vector(30.0));
+  return scene;
+}
+
+/// Largest distance [m] between deskewed points, put at the true mid-scan pose, and the scene.
+double largest_miss(const std::vector<Eigen::Vector3f>& deskewed, const Pose& T_mid,
+                    const std::vector<Eigen::Vector3d>& scene) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    largest = std::max(largest, (T_mid * deskewed[i].cast<double>() - scene[i]).norm());
+  }
+  return largest;
+}
+
+constexpr double kFloatRounding = 2e-5;  // [m] floats at up to 52 m, in and out
+
+TEST(Deskew, ConstantVelocityRestoresAStaticSceneUnderOneTwist) {
+  Random random(4);
+  const Pose T_start = random.pose(5.0, 1.0);
+  const Twist twist = random.twist(0.3, 0.15);
+  const auto motion = [&](double tau) { return T_start * se3_exp(tau * twist); };
+  const auto scene = random_scene(random, T_start, 2000);
+  const ScanTrajectory trajectory({T_start, T_start * se3_exp(twist)}, kStart, kEnd);
+  const auto deskewed = deskew(measure(scene, motion), trajectory, Workers(1));
+  EXPECT_LT(largest_miss(deskewed, motion(0.5), scene), kFloatRounding);
+}
+
+TEST(Deskew, EveryPointEqualsBruteForcePoseAlgebra) {
+  Random random(7);
+  for (const int K : {1, 3, 4, 16}) {
+    const ScanTrajectory trajectory = random_trajectory(random, K);
+    PreparedScan scan;
+    for (int i = 0; i < 3000; ++i) {
+      scan.points.emplace_back(random.vector(40.0).cast<float>());
+      const double tau = i < 2 * K + 1 ? 0.5 * i / K : random.uniform(0.0, 1.0);
+      scan.taus.push_back(static_cast<float>(tau));
+    }
+    const auto deskewed = deskew(scan, trajectory, Workers(1));
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      const double tau = static_cast<double>(scan.taus[i]);
+      // The last k with tau_k <= tau, by search; the paper's interval for tau = 1 is empty, so
+      // that its last segment takes it.
+      int k = K - 1;
+      while (static_cast<double>(k) / K > tau) --k;
+      const double u = (tau - static_cast<double>(k) / K) * K;
+      const auto at = [&](int j) { return trajectory.boundary(static_cast<std::size_t>(j)); };
+      const Twist xi = test::matrix_logarithm((at(k).inverse() * at(k + 1)).matrix());
+      const Eigen::Matrix4d T_tau = at(k).matrix() * test::matrix_exponential(u * xi);
+      const Eigen::Vector4d point = scan.points[i].cast<double>().homogeneous();
+      const Eigen::Matrix4d T_mid = trajectory.at(0.5).matrix();
+      const Eigen::Vector4d expected = T_mid.inverse() * T_tau * point;
+      ASSERT_LT((deskewed[i].cast<double>() - expected.head<3>()).norm(), kFloatRounding)
+          << "K " << K << " tau " << tau;
+    }
+  }
+}
+
+TEST(Deskew, ScansWithoutTimesKeepEveryBit) {
+  Random random(8);
+  PreparedScan scan;
+  for (int i = 0; i < 100; ++i) scan.points.emplace_back(random.vector(40.0).cast<float>());
+  EXPECT_EQ(deskew(scan, random_trajectory(random, 4), Workers(1)), scan.points);
+}
+
+TEST(Deskew, ThreadsDoNotChangeABit) {
+  Random random(9);
+  const ScanTrajectory trajectory = random_trajectory(random, 4);
+  PreparedScan scan;
+  for (int i = 0; i < 5000; ++i) {
+    scan.points.emplace_back(random.vector(40.0).cast<float>());
+    scan.taus.push_back(static_cast<float>(i) / 4999.0F);
+  }
+  const auto alone = deskew(scan, trajectory, Workers(1));
+  for (const int threads : {2, 3, 8}) {
+    EXPECT_EQ(deskew(scan, trajectory, Workers(threads)), alone);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Voxel indices and keys, the hash table.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "core/voxel_key.hpp"
+#include "core/voxel_table.hpp"
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+TEST(VoxelKey, IndexIsTheFloor) {
+  EXPECT_EQ(voxel_index(0.0, 1.0), 0);
+  EXPECT_EQ(voxel_index(-1e-9, 1.0), -1);
+  EXPECT_EQ(voxel_index(-1.0, 1.0), -1);
+  EXPECT_EQ(voxel_index(-1.0001, 1.0), -2);
+  EXPECT_EQ(voxel_index(2.99, 2.0), 5);
+}
+
+TEST(VoxelKey, KeysDifferOverAMillionVoxelsEachWay) {
+  std::set<std::uint64_t> keys;
+  const int ends[] = {-1'048'576, -1'000'000, -1, 0, 1, 1'000'000, 1'048'575};
+  for (const int x : ends) {
+    for (const int y : ends) {
+      for (const int z : ends) keys.insert(voxel_key({x, y, z}));
+    }
+  }
+  EXPECT_EQ(keys.size(), 343U);
+}
+
+TEST(VoxelTable, BehavesLikeAMapWhileItGrows) {
+  Random random(1);
+  VoxelTable table;
+  std::map<std::uint64_t, std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < 50'000; ++i) {
+    const std::uint64_t key = random.below(30'000);  // many twice
+    const auto [index, inserted] = table.find_or_insert(key, i);
+    const auto [place, is_new] = expected.emplace(key, i);
+    ASSERT_EQ(inserted, is_new);
+    ASSERT_EQ(index, place->second);
+  }
+  for (std::uint64_t key = 0; key < 40'000; ++key) {
+    const auto place = expected.find(key);
+    ASSERT_EQ(table.find(key), place == expected.end() ? VoxelTable::kNone : place->second);
+  }
+  table.clear();
+  EXPECT_EQ(table.find(expected.begin()->first), VoxelTable::kNone);
+  EXPECT_TRUE(table.find_or_insert(7, 3).second);
+}
+
+}  // namespace
+}  // namespace surefoot

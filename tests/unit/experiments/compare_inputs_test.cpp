@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/compare_inputs.hpp"
+
+#include "support/scratch.hpp"
+
+namespace surefoot::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+using CompareInputs = test::Scratch;
+using Names = std::vector<std::string>;
+
+TEST(FolderNames, AreUniqueAndFitForEveryFileSystem) {
+  EXPECT_EQ(folder_names({"/a/hall", "/a/yard"}), (Names{"hall", "yard"}));
+  EXPECT_EQ(folder_names({"/a/hall", "/b/hall"}), (Names{"a-hall", "b-hall"}));
+  EXPECT_EQ(folder_names({"/a/x/hall", "/b/x/hall"}), (Names{"x-hall", "x-hall-2"}));
+  EXPECT_EQ(folder_names({"/a/big hall", "/a/..."}), (Names{"big_hall", "_..."}));
+  EXPECT_EQ(folder_name("paper+deskew.segments=8"), "paper+deskew.segments=8");
+  EXPECT_EQ(folder_name("a/b\n"), "a_b_");
+  EXPECT_EQ(folder_name(""), "_");
+}
+
+TEST_F(CompareInputs, TruthLiesBesideTheScansOrIsGiven) {
+  write("walk/gt.tum", "");
+  write("drive.pcap", "");
+  const fs::path other = write("other.tum", "");
+  CompareOptions options;
+  options.recordings = {folder_ / "walk/", folder_ / "drive.pcap"};
+  std::vector<CompareInput> inputs = find_inputs(options);
+  ASSERT_EQ(inputs.size(), 2U);
+  EXPECT_EQ(inputs[0].name, "walk");
+  EXPECT_EQ(inputs[0].truth, folder_ / "walk/gt.tum");
+  EXPECT_EQ(inputs[1].name, "drive.pcap");
+  EXPECT_EQ(inputs[1].truth, folder_ / "gt.tum");
+  options.truths = {other, folder_ / "walk/gt.tum"};
+  inputs = find_inputs(options);
+  EXPECT_EQ(inputs[0].truth, other);
+}
+
+TEST_F(CompareInputs, ASuiteIsEveryFolderWithATruth) {
+  for (const char* file : {"s/b/gt.tum", "s/a/gt.tum", "s/no_truth/times.txt", "s/suite.log"}) {
+    write(file, "");
+  }
+  CompareOptions options;
+  options.suites = {(folder_ / "s").string()};
+  const std::vector<CompareInput> inputs = find_inputs(options);
+  ASSERT_EQ(inputs.size(), 2U);
+  EXPECT_EQ(inputs[0].name, "a");
+  EXPECT_EQ(inputs[1].name, "b");
+}
+
+TEST_F(CompareInputs, SeveralSuitesKeepTheirRecordingsApart) {
+  for (const char* file : {"one/walk/gt.tum", "one/run/gt.tum", "two/walk/gt.tum"}) write(file, "");
+  CompareOptions options;
+  options.suites = {(folder_ / "one").string(), (folder_ / "two").string()};
+  Names names;
+  for (const CompareInput& input : find_inputs(options)) names.push_back(input.name);
+  EXPECT_EQ(names, (Names{"run", "one-walk", "two-walk"}));
+}
+
+TEST_F(CompareInputs, NonsenseIsRefused) {
+  write("walk/gt.tum", "");
+  const fs::path walk = folder_ / "walk";
+  const auto expect_refused = [](const CompareOptions& options, const std::string& named) {
+    try {
+      (void)find_inputs(options);
+      ADD_FAILURE() << "taken; expected " << named;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+    }
+  };
+  const auto with = [](std::vector<fs::path> recordings, std::vector<fs::path> truths,
+                       const std::string& suite) {
+    CompareOptions options;
+    options.recordings = std::move(recordings);
+    options.truths = std::move(truths);
+    if (!suite.empty()) options.suites = {suite};
+    return options;
+  };
+  expect_refused(with({}, {}, ""), "nothing to compare");
+  expect_refused(with({folder_ / "none"}, {}, ""), "none: no such");
+  expect_refused(with({walk}, {walk, walk}, ""), "2 files for 1");
+  expect_refused(with({walk}, {folder_ / "none.tum"}, ""), "none.tum");
+  expect_refused(with({walk, folder_ / "." / "walk"}, {}, ""), "given twice");
+  expect_refused(with({}, {}, "nightly"), "tuning, reporting");
+  expect_refused(with({}, {}, walk.string()), "gt.tum");
+}
+
+}  // namespace
+}  // namespace surefoot::experiments

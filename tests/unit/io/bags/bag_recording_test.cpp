@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "io/bags/bag_files.hpp"
+#include "io/bags/bag_writer.hpp"
+#include "io/bags/compression.hpp"
+#include "io/messages/point_cloud2_writer.hpp"
+#include "io/recording.hpp"
+#include "io/scan_sink.hpp"
+#include "unit/io/bags/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kStart = 1'700'000'000'000'000'000;
+
+Scan scan_at(int i) {
+  Scan scan;
+  scan.stamp_ns = kStart + i * 100'000'000LL;
+  for (int k = 0; k < 50; ++k) {
+    scan.points.emplace_back(1.0F + static_cast<float>(i), static_cast<float>(k), 0.5F);
+    scan.intensities.push_back(static_cast<float>(k));
+    scan.times_ns.push_back(k * 2'000'000);
+    scan.rings.push_back(static_cast<std::uint16_t>(k % 16));
+  }
+  return scan;
+}
+
+void expect_scans(Recording& recording, int count) {
+  for (int i = 0; i < count; ++i) {
+    const std::optional<ScanItem> item = recording.next();
+    ASSERT_TRUE(item.has_value() && item->scan.has_value()) << i;
+    const Scan expected = scan_at(i);
+    EXPECT_EQ(item->scan->stamp_ns, expected.stamp_ns);
+    EXPECT_EQ(item->scan->points, expected.points);
+    EXPECT_EQ(item->scan->intensities, expected.intensities);
+    EXPECT_EQ(item->scan->times_ns, expected.times_ns);
+    EXPECT_EQ(item->scan->rings, expected.rings);
+  }
+  EXPECT_FALSE(recording.next().has_value());
+}
+
+fs::path write_scans(const fs::path& path, ScanFormat format, int count) {
+  const auto sink = make_scan_sink(path, format);
+  for (int i = 0; i < count; ++i) sink->add(scan_at(i));
+  sink->finish();
+  EXPECT_EQ(sink->lost(), "");
+  return path;
+}
+
+TEST(BagRecording, EveryContainerGivesTheScansBack) {
+  const test::TemporaryFolder folder;
+  constexpr int kScans = 4;
+  const std::pair<const char*, ScanFormat> kinds[] = {{"a.mcap", ScanFormat::kMcap},
+                                                      {"bag2", ScanFormat::kRosbag2},
+                                                      {"a.bag", ScanFormat::kRos1Bag},
+                                                      {"pcd", ScanFormat::kPcd}};
+  for (const auto& [name, format] : kinds) {
+    SCOPED_TRACE(name);
+    expect_scans(*open_recording(write_scans(folder.path() / name, format, kScans)), kScans);
+  }
+  const std::string mcap = test::content_of(folder.path() / "a.mcap");
+  expect_scans(*open_recording(folder.write("z/a.mcap.zstd", compress(Compression::kZstd, mcap))),
+               kScans);
+  expect_scans(*open_recording(folder.path() / "z"), kScans);
+}
+
+TEST(BagRecording, SaysWhatItTook) {
+  const test::TemporaryFolder folder;
+  const auto recording =
+      open_recording(write_scans(folder.path() / "a.mcap", ScanFormat::kMcap, 3));
+  EXPECT_EQ(recording->description(),
+            "MCAP, profile ros2, topic /points (sensor_msgs/PointCloud2)");
+  const std::string notes = test::joined(recording->notes());
+  EXPECT_NE(notes.find("nanoseconds relative"), std::string::npos) << notes;
+}
+
+TEST(BagRecording, SkipAndMessagesThatAreBad) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  const auto bag = make_mcap_bag(file);
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  for (int i = 0; i < 4; ++i) {
+    std::string message = format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::kCdr);
+    if (i == 0 || i == 2) message.resize(400);
+    bag->write(topic, i, message);
+  }
+  bag->finish();
+  const auto recording = open_recording(file);
+  const auto bad = recording->next();
+  ASSERT_TRUE(bad.has_value());
+  EXPECT_FALSE(bad->scan.has_value());
+  EXPECT_NE(bad->error.find("a.mcap: /points, message 0: 1100 bytes of points announced"),
+            std::string::npos)
+      << bad->error;
+  recording->skip(2);
+  const auto good = recording->next();
+  ASSERT_TRUE(good.has_value() && good->scan.has_value());
+  EXPECT_EQ(good->scan->stamp_ns, scan_at(3).stamp_ns);
+  EXPECT_EQ(good->name, "message 3");
+}
+
+TEST(BagRecording, StampsOfZeroAreReplacedByTheBags) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  const auto bag = make_mcap_bag(file);
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  Scan scan = scan_at(0);
+  scan.stamp_ns = 0;
+  bag->write(topic, kStart, format_point_cloud2(scan, "lidar", MessageWriter::Flavour::kCdr));
+  bag->finish();
+  EXPECT_EQ(open_recording(file)->next()->scan->stamp_ns, kStart);
+}
+
+fs::path two_topics(const test::TemporaryFolder& folder) {
+  const fs::path file = folder.path() / "two.mcap";
+  const auto bag = make_mcap_bag(file);
+  const std::size_t front = bag->add_topic("/front", point_cloud2_definition());
+  const std::size_t rear = bag->add_topic("/rear\nlidar", point_cloud2_definition());
+  bag->add_topic("/path", path_definition());
+  for (int i = 0; i < 5; ++i) {
+    const std::int64_t stamp = scan_at(i).stamp_ns;
+    bag->write(front, stamp, format_point_cloud2(scan_at(i), "f", MessageWriter::Flavour::kCdr));
+    bag->write(rear, stamp, format_point_cloud2(scan_at(i), "r", MessageWriter::Flavour::kCdr));
+  }
+  bag->finish();
+  return file;
+}
+
+TEST(BagRecording, SeveralTopicsAreListedWithTheWayToTakeEach) {
+  const test::TemporaryFolder folder;
+  const fs::path file = two_topics(folder);
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(file); });
+  for (const char* part :
+       {"2 topics", "/front  sensor_msgs/PointCloud2  10.0 Hz  frame f  50 points",
+        "--topic /front", "/rear?lidar"}) {
+    EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+  }
+  OpenOptions options;
+  options.topic = "/front";
+  expect_scans(*open_recording(file, options), 5);
+  options.topic = "/none";
+  EXPECT_NE(
+      test::message_of<ReadError>([&] { (void)open_recording(file, options); }).find("no topic"),
+      std::string::npos);
+}
+
+// It begins when the bag's first seconds, in which another topic could be taken, are over.
+TEST(BagRecording, TopicThatIsAskedForMayBeginLate) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  const auto bag = make_mcap_bag(file);
+  const std::size_t early = bag->add_topic("/early", point_cloud2_definition());
+  const std::size_t late = bag->add_topic("/late", point_cloud2_definition());
+  for (int i = 0; i < 60; ++i) {
+    const std::string message =
+        format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::kCdr);
+    bag->write(i < 50 ? early : late, scan_at(i).stamp_ns, message);
+  }
+  bag->finish();
+  OpenOptions options;
+  options.topic = "/late";
+  const auto item = open_recording(file, options)->next();
+  ASSERT_TRUE(item.has_value() && item->scan.has_value());
+  EXPECT_EQ(item->scan->stamp_ns, scan_at(50).stamp_ns);
+}
+
+// A ROS 1 bag of Ouster's packets, whose metadata are a message of another topic.
+TEST(BagRecording, OusterPacketsWithTheMetadataOfTheBag) {
+  const fs::path file = fs::path(SUREFOOT_SHARED_DATA) / "ouster_os1/512x10_raw.bag";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+  const auto recording = open_recording(file);
+  EXPECT_NE(recording->description().find("packets of OS-0-128"), std::string::npos)
+      << recording->description();
+  const auto item = recording->next();
+  ASSERT_TRUE(item.has_value() && item->scan.has_value());
+  EXPECT_EQ(item->scan->points.size(), 28'751U);
+}
+
+struct RealBag {
+  const char* folder;
+  const char* sensor;
+  std::size_t whole_scans;
+  std::size_t least_points;
+};
+
+// rosbag2 files of drivers' packet messages: VelodyneScan and PandarScan.
+TEST(BagRecording, PacketsOfRealSensors) {
+  for (const RealBag& real :
+       {RealBag{"vlp16_dual_nebula/1673400471837873222", "VLP-16", 3, 14'000},
+        RealBag{"hesai_xt16_nebula/1732848127890747768", "XT-16", 3, 14'000}}) {
+    const fs::path folder = fs::path(SUREFOOT_SHARED_DATA) / real.folder;
+    if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
+    const auto recording = open_recording(folder);
+    EXPECT_NE(recording->description().find(real.sensor), std::string::npos)
+        << recording->description();
+    std::size_t whole = 0;
+    while (const auto item = recording->next()) {
+      ASSERT_TRUE(item->scan.has_value()) << item->error;
+      if (!item->remark.empty()) continue;
+      ++whole;
+      EXPECT_GT(item->scan->points.size(), real.least_points);
+    }
+    EXPECT_GE(whole, real.whole_scans) << real.sensor;
+    EXPECT_EQ(recording->capture_counts().lost, 0U) << real.sensor;
+  }
+}
+
+// A VelodyneScan that is cut within its second packet: the message is named, the others are used.
+TEST(BagRecording, DamagedPacketMessageIsNamed) {
+  const fs::path folder = fs::path(SUREFOOT_SHARED_DATA) / "vlp16_dual_nebula/1673400471837873222";
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  const test::TemporaryFolder scratch;
+  const auto bag = make_mcap_bag(scratch.path() / "a.mcap");
+  MessageDefinition definition;
+  definition.type = "velodyne_msgs/VelodyneScan";
+  const std::size_t topic = bag->add_topic("/velodyne_packets", definition);
+  const auto source = open_bag(bag_files(folder));
+  for (int i = 0; const auto message = source->next(); ++i) {
+    std::string bytes(reinterpret_cast<const char*>(message->bytes.data()), message->bytes.size());
+    if (i == 1) bytes.resize(2000);
+    bag->write(topic, message->logged_ns, bytes);
+  }
+  bag->finish();
+  const auto recording = open_recording(scratch.path() / "a.mcap");
+  std::size_t errors = 0;
+  std::size_t scans = 0;
+  while (const auto item = recording->next()) {
+    if (item->scan) {
+      ++scans;
+      continue;
+    }
+    ++errors;
+    EXPECT_NE(item->error.find("message 1"), std::string::npos) << item->error;
+  }
+  EXPECT_EQ(errors, 1U);
+  EXPECT_GE(scans, 3U);
+}
+
+TEST(BagRecording, BagsWithoutScansAreRefused) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  make_mcap_bag(file)->finish();
+  EXPECT_NE(
+      test::message_of<ReadError>([&] { (void)open_recording(file); }).find("holds no message"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace surefoot::io

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "io/bags/mcap_reader.hpp"
+#include "io/bags/mcap_writer.hpp"
+#include "io/recording.hpp"
+#include "sensors/bytes.hpp"
+#include "unit/io/bags/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+using test::little;
+using test::ReadMessage;
+
+constexpr int kMessages = 12;
+
+std::string data_of(int i) {
+  return std::string(static_cast<std::size_t>(100 + i), static_cast<char>('a' + i));
+}
+
+ReadMessage expected(int i) {
+  return {i % 2 == 0 ? "/even" : "/odd", "pkg/Type", 1000 + i, data_of(i)};
+}
+
+std::string file_with(const McapOptions& options) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.mcap";
+  McapWriter writer(file, options);
+  const std::uint16_t schema = writer.add_schema("pkg/msg/Type", "ros2msg", "int32 a\n");
+  const std::uint16_t even = writer.add_channel(schema, "/even", "cdr");
+  const std::uint16_t odd = writer.add_channel(schema, "/odd", "cdr", {{"k", "v"}});
+  for (int i = 0; i < kMessages; ++i) {
+    const auto time = static_cast<std::uint64_t>(1000 + i);
+    writer.write(i % 2 == 0 ? even : odd, static_cast<std::uint32_t>(i), time, time, data_of(i));
+  }
+  writer.attach(1, 2, "notes.txt", "text/plain", "hello");
+  writer.add_metadata("about", {{"robot", "dog"}});
+  writer.finish();
+  return test::content_of(file);
+}
+
+McapOptions small_chunks(Compression compression) {
+  McapOptions options;
+  options.compression = compression;
+  options.chunk_bytes = 400;
+  return options;
+}
+
+struct Outcome {
+  std::vector<ReadMessage> messages;
+  std::string notes;
+};
+Outcome read(const std::string& bytes, const std::string& topic = {}) {
+  const auto source = read_mcap(std::make_unique<MemoryStream>(test::bytes_of(bytes)));
+  source->want(topic);
+  Outcome outcome{test::read_all_messages(*source), {}};
+  outcome.notes = test::joined(source->notes());
+  return outcome;
+}
+
+std::vector<McapOptions> flavours() {
+  std::vector<McapOptions> all;
+  for (const Compression compression :
+       {Compression::kNone, Compression::kLz4, Compression::kZstd}) {
+    all.push_back(small_chunks(compression));
+  }
+  McapOptions bare;  // no chunk, no index, no summary
+  bare.chunks = bare.message_index = bare.chunk_index = bare.attachment_index = false;
+  bare.metadata_index = bare.statistics = bare.repeated_schemas = bare.repeated_channels = false;
+  bare.summary_offsets = false;
+  all.push_back(bare);
+  McapOptions tail = small_chunks(Compression::kLz4);  // bytes that readers do not know
+  tail.record_tail = "xyz";
+  all.push_back(tail);
+  return all;
+}
+
+TEST(Mcap, WhatIsWrittenIsReadBack) {
+  for (const McapOptions& options : flavours()) {
+    const Outcome outcome = read(file_with(options));
+    ASSERT_EQ(outcome.messages.size(), kMessages);
+    for (int i = 0; i < kMessages; ++i) {
+      EXPECT_EQ(outcome.messages[static_cast<std::size_t>(i)], expected(i));
+    }
+    EXPECT_EQ(outcome.notes, "");
+  }
+}
+
+TEST(Mcap, OneTopicAlone) {
+  const Outcome outcome = read(file_with(small_chunks(Compression::kZstd)), "/odd");
+  ASSERT_EQ(outcome.messages.size(), kMessages / 2);
+  EXPECT_EQ(outcome.messages[0], expected(1));
+}
+
+// Wherever a file is cut, every message that is whole before the cut is there, and nothing else.
+TEST(Mcap, CutAnywhere) {
+  for (const McapOptions& options : flavours()) {
+    const std::string whole = file_with(options);
+    std::size_t before = 0;
+    for (std::size_t size = mcap::kMagic.size(); size < whole.size(); ++size) {
+      const Outcome outcome = read(whole.substr(0, size));
+      ASSERT_GE(outcome.messages.size(), before) << size;
+      before = outcome.messages.size();
+      for (std::size_t i = 0; i < before; ++i) {
+        ASSERT_EQ(outcome.messages[i], expected(static_cast<int>(i))) << size;
+      }
+    }
+    EXPECT_EQ(before, kMessages);
+  }
+}
+
+TEST(Mcap, CutIsSaid) {
+  const std::string whole = file_with(small_chunks(Compression::kNone));
+  EXPECT_NE(read(whole.substr(0, 300)).notes.find("cut short"), std::string::npos);
+}
+
+// As a recorder leaves it that was stopped: the chunk's lengths and checksum were to be filled in.
+TEST(Mcap, ChunkThatWasNeverClosed) {
+  for (const Compression compression : {Compression::kNone, Compression::kZstd}) {
+    McapOptions options;
+    options.compression = compression;
+    std::string bytes = file_with(options);
+    const std::size_t chunk =
+        mcap::kMagic.size() + 9 + 4 + options.profile.size() + 4 + options.library.size();
+    ASSERT_EQ(bytes[chunk], '\x06');
+    const std::size_t content =
+        chunk + 9 + 8 + 8 + 8 + 4 + 4 + (compression == Compression::kZstd ? 4 : 0);
+    const auto size = load<std::uint64_t>(test::bytes_of(bytes).data() + content, false);
+    bytes.resize(content + 8 + size);
+    const std::string open(8, '\xff');
+    bytes.replace(chunk + 1, 8, open);
+    bytes.replace(content, 8, open);
+    const Outcome outcome = read(bytes);
+    EXPECT_EQ(outcome.messages.size(), kMessages);
+    EXPECT_NE(outcome.notes.find("cut short"), std::string::npos) << outcome.notes;
+  }
+}
+
+// Where the n-th chunk's record begins.
+std::size_t chunk_at(const std::string& bytes, int n) {
+  std::size_t at = mcap::kMagic.size();
+  while (bytes[at] != '\x06' || n-- > 0) {
+    at += 9 + load<std::uint64_t>(test::bytes_of(bytes).data() + at + 1, false);
+  }
+  return at;
+}
+
+// Not the first one: it holds the channels.
+TEST(Mcap, DamagedChunkIsNotedAndTheNextOneRead) {
+  for (const Compression compression :
+       {Compression::kNone, Compression::kLz4, Compression::kZstd}) {
+    std::string bytes = file_with(small_chunks(compression));
+    bytes[chunk_at(bytes, 1) + 80] ^= '\x55';
+    const Outcome outcome = read(bytes);
+    EXPECT_NE(outcome.notes.find("chunk 1"), std::string::npos) << outcome.notes;
+    ASSERT_GE(outcome.messages.size(), 6U);
+    EXPECT_EQ(outcome.messages.front(), expected(0));
+    EXPECT_EQ(outcome.messages.back(), expected(kMessages - 1));
+  }
+}
+
+TEST(Mcap, ChecksumOfTheData) {
+  McapOptions options;
+  options.chunks = false;
+  std::string bytes = file_with(options);
+  bytes[bytes.find("aaaa")] = 'A';
+  EXPECT_NE(read(bytes).notes.find("checksum of the whole data"), std::string::npos);
+}
+
+TEST(Mcap, UnknownRecordsArePassedOver) {
+  std::string bytes = file_with(small_chunks(Compression::kNone));
+  const std::string unknown = "\x91" + little(std::uint64_t{5}) + "hello";
+  bytes.insert(bytes.find('\x06', 30), unknown);
+  EXPECT_EQ(read(bytes).messages.size(), kMessages);
+}
+
+TEST(Mcap, LengthsThatLieTakeNoMemory) {
+  McapOptions options;
+  options.chunks = false;
+  const std::string good = file_with(options);
+  for (std::size_t at = mcap::kMagic.size(); at + 9 < good.size(); ++at) {
+    std::string bad = good;
+    bad.replace(at, 8, little(std::uint64_t{1} << 40));
+    EXPECT_LE(read(bad).messages.size(), kMessages);
+  }
+}
+
+TEST(Mcap, SomethingElseIsRefused) {
+  EXPECT_THROW((void)read("#ROSBAG V2.0\n and so on"), ReadError);
+  EXPECT_THROW((void)read(""), ReadError);
+}
+
+TEST(Mcap, MessagesOfAChannelWithoutSchemaAndOfNoChannel) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.mcap";
+  McapWriter writer(file, {});
+  const std::uint16_t channel = writer.add_channel(0, "/bare", "json");
+  writer.write(channel, 0, 1, 1, "{}");
+  writer.write(99, 0, 2, 2, "lost");
+  writer.finish();
+  const Outcome outcome = read(test::content_of(file));
+  ASSERT_EQ(outcome.messages.size(), 1U);
+  EXPECT_EQ(outcome.messages[0], (ReadMessage{"/bare", "", 1, "{}"}));
+  EXPECT_NE(outcome.notes.find("not announced"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace surefoot::io

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// ROS 1 bags made byte by byte from the format's description.
+#include <bzlib.h>
+#include <gtest/gtest.h>
+
+#include "io/bags/bag_writer.hpp"
+#include "io/bags/compression.hpp"
+#include "io/bags/ros1_bag_reader.hpp"
+#include "io/recording.hpp"
+#include "unit/io/bags/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+using test::little;
+using test::ReadMessage;
+
+std::string sized(const std::string& bytes) {
+  return little(static_cast<std::uint32_t>(bytes.size())) + bytes;
+}
+std::string record(const std::vector<std::string>& fields, const std::string& data) {
+  std::string header;
+  for (const std::string& field : fields) header += sized(field);
+  return sized(header) + sized(data);
+}
+std::string op(int number) { return std::string("op=") + static_cast<char>(number); }
+std::string u32(std::uint32_t value) { return little(value); }
+
+std::string connection(std::uint32_t id, const std::string& topic, const std::string& type) {
+  return record({op(7), "conn=" + u32(id), "topic=" + topic},
+                sized("topic=" + topic) + sized("type=" + type) + sized("md5sum=0"));
+}
+std::string message(std::uint32_t id, std::uint32_t seconds, const std::string& data) {
+  return record({op(2), "conn=" + u32(id), "time=" + u32(seconds) + u32(7)}, data);
+}
+std::string chunk(const std::string& name, const std::string& content,
+                  const std::string& compressed) {
+  return record(
+      {op(5), "compression=" + name, "size=" + u32(static_cast<std::uint32_t>(content.size()))},
+      compressed);
+}
+std::string file_header() {
+  return "#ROSBAG V2.0\n" +
+         record({op(3), "index_pos=" + little(std::uint64_t{0})}, std::string(200, ' '));
+}
+
+std::string bzip2(const std::string& content) {
+  std::string out(content.size() + 700, '\0');
+  auto size = static_cast<unsigned>(out.size());
+  BZ2_bzBuffToBuffCompress(out.data(), &size, const_cast<char*>(content.data()),
+                           static_cast<unsigned>(content.size()), 9, 0, 0);
+  return out.substr(0, size);
+}
+
+std::string content(int first) {
+  std::string bytes = connection(0, "/a", "pkg/A") + connection(1, "/b", "pkg/B");
+  for (int i = first; i < first + 4; ++i) {
+    bytes += message(static_cast<std::uint32_t>(i % 2), static_cast<std::uint32_t>(100 + i),
+                     std::string(50, static_cast<char>('a' + i)));
+  }
+  return bytes;
+}
+
+ReadMessage expected(int i) {
+  return {i % 2 == 0 ? "/a" : "/b", i % 2 == 0 ? "pkg/A" : "pkg/B", (100 + i) * 1'000'000'000LL + 7,
+          std::string(50, static_cast<char>('a' + i))};
+}
+
+std::string bag(const std::string& name) {
+  const auto pack = [&name](const std::string& bytes) {
+    return name == "bz2"   ? bzip2(bytes)
+           : name == "lz4" ? compress(Compression::kLz4, bytes)
+                           : bytes;
+  };
+  const std::string index =
+      record({op(4), "ver=" + u32(1), "conn=" + u32(0), "count=" + u32(0)}, "");
+  return file_header() + chunk(name, content(0), pack(content(0))) + index +
+         chunk(name, content(4), pack(content(4))) + index + connection(0, "/a", "pkg/A");
+}
+
+struct Outcome {
+  std::vector<ReadMessage> messages;
+  std::string notes;
+};
+Outcome read(const std::string& bytes) {
+  const auto source = read_ros1_bag(std::make_unique<MemoryStream>(test::bytes_of(bytes)));
+  Outcome outcome{test::read_all_messages(*source), {}};
+  outcome.notes = test::joined(source->notes());
+  return outcome;
+}
+
+TEST(Ros1Bag, EveryCompression) {
+  for (const char* name : {"none", "bz2", "lz4"}) {
+    const Outcome outcome = read(bag(name));
+    ASSERT_EQ(outcome.messages.size(), 8U) << name;
+    for (int i = 0; i < 8; ++i)
+      EXPECT_EQ(outcome.messages[static_cast<std::size_t>(i)], expected(i));
+    EXPECT_EQ(outcome.notes, "") << name;
+  }
+}
+
+TEST(Ros1Bag, CutAnywhere) {
+  for (const char* name : {"none", "bz2", "lz4"}) {
+    const std::string whole = bag(name);
+    std::size_t before = 0;
+    for (std::size_t size = kRos1BagMagic.size(); size < whole.size(); ++size) {
+      const Outcome outcome = read(whole.substr(0, size));
+      ASSERT_GE(outcome.messages.size(), before) << size;
+      before = outcome.messages.size();
+      for (std::size_t i = 0; i < before; ++i) {
+        ASSERT_EQ(outcome.messages[i], expected(static_cast<int>(i))) << size;
+      }
+    }
+    EXPECT_EQ(before, 8U);
+  }
+}
+
+TEST(Ros1Bag, DamagedChunkIsNotedAndTheNextOneRead) {
+  std::string bytes = bag("lz4");
+  const std::size_t at = bytes.find("\x04\x22\x4d\x18");
+  bytes[at] = '\x05';
+  const Outcome outcome = read(bytes);
+  ASSERT_EQ(outcome.messages.size(), 4U);
+  EXPECT_EQ(outcome.messages[0], expected(4));
+  EXPECT_NE(outcome.notes.find("chunk 0 is damaged"), std::string::npos) << outcome.notes;
+}
+
+TEST(Ros1Bag, AnotherCompressionIsNamed) {
+  EXPECT_NE(read(bag("rar")).notes.find("'rar'"), std::string::npos);
+}
+
+TEST(Ros1Bag, LengthsThatLieTakeNoMemory) {
+  const std::string good = bag("none");
+  for (std::size_t at = kRos1BagMagic.size(); at + 4 < good.size(); ++at) {
+    std::string bad = good;
+    bad.replace(at, 4, u32(0xf000'0000));
+    EXPECT_LE(read(bad).messages.size(), 8U);
+  }
+}
+
+TEST(Ros1Bag, SomethingElseIsRefused) {
+  EXPECT_THROW((void)read("#ROSBAG V1.2\n"), ReadError);
+  EXPECT_THROW((void)read(""), ReadError);
+}
+
+TEST(Ros1Bag, WhatIsWrittenIsReadBack) {
+  const test::TemporaryFolder folder;
+  const auto bag = make_ros1_bag(folder.path() / "a.bag");
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  const std::string large(500'000, 'x');
+  for (int i = 0; i < 5; ++i) bag->write(topic, 1'500'000'000 + i, large);
+  bag->finish();
+  const Outcome outcome = read(test::content_of(folder.path() / "a.bag"));
+  ASSERT_EQ(outcome.messages.size(), 5U);
+  EXPECT_EQ(outcome.messages[4],
+            (ReadMessage{"/points", "sensor_msgs/PointCloud2", 1'500'000'004, large}));
+  EXPECT_EQ(outcome.notes, "");
+}
+
+}  // namespace
+}  // namespace surefoot::io

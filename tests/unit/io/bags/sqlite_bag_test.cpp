@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "io/bags/bag_files.hpp"
+#include "io/bags/bag_writer.hpp"
+#include "io/bags/compression.hpp"
+#include "io/bags/sqlite_bag_reader.hpp"
+#include "io/recording.hpp"
+#include "unit/io/bags/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ReadMessage;
+
+// Tables as they were before there was a schema version, in version 3, and in version 4.
+const char* const kTopics[] = {
+    "topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format "
+    "TEXT NOT NULL)",
+    "topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format "
+    "TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL DEFAULT '')",
+    "topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format "
+    "TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL DEFAULT '', type_description_hash TEXT NOT "
+    "NULL DEFAULT '')"};
+
+void make_bag(const fs::path& file, const char* topics, const std::vector<std::string>& blobs,
+              int first_time = 0) {
+  sqlite3* database = nullptr;
+  sqlite3_open(file.c_str(), &database);
+  const auto run = [&](const std::string& command) {
+    ASSERT_EQ(sqlite3_exec(database, command.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(database);
+  };
+  run("CREATE TABLE " + std::string(topics));
+  run("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER "
+      "NOT NULL, data BLOB NOT NULL)");
+  run("INSERT INTO topics(id, name, type, serialization_format) VALUES (5, '/p', "
+      "'sensor_msgs/msg/PointCloud2', 'cdr')");
+  sqlite3_stmt* row = nullptr;
+  sqlite3_prepare_v2(database, "INSERT INTO messages(topic_id, timestamp, data) VALUES (5, ?, ?)",
+                     -1, &row, nullptr);
+  for (const std::string& blob : blobs) {
+    sqlite3_bind_int64(row, 1, first_time++);
+    sqlite3_bind_blob(row, 2, blob.data(), static_cast<int>(blob.size()), SQLITE_TRANSIENT);
+    sqlite3_step(row);
+    sqlite3_reset(row);
+  }
+  sqlite3_finalize(row);
+  sqlite3_close(database);
+}
+
+ReadMessage expected(int i, const std::string& blob) {
+  return {"/p", "sensor_msgs/PointCloud2", i, blob};
+}
+
+TEST(SqliteBag, EveryVersionOfTheTables) {
+  for (const char* topics : kTopics) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.path() / "a b%20?#_0.db3";  // what a URI gives a meaning to
+    make_bag(file, topics, {"one", "two"});
+    const auto source = read_sqlite_bag(file);
+    const auto messages = test::read_all_messages(*source);
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_EQ(messages[1], expected(1, "two"));
+    EXPECT_EQ(source->progress(), 1.0);
+    EXPECT_TRUE(source->rewind());
+    EXPECT_EQ(test::read_all_messages(*source), messages);
+  }
+}
+
+TEST(SqliteBag, MessagesThatAreCompressed) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  const std::string large(100'000, 'z');
+  std::string damaged = compress(Compression::kZstd, large);
+  damaged[6] ^= '\x7f';
+  make_bag(file, kTopics[1], {compress(Compression::kZstd, large), damaged, "plain"});
+  const auto source = read_sqlite_bag(file);
+  const auto messages = test::read_all_messages(*source);
+  EXPECT_EQ(messages.front(), expected(0, large));
+  EXPECT_EQ(messages.back(), expected(2, "plain"));
+}
+
+TEST(SqliteBag, FileThatIsCompressedAsAWhole) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  make_bag(file, kTopics[1], {"one", "two"});
+  const fs::path compressed =
+      folder.write("c/a.db3.zstd", compress(Compression::kZstd, test::content_of(file)));
+  EXPECT_EQ(test::read_all_messages(*open_bag(bag_files(folder.path() / "c"))).size(), 2U);
+  EXPECT_EQ(test::read_all_messages(*open_bag({compressed})).size(), 2U);
+}
+
+TEST(SqliteBag, PartsInNaturalOrderAndOnePartThatIsNone) {
+  const test::TemporaryFolder folder;
+  for (const int part : {10, 9, 2}) {
+    make_bag(folder.path() / ("bag_" + std::to_string(part) + ".db3"), kTopics[1], {"x"}, part);
+  }
+  folder.write("bag_11.db3", "no database");
+  folder.write("metadata.yaml", "rosbag2_bagfile_information:\n");
+  const auto source = open_bag(bag_files(folder.path()));
+  const auto messages = test::read_all_messages(*source);
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_EQ(messages[0].logged_ns, 2);
+  EXPECT_EQ(messages[2].logged_ns, 10);
+  EXPECT_NE(test::joined(source->notes()).find("bag_11.db3"), std::string::npos);
+}
+
+TEST(SqliteBag, CutFilesGiveWhatCanBeRead) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  make_bag(file, kTopics[1], std::vector<std::string>(20, std::string(3000, 'x')));
+  const std::string whole = test::content_of(file);
+  std::size_t most = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 1024) {
+    const fs::path cut = folder.write("cut.db3", whole.substr(0, size));
+    try {
+      most = std::max(most, test::read_all_messages(*read_sqlite_bag(cut)).size());
+    } catch (const ReadError&) {
+    }
+  }
+  EXPECT_GT(most, 0U);
+}
+
+TEST(SqliteBag, AnotherDatabaseIsRefused) {
+  const test::TemporaryFolder folder;
+  sqlite3* database = nullptr;
+  sqlite3_open((folder.path() / "a.db3").c_str(), &database);
+  sqlite3_exec(database, "CREATE TABLE songs(name TEXT)", nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  const std::string message =
+      test::message_of<ReadError>([&] { (void)read_sqlite_bag(folder.path() / "a.db3"); });
+  EXPECT_NE(message.find("no rosbag2 file"), std::string::npos) << message;
+  EXPECT_THROW((void)open_bag({folder.path() / "absent.db3"}), ReadError);
+}
+
+TEST(SqliteBag, WhatIsWrittenIsReadBack) {
+  const test::TemporaryFolder folder;
+  const fs::path bag_folder = folder.path() / "walk";
+  const auto bag = make_sqlite_bag(bag_folder);
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  for (int i = 0; i < 3; ++i) bag->write(topic, 100 + i, "message");
+  bag->finish();
+  const auto messages = test::read_all_messages(*open_bag(bag_files(bag_folder)));
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_EQ(messages[2], (ReadMessage{"/points", "sensor_msgs/PointCloud2", 102, "message"}));
+  const std::string metadata = test::content_of(bag_folder / "metadata.yaml");
+  EXPECT_NE(metadata.find("walk_0.db3"), std::string::npos);
+  EXPECT_NE(metadata.find("message_count: 3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace surefoot::io

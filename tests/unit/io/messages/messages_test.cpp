@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Messages byte by byte, as CDR's and ROS 1's rules have them.
+#include <gtest/gtest.h>
+
+#include "io/messages/cloud_message.hpp"
+#include "io/messages/message_reader.hpp"
+#include "io/messages/packet_message.hpp"
+#include "io/messages/point_cloud2_writer.hpp"
+#include "io/recording.hpp"
+#include "io/scan_builder.hpp"
+#include "unit/io/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+using test::big;
+using test::bytes_of;
+using test::little;
+using Encoding = MessageEncoding;
+
+std::string u32(std::uint32_t value) { return little(value); }
+std::string zeros(std::size_t count) { return std::string(count, '\0'); }
+const std::string kCdr("\0\1\0\0", 4);
+
+// Two points of 18 bytes in a row of 40: x y z f32, time f32, ring u16, and 4 of padding.
+std::string points(std::size_t padding) {
+  std::string bytes;
+  for (int i = 0; i < 2; ++i) {
+    const auto f = static_cast<float>(i);
+    bytes += little(1.0F + f) + little(2.0F + f) + little(3.0F + f) + little(0.05F * f);
+    bytes += little(static_cast<std::uint16_t>(7 + i));
+  }
+  return bytes + zeros(padding);
+}
+
+struct FieldBytes {
+  const char* name;
+  std::uint32_t offset;
+  char type;
+};
+constexpr FieldBytes kFields[] = {
+    {"x", 0, 7}, {"y", 4, 7}, {"z", 8, 7}, {"time", 12, 7}, {"ring", 16, 4}};
+
+// CDR pads to the size of what follows, counted after the first four bytes.
+std::string padded(std::string bytes, std::size_t unit) {
+  while ((bytes.size() - 4) % unit != 0) bytes += '\0';
+  return bytes;
+}
+
+std::string cdr_cloud(char big_endian = 0, std::uint32_t height = 1) {
+  std::string m = kCdr + u32(100) + u32(5) + u32(6) + "lidar" + zeros(1);
+  m = padded(m, 4) + u32(height) + u32(2) + u32(5);
+  for (const FieldBytes& field : kFields) {
+    const std::string name(field.name);
+    m = padded(m, 4) + u32(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
+    m = padded(m, 4) + u32(field.offset) + field.type;
+    m = padded(m, 4) + u32(1);
+  }
+  m += big_endian;
+  m = padded(m, 4) + u32(18) + u32(40);
+  std::string data;
+  for (std::uint32_t row = 0; row < height; ++row) data += points(4);
+  return m + u32(static_cast<std::uint32_t>(data.size())) + data + '\1' + zeros(2);
+}
+
+std::string ros1_cloud() {
+  std::string m = u32(9) + u32(100) + u32(5) + u32(5) + "lidar" + u32(1) + u32(2) + u32(5);
+  for (const FieldBytes& field : kFields) {
+    const std::string name(field.name);
+    m += u32(static_cast<std::uint32_t>(name.size())) + name + u32(field.offset) + field.type +
+         u32(1);
+  }
+  return m + zeros(1) + u32(18) + u32(36) + u32(36) + points(0) + '\1';
+}
+
+CloudMessage read(Encoding encoding, const std::string& bytes) {
+  return read_cloud("sensor_msgs/PointCloud2", encoding, bytes_of(bytes));
+}
+
+void expect_two_points(const CloudMessage& cloud, std::size_t size = 2) {
+  EXPECT_EQ(cloud.stamp_ns, 100'000'000'005);
+  EXPECT_EQ(cloud.frame, "lidar");
+  ASSERT_EQ(cloud.table.size, size);
+  const BuiltScan built =
+      build_scan(cloud.table, find_scan_columns(cloud.table, {}),
+                 PointTimeRule{TimeUnit::kSeconds, TimeReference::kRelative, true}, cloud.stamp_ns,
+                 StampAt::kStart);
+  ASSERT_EQ(built.scan.points.size(), size);
+  EXPECT_EQ(built.scan.points[size - 1], Eigen::Vector3f(2, 3, 4));
+  EXPECT_EQ(built.scan.times_ns[size - 1], 50'000'001);  // 0.05 as a float
+  EXPECT_EQ(built.scan.rings[size - 1], 8);
+}
+
+TEST(PointCloud2, CdrAndRos1) {
+  const std::string cdr = cdr_cloud();
+  expect_two_points(read(Encoding::kCdr, cdr));
+  const std::string ros1 = ros1_cloud();
+  expect_two_points(read(Encoding::kRos1, ros1));
+}
+
+TEST(PointCloud2, RowsArePutTogetherWithoutTheirPadding) {
+  const std::string cdr = cdr_cloud(0, 3);
+  expect_two_points(read(Encoding::kCdr, cdr), 6);
+}
+
+TEST(PointCloud2, BigEndianPointsAreRefused) {
+  const std::string cdr = cdr_cloud(1);
+  const std::string message = test::message_of<ReadError>([&] { (void)read(Encoding::kCdr, cdr); });
+  EXPECT_NE(message.find("big-endian"), std::string::npos) << message;
+}
+
+TEST(PointCloud2, EveryCutIsRefused) {
+  const std::string cdr =
+      cdr_cloud().substr(0, cdr_cloud().size() - 3);  // without is_dense and tail
+  for (std::size_t size = 0; size < cdr.size(); ++size) {
+    const std::string cut = cdr.substr(0, size);
+    EXPECT_THROW((void)read(Encoding::kCdr, cut), ReadError) << size;
+  }
+}
+
+TEST(PointCloud2, SizesThatLieAreRefused) {
+  const std::string good = ros1_cloud();
+  const std::size_t width_at = 4 + 8 + 4 + 5 + 4;
+  const std::size_t fields_at = width_at + 4;
+  for (const std::size_t at : {width_at, width_at - 4, fields_at, std::size_t{12}}) {
+    std::string bad = good;
+    bad.replace(at, 4, u32(0xffff'fff0));
+    EXPECT_THROW((void)read(Encoding::kRos1, bad), ReadError) << at;
+  }
+}
+
+// CDR 2 aligns to 4 at most, and has a size before a sequence of structures; "delimited" before
+// every structure. The sizes' values are not needed.
+std::string cdr2_cloud(bool delimited) {
+  const std::string size = delimited ? u32(0) : "";
+  std::string m = std::string("\0", 1) + (delimited ? '\x09' : '\x07') + zeros(2);
+  m += size + size + size + u32(100) + u32(5) + u32(6) + "lidar" + zeros(1);
+  m = padded(m, 4) + u32(1) + u32(2) + u32(0) + u32(5);
+  for (const FieldBytes& field : kFields) {
+    const std::string name(field.name);
+    m = padded(m, 4) + size + u32(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
+    m = padded(m, 4) + u32(field.offset) + field.type;
+    m = padded(m, 4) + u32(1);
+  }
+  m += zeros(1);
+  m = padded(m, 4) + u32(18) + u32(36) + u32(36);
+  return m + points(0) + '\1';
+}
+
+TEST(PointCloud2, Cdr2) {
+  const std::string plain = cdr2_cloud(false);
+  expect_two_points(read(Encoding::kCdr, plain));
+  const std::string delimited = cdr2_cloud(true);
+  expect_two_points(read(Encoding::kCdr, delimited));
+}
+
+TEST(MessageReader, AlignsEightBytesByVersion) {
+  const std::string cdr = kCdr + u32(1) + zeros(4) + little(std::uint64_t{77});
+  MessageReader first(Encoding::kCdr, bytes_of(cdr));
+  (void)first.number<std::uint32_t>("a");
+  EXPECT_EQ(first.number<std::uint64_t>("b"), 77U);
+  const std::string cdr2 = std::string("\0\7\0\0", 4) + u32(1) + little(std::uint64_t{77});
+  MessageReader second(Encoding::kCdr, bytes_of(cdr2));
+  (void)second.number<std::uint32_t>("a");
+  EXPECT_EQ(second.number<std::uint64_t>("b"), 77U);
+  const std::string swapped = zeros(4) + big(std::uint32_t{3}) + "ab" + zeros(1);
+  EXPECT_EQ(MessageReader(Encoding::kCdr, bytes_of(swapped)).string("text"), "ab");
+}
+
+TEST(MessageReader, RefusesOtherRepresentations) {
+  const std::string list = std::string("\0\3\0\0", 4) + zeros(8);
+  const std::string message =
+      test::message_of<ReadError>([&] { MessageReader(Encoding::kCdr, bytes_of(list)); });
+  EXPECT_NE(message.find("representation is 3"), std::string::npos) << message;
+  EXPECT_THROW(MessageReader(Encoding::kOther, bytes_of(list)), ReadError);
+  EXPECT_THROW(MessageReader(Encoding::kCdr, bytes_of(list).first(3)), ReadError);
+}
+
+// Three points, 1 ms apart; the time base 3 ns after the header's stamp.
+std::string livox(bool cdr, std::int64_t base) {
+  std::string m = cdr ? kCdr : u32(0);
+  m += u32(100) + u32(0) + (cdr ? u32(2) + "l" + zeros(1) : u32(1) + "l");
+  if (cdr) m = padded(m, 8);
+  m += little(base) + u32(3) + zeros(4) + u32(3);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (cdr) m = padded(m, 4);
+    m += u32(i * 1'000'000) + little(1.0F) + little(2.0F) + little(static_cast<float>(i));
+    m += std::string("\x09\x10", 2) + static_cast<char>(i);
+  }
+  return m;
+}
+
+TEST(LivoxMessage, BothDrivers) {
+  for (const bool cdr : {false, true}) {
+    const std::string bytes = livox(cdr, 100'000'000'003);
+    const CloudMessage cloud =
+        read_cloud(cdr ? "livox_ros_driver2/CustomMsg" : "livox_ros_driver/CustomMsg",
+                   cdr ? Encoding::kCdr : Encoding::kRos1, bytes_of(bytes));
+    EXPECT_EQ(cloud.stamp_ns, 100'000'000'003);
+    const BuiltScan built =
+        build_scan(cloud.table, find_scan_columns(cloud.table, {}),
+                   PointTimeRule{TimeUnit::kNanoseconds, TimeReference::kRelative, true},
+                   cloud.stamp_ns, StampAt::kStart);
+    ASSERT_EQ(built.scan.points.size(), 3U);
+    EXPECT_EQ(built.scan.times_ns, (std::vector<std::int32_t>{0, 1'000'000, 2'000'000}));
+    EXPECT_EQ(built.scan.points[2], Eigen::Vector3f(1, 2, 2));
+    EXPECT_EQ(built.scan.rings, (std::vector<std::uint16_t>{0, 1, 2}));
+    EXPECT_EQ(built.scan.intensities[1], 9.0F);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      EXPECT_THROW(
+          (void)read_cloud("livox_ros_driver2/CustomMsg", cdr ? Encoding::kCdr : Encoding::kRos1,
+                           bytes_of(bytes).first(size)),
+          ReadError)
+          << size;
+    }
+  }
+}
+
+TEST(LivoxMessage, TimeBaseOfAnotherClockDoesNotCount) {
+  const std::string bytes = livox(true, 5'000'000'000);
+  EXPECT_EQ(read_cloud("livox_ros_driver2/CustomMsg", Encoding::kCdr, bytes_of(bytes)).stamp_ns,
+            100'000'000'000);
+}
+
+std::vector<MessagePacket> packets_of(const Topic& topic, const std::string& bytes) {
+  std::vector<MessagePacket> packets;
+  for_each_packet({&topic, 42, bytes_of(bytes)},
+                  [&](const MessagePacket& packet) { packets.push_back(packet); });
+  return packets;
+}
+
+TEST(PacketMessage, EveryType) {
+  const std::string header = kCdr + u32(1) + u32(2) + u32(1) + zeros(4);
+  std::string velodyne = header + u32(2);
+  std::string pandar = header + u32(2);
+  std::string hesai = header + u32(2);
+  std::string nebula = header + u32(2);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    const std::string stamp = u32(10 + i) + u32(7);
+    velodyne = padded(velodyne, 4) + stamp + std::string(1206, 'a');
+    pandar = padded(pandar, 4) + stamp + std::string(1500, 'b') + u32(568);
+    hesai = padded(hesai, 4) + stamp + u32(5) + "abcde";
+    hesai = padded(hesai, 4) + u32(5);
+    nebula = padded(nebula, 4) + stamp + u32(3) + "xyz";
+  }
+  const struct {
+    const char* type;
+    std::string bytes;
+    std::size_t size;
+  } cases[] = {{"velodyne_msgs/VelodyneScan", velodyne + zeros(2), 1206},
+               {"pandar_msgs/PandarScan", pandar, 568},
+               {"hesai_ros_driver/UdpFrame", hesai, 5},
+               {"nebula_msgs/NebulaPackets", nebula, 3}};
+  for (const auto& one : cases) {
+    const Topic topic{"/t", one.type, Encoding::kCdr};
+    const std::vector<MessagePacket> packets = packets_of(topic, one.bytes);
+    ASSERT_EQ(packets.size(), 2U) << one.type;
+    EXPECT_EQ(packets[1].stamp_ns, 11'000'000'007) << one.type;
+    EXPECT_EQ(packets[1].bytes.size(), one.size) << one.type;
+    EXPECT_THROW((void)packets_of(topic, one.bytes.substr(0, one.bytes.size() / 2)), ReadError);
+  }
+  const Topic ouster{"/t", "ouster_ros/PacketMsg", Encoding::kRos1};
+  const auto packets = packets_of(ouster, u32(4) + "abcd");
+  ASSERT_EQ(packets.size(), 1U);
+  EXPECT_EQ(packets[0].stamp_ns, 42);
+  EXPECT_EQ(packets[0].bytes.size(), 4U);
+}
+
+TEST(PlainTypeName, OfEverySpelling) {
+  for (const char* name :
+       {"sensor_msgs/PointCloud2", "sensor_msgs/msg/PointCloud2",
+        "sensor_msgs::msg::dds_::PointCloud2_", "sensor_msgs::msg::PointCloud2"}) {
+    EXPECT_EQ(plain_type_name(name), "sensor_msgs/PointCloud2") << name;
+  }
+}
+
+TEST(PointCloud2Writer, WhatIsWrittenIsReadBack) {
+  Scan scan;
+  scan.stamp_ns = -1'500'000'000;
+  for (int i = 0; i < 3; ++i) {
+    scan.points.emplace_back(1.0F + static_cast<float>(i), -2.0F, 0.25F);
+    scan.intensities.push_back(0.5F);
+    scan.times_ns.push_back(-100'000'000 + i * 50'000'000);
+    scan.rings.push_back(static_cast<std::uint16_t>(i));
+  }
+  const std::string bytes = format_point_cloud2(scan, "frame", MessageWriter::Flavour::kCdr);
+  const CloudMessage cloud = read(Encoding::kCdr, bytes);
+  EXPECT_EQ(cloud.stamp_ns, scan.stamp_ns);
+  EXPECT_EQ(cloud.frame, "frame");
+  EXPECT_EQ(cloud.table.layout(),
+            "PointCloud2: x f32, y f32, z f32, intensity f32, t i32, ring u16");
+  const Scan back =
+      build_scan(cloud.table, find_scan_columns(cloud.table, {}),
+                 PointTimeRule{TimeUnit::kNanoseconds, TimeReference::kRelative, true},
+                 cloud.stamp_ns, StampAt::kStart)
+          .scan;
+  EXPECT_EQ(back.points, scan.points);
+  EXPECT_EQ(back.intensities, scan.intensities);
+  EXPECT_EQ(back.times_ns, scan.times_ns);
+  EXPECT_EQ(back.rings, scan.rings);
+}
+
+}  // namespace
+}  // namespace surefoot::io

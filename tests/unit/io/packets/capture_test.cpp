@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <limits>
+
+#include "io/recording.hpp"
+#include "unit/io/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::int64_t kStart = 1'453'363'200'000'000'000;  // a whole hour
+constexpr std::int64_t kPeriod = 1'327'104;
+
+std::string payload(unsigned i, unsigned product = 0x22) {
+  return test::vlp16_payload(
+      i * 480 % 36000, 40, static_cast<std::uint32_t>(i * kPeriod / 1000), 0x37,
+      [](auto, auto) {
+        return test::Measured{500, 1};
+      },
+      product);
+}
+
+// Two turns of 75 packets.
+test::PcapFile two_turns(bool nanoseconds, bool big_endian) {
+  test::PcapFile file(1, nanoseconds, big_endian);
+  for (unsigned i = 0; i < 150; ++i) {
+    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+  }
+  return file;
+}
+
+TEST(Capture, EveryMagicGivesTheSame) {
+  const test::TemporaryFolder folder;
+  for (const bool nanoseconds : {false, true}) {
+    for (const bool big_endian : {false, true}) {
+      const auto recording =
+          open_recording(folder.write("a.pcap", two_turns(nanoseconds, big_endian).content()));
+      const auto first = recording->next();
+      const auto second = recording->next();
+      ASSERT_TRUE(first && second);
+      EXPECT_FALSE(recording->next());
+      EXPECT_EQ(first->scan->stamp_ns, kStart);
+      EXPECT_EQ(first->scan->points.size(), 75U * 384U);
+      EXPECT_EQ(first->remark, "");
+      EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
+      EXPECT_EQ(recording->capture_counts().lost, 0U);
+      EXPECT_EQ(recording->progress(), 1.0);
+    }
+  }
+}
+
+TEST(Capture, PcapngGivesTheSame) {
+  const test::TemporaryFolder folder;
+  for (const unsigned decimals : {6U, 9U}) {
+    for (const bool big_endian : {false, true}) {
+      test::PcapngFile file(1, decimals, big_endian);
+      for (unsigned i = 0; i < 150; ++i) {
+        file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+      }
+      const auto recording = open_recording(folder.write("a.pcapng", file.content()));
+      const auto first = recording->next();
+      const auto second = recording->next();
+      ASSERT_TRUE(first && second);
+      EXPECT_FALSE(recording->next());
+      EXPECT_EQ(first->scan->stamp_ns, kStart);
+      EXPECT_EQ(first->scan->points.size(), 75U * 384U);
+      EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
+      EXPECT_EQ(recording->capture_counts().data_packets, 150U);
+    }
+  }
+}
+
+// Without GPS the capture's own stamp gives the start, to the last digit it has.
+TEST(Capture, StampsAreReadToTheirResolution) {
+  const test::TemporaryFolder folder;
+  constexpr std::int64_t kOdd = kStart + 1'800'000'000'000 + 123'456'789;  // half past the hour
+  const std::string frame = test::ethernet_frame(test::ip_packet(payload(0), 2368));
+  const auto stamp_of = [&](auto file) {
+    file.add(kOdd, frame);
+    return open_recording(folder.write("a.pcap", file.content()))->next()->scan->stamp_ns;
+  };
+  EXPECT_EQ(stamp_of(test::PcapngFile(1, 9)), kOdd);
+  EXPECT_EQ(stamp_of(test::PcapngFile(1, 6)), kOdd - 789);
+  EXPECT_EQ(stamp_of(test::PcapngFile(1, 3)), kOdd - 456'789);
+  EXPECT_EQ(stamp_of(test::PcapFile(1, true)), kOdd);
+  EXPECT_EQ(stamp_of(test::PcapFile(1, false)), kOdd - 789);
+}
+
+struct Link {
+  const char* name;
+  std::uint16_t type;  ///< of the capture formats' list, LINKTYPE_...
+  std::string header;  ///< before the IP packet
+};
+
+// As `tcpdump -i any`, a loopback interface and a tunnel write them.
+TEST(Capture, EveryLinkLayerGivesTheSame) {
+  const std::string ipv4("\x08\x00", 2);
+  const Link links[] = {
+      {"Linux cooked", 113, std::string("\0\0\0\x01\0\x06\x60\x76\x88\0\0\0\0\0", 14) + ipv4},
+      {"Linux cooked 2", 276, ipv4 + std::string(18, '\0')},
+      {"loopback, little-endian", 0, std::string("\x02\0\0\0", 4)},
+      {"loopback, big-endian", 108, std::string("\0\0\0\x02", 4)},
+      {"raw IP", 101, ""},
+      {"raw IPv4", 228, ""},
+  };
+  const test::TemporaryFolder folder;
+  for (const Link& link : links) {
+    SCOPED_TRACE(link.name);
+    test::PcapFile classic(link.type);
+    test::PcapngFile next_generation(link.type);
+    for (unsigned i = 0; i < 75; ++i) {
+      const std::string frame = link.header + test::ip_packet(payload(i), 2368);
+      classic.add(kStart + i * kPeriod, frame);
+      next_generation.add(kStart + i * kPeriod, frame);
+    }
+    for (const std::string& content : {classic.content(), next_generation.content()}) {
+      const auto recording = open_recording(folder.write("a.pcap", content));
+      const auto item = recording->next();
+      ASSERT_TRUE(item);
+      EXPECT_EQ(item->scan->stamp_ns, kStart);
+      EXPECT_EQ(item->scan->points.size(), 75U * 384U);
+      EXPECT_EQ(recording->capture_counts().other, 0U);
+    }
+  }
+}
+
+TEST(Capture, OtherTrafficIsCountedAndSkipped) {
+  const test::TemporaryFolder folder;
+  test::PcapFile file;
+  for (unsigned i = 0; i < 75; ++i) {
+    const std::string frame = test::ethernet_frame(test::ip_packet(payload(i), 2368));
+    if (i != 40) {
+      file.add(kStart + i * kPeriod, frame, i == 50 ? 100 : 0);  // one lost, one cut short
+    }
+  }
+  file.add(kStart, test::ethernet_frame(test::ip_packet(std::string(512, 'p'), 8308)));
+  file.add(kStart, test::ethernet_frame(test::ip_packet(payload(1), 9999)));
+  file.add(kStart, "arp");
+  const auto recording = open_recording(folder.write("a.pcap", file.content()));
+  const auto item = recording->next();
+  EXPECT_NE(item->remark.find("partial"), std::string::npos);
+  EXPECT_FALSE(recording->next());
+  const CaptureCounts counts = recording->capture_counts();
+  EXPECT_EQ(counts.data_packets, 73U);
+  EXPECT_EQ(counts.position_packets, 1U);
+  EXPECT_EQ(counts.truncated, 1U);
+  EXPECT_EQ(counts.other, 2U);
+  EXPECT_EQ(counts.lost, 2U);
+}
+
+TEST(Capture, ACaptureThatIsCutShortGivesWhatItHas) {
+  const test::TemporaryFolder folder;
+  const std::string content = two_turns(false, false).content();
+  const auto recording =
+      open_recording(folder.write("a.pcap", content.substr(0, content.size() - 5)));
+  std::size_t scans = 0;
+  while (recording->next()) {
+    ++scans;
+  }
+  EXPECT_EQ(scans, 2U);
+  EXPECT_NE(recording->notes().back().find("cut short"), std::string::npos);
+}
+
+// Seconds that do not fit into 64 bits of nanoseconds; pcapng can say them, by its resolution.
+TEST(Capture, AStampBeyondAllTimesEndsTheCapture) {
+  const test::TemporaryFolder folder;
+  const std::string frame = test::ethernet_frame(test::ip_packet(payload(75), 2368));
+  const std::int64_t ticks = std::numeric_limits<std::int64_t>::max();
+  test::PcapngFile file(1, 9);  // the header's digit says that stamps are nanoseconds
+  for (unsigned i = 0; i < 75; ++i) {
+    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+  }
+  file.add(ticks, frame);  // the year 2262: whole nanoseconds, but no difference to 1970 minus it
+  const auto recording = open_recording(folder.write("late.pcapng", file.content()));
+  ASSERT_TRUE(recording->next());
+  EXPECT_FALSE(recording->next());
+  EXPECT_NE(recording->notes().back().find("stamped 9223372036 s"), std::string::npos)
+      << recording->notes().back();
+
+  test::PcapngFile seconds(1, 0);  // 2^63 - 1 seconds
+  seconds.add_ticks(static_cast<std::uint64_t>(ticks), frame);
+  const auto late = folder.write("seconds.pcapng", seconds.content());
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(late); });
+  EXPECT_NE(message.find("stamped 9223372036854775807 s"), std::string::npos) << message;
+}
+
+TEST(Capture, ErrorsNameWhatWasSeen) {
+  const test::TemporaryFolder folder;
+  const auto error_of = [&](const std::string& content) {
+    const auto file = folder.write("a.pcap", content);
+    return test::message_of<ReadError>([&] { (void)open_recording(file); });
+  };
+  EXPECT_NE(error_of("").find("a.pcap: no pcap"), std::string::npos);
+  EXPECT_NE(error_of("not a capture at all").find("no pcap"), std::string::npos);
+  EXPECT_NE(error_of(test::PcapFile().content()).find("0 packets"), std::string::npos);
+  EXPECT_NE(error_of(test::PcapFile(105).content()).find("link layer 105"), std::string::npos);
+  test::PcapFile velarray;
+  velarray.add(kStart, test::ethernet_frame(test::ip_packet(payload(0, 0x31), 2368)));
+  const std::string product = error_of(velarray.content());
+  EXPECT_NE(product.find("0x31 (Velarray)"), std::string::npos) << product;
+  test::PcapFile elsewhere;
+  elsewhere.add(kStart, test::ethernet_frame(test::ip_packet(payload(0), 2369)));
+  const auto file = folder.write("a.pcap", elsewhere.content());
+  OpenOptions options;
+  options.udp_port = 2368;
+  const auto with = [&] { (void)open_recording(file, options); };
+  EXPECT_NE(test::message_of<ReadError>(with).find("1206 bytes to port 2369"), std::string::npos);
+  options = {};
+  with();
+  options.sensor = "no such thing";
+  EXPECT_NE(test::message_of<ReadError>(with).find("VLP-32C"), std::string::npos);
+  options.sensor = "vlp16";
+  options.calibration_file = folder.path() / "absent.yaml";
+  EXPECT_NE(test::message_of<ReadError>(with).find("absent.yaml"), std::string::npos);
+}
+
+// Opening a pipe would wait for a writer.
+TEST(Capture, ANamedPipeIsRefused) {
+  const test::TemporaryFolder folder;
+  const auto pipe = folder.path() / "a.pcap";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(pipe); });
+  EXPECT_NE(message.find("a.pcap: it is a named pipe"), std::string::npos) << message;
+}
+
+std::filesystem::path shared(const char* file) {
+  return std::filesystem::path(SUREFOOT_SHARED_DATA) / file;
+}
+
+TEST(Capture, ARealSensor) {
+  const auto file = shared("vlp16_pcap/sample_velodyne_vlp16_gps.pcap");
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << file << " is absent";
+  }
+  const auto recording = open_recording(file);
+  std::vector<ScanItem> items;
+  while (auto item = recording->next()) {
+    items.push_back(std::move(*item));
+  }
+  ASSERT_EQ(items.size(), 5U);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    EXPECT_EQ(items[i].remark.empty(), i >= 1 && i <= 3) << items[i].remark;
+  }
+  for (std::size_t i = 2; i <= 4; ++i) {  // 10 turns a second
+    EXPECT_NEAR(double(items[i].scan->stamp_ns - items[i - 1].scan->stamp_ns), 1e8, 1e6);
+  }
+  EXPECT_EQ(recording->capture_counts().data_packets, 293U);
+  EXPECT_EQ(recording->capture_counts().position_packets, 57U);
+  EXPECT_EQ(recording->capture_counts().lost, 0U);
+}
+
+// Two sensors at one port are told apart by their addresses: the first one's packets are taken.
+TEST(Capture, ASecondSensorIsLeftOut) {
+  const test::TemporaryFolder folder;
+  test::PcapFile file;
+  for (unsigned i = 0; i < 75; ++i) {
+    std::string ip = test::ip_packet(payload(i), 2368);
+    file.add(kStart + i * kPeriod, test::ethernet_frame(ip));
+    ip[15] = '\x02';  // of the source address
+    file.add(kStart + i * kPeriod + 1000, test::ethernet_frame(ip));
+  }
+  const auto recording = open_recording(folder.write("a.pcap", file.content()));
+  const auto item = recording->next();
+  EXPECT_EQ(item->scan->points.size(), 75U * 384U);
+  EXPECT_FALSE(recording->next());
+  EXPECT_EQ(recording->capture_counts().data_packets, 75U);
+  EXPECT_EQ(recording->capture_counts().other, 75U);
+}
+
+// Its packets are longer than a frame: fragments. What the sensor says about itself lies beside it.
+TEST(Capture, ARealOuster) {
+  const auto file = shared("ouster_os1/OS-1-128_v2.3.0_1024x10_lb_n3.pcap");
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << file << " is absent";
+  }
+  const auto recording = open_recording(file);
+  EXPECT_NE(recording->description().find("OS-1-128 capture"), std::string::npos);
+  std::vector<std::size_t> points;
+  while (const auto item = recording->next()) {
+    EXPECT_EQ(item->remark, "");
+    points.push_back(item->scan->points.size());
+    const auto [first, last] =
+        std::minmax_element(item->scan->times_ns.begin(), item->scan->times_ns.end());
+    EXPECT_NEAR(1e-9 * (*last - *first), 0.0999, 2e-4);
+  }
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[0] + points[1] + points[2], 322'536U);
+  EXPECT_EQ(recording->capture_counts().data_packets, 192U);
+  EXPECT_EQ(recording->capture_counts().lost, 0U);
+}
+
+TEST(Capture, ARealHdl32) {
+  const auto file = shared("other_pcap/sample_velodyne_hdl32.pcap");
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << file << " is absent";
+  }
+  const auto recording = open_recording(file);
+  EXPECT_NE(recording->description().find("HDL-32E"), std::string::npos);
+  std::size_t whole = 0;
+  while (const auto item = recording->next()) {
+    whole += item->remark.empty() ? 1 : 0;
+    EXPECT_EQ(*std::max_element(item->scan->rings.begin(), item->scan->rings.end()), 31);
+  }
+  EXPECT_GE(whole, 1U);
+}
+
+}  // namespace
+}  // namespace surefoot::io

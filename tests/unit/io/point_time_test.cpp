@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/point_time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "unit/io/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::int64_t kEpochNs = 1630577758569489956;
+
+struct Case {
+  const char* driver;
+  double least, greatest;
+  ScalarType type;
+  std::optional<std::int64_t> stamp_ns;
+  TimeUnit unit;
+  TimeReference reference;
+};
+
+class PointTime : public testing::TestWithParam<Case> {};
+
+TEST_P(PointTime, IsFoundOutFromTheValues) {
+  const Case& c = GetParam();
+  const PointTimeRule rule = decide_point_time({c.least, c.greatest, 10}, c.type, c.stamp_ns, {});
+  EXPECT_EQ(rule.unit, c.unit);
+  EXPECT_EQ(rule.reference, c.reference);
+  EXPECT_TRUE(rule.certain);
+}
+
+using enum ScalarType;
+using enum TimeUnit;
+constexpr TimeReference kRelative = TimeReference::kRelative;
+constexpr TimeReference kAbsolute = TimeReference::kAbsolute;
+INSTANTIATE_TEST_SUITE_P(
+    Drivers, PointTime,
+    testing::Values(
+        Case{"Velodyne", -0.0996, 0.0, kF32, kEpochNs, kSeconds, kRelative},
+        Case{"Velodyne, first packet", 0.0, 0.0996, kF32, kEpochNs, kSeconds, kRelative},
+        Case{"Velodyne, last returns missing", -0.1, -0.03, kF32, kEpochNs, kSeconds, kRelative},
+        Case{"Ouster", 0, 99'900'000, kU32, kEpochNs, kNanoseconds, kRelative},
+        Case{"Ouster, 20 Hz", 0, 49'900'000, kU32, std::nullopt, kNanoseconds, kRelative},
+        Case{"Hesai", 1.6305777585e9, 1.6305777586e9, kF64, kEpochNs, kSeconds, kAbsolute},
+        Case{"Hesai, stamp at the end", 1.6305777584e9, 1.6305777585e9, kF64, kEpochNs, kSeconds,
+             kAbsolute},
+        Case{"RoboSense, no stamp", 1.6305777585e9, 1.6305777586e9, kF64, std::nullopt, kSeconds,
+             kAbsolute},
+        Case{"Livox PointCloud2", 1.6305777585e18, 1.6305777586e18, kF64, kEpochNs, kNanoseconds,
+             kAbsolute},
+        Case{"Livox CustomMsg", 0, 99'950'000, kU32, kEpochNs, kNanoseconds, kRelative},
+        Case{"since power-on", 35.2, 35.3, kF64, 35'200'000'000, kSeconds, kAbsolute},
+        Case{"since power-on, no stamp", 35.2, 35.3, kF64, std::nullopt, kSeconds, kAbsolute},
+        Case{"milliseconds", 0, 99.9, kF32, kEpochNs, kMilliseconds, kRelative},
+        Case{"microseconds", 0, 99'900, kU32, kEpochNs, kMicroseconds, kRelative},
+        Case{"microseconds, 100 Hz", 0, 9'950, kU32, kEpochNs, kMicroseconds, kRelative},
+        Case{"epoch microseconds", 1.6305777585e15, 1.6305777586e15, kU64, kEpochNs, kMicroseconds,
+             kAbsolute},
+        Case{"epoch milliseconds", 1.630577758569e12, 1.630577758669e12, kF64, kEpochNs,
+             kMilliseconds, kAbsolute},
+        Case{"short scan", 2303, 1'306'368, kU32, kEpochNs, kNanoseconds, kRelative},
+        Case{"half a short scan", 0.0, 0.004, kF32, kEpochNs, kSeconds, kRelative},
+        Case{"mid-scan stamp", -0.05, 0.05, kF32, kEpochNs, kSeconds, kRelative}),
+    [](const auto& of) {
+      std::string name;
+      for (const char c : std::string(of.param.driver)) {
+        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+      }
+      return name;
+    });
+
+TEST(PointTimeRules, EqualTimesAreLegalButProveNothing) {
+  const PointTimeRule zero = decide_point_time({0, 0, 5}, kF32, kEpochNs, {});
+  EXPECT_EQ(zero.reference, kRelative);
+  EXPECT_FALSE(zero.certain);
+  const PointTimeRule epoch = decide_point_time({1.6305777585e9, 1.6305777585e9, 5}, kF64, {}, {});
+  EXPECT_EQ(epoch.unit, kSeconds);
+  EXPECT_EQ(epoch.reference, kAbsolute);
+}
+
+// A recording whose stamps begin at zero: the first scan fits both, a later one decides.
+TEST(PointTimeRules, StampNearZeroIsUncertain) {
+  EXPECT_FALSE(decide_point_time({0.0, 0.1, 5}, kF32, 0, {}).certain);
+  EXPECT_FALSE(decide_point_time({0.0, 0.1, 5}, kF32, 1'000'000'000, {}).certain);
+  const PointTimeRule later = decide_point_time({9.0, 9.1, 5}, kF32, 9'000'000'000, {});
+  EXPECT_EQ(later.reference, kAbsolute);
+  EXPECT_TRUE(later.certain);
+}
+
+TEST(PointTimeRules, NoRuleIsAnErrorThatNamesTheValues) {
+  struct Odd {
+    double least, greatest;
+    ScalarType type;
+    std::optional<std::int64_t> stamp;
+  };
+  for (const Odd& odd : {Odd{0, 7, kU32, kEpochNs}, Odd{0, 5000, kF32, kEpochNs},
+                         Odd{0, 1e12, kF64, kEpochNs}, Odd{50.0, 50.1, kF64, kEpochNs},
+                         Odd{-50.0, -49.9, kF64, {}}, Odd{12345, 12345, kU32, kEpochNs}}) {
+    const std::string message = test::message_of<ReadError>([&] {
+      (void)decide_point_time({odd.least, odd.greatest, 5}, odd.type, odd.stamp, {});
+    });
+    EXPECT_NE(message.find(name_of(odd.type)), std::string::npos) << odd.greatest << message;
+    EXPECT_NE(message.find("expected"), std::string::npos) << message;
+  }
+}
+
+TEST(PointTimeRules, OptionsOverride) {
+  OpenOptions options;
+  options.time_unit = kMicroseconds;
+  options.time_reference = kAbsolute;
+  const PointTimeRule rule = decide_point_time({0, 7, 5}, kU32, kEpochNs, options);
+  EXPECT_EQ(rule.unit, kMicroseconds);
+  EXPECT_EQ(rule.reference, kAbsolute);
+}
+
+TEST(ToNanoseconds, Exact) {
+  EXPECT_EQ(to_nanoseconds(std::uint32_t{4'000'000'000U}, 1), 4'000'000'000);
+  EXPECT_EQ(to_nanoseconds(0.1F, 1'000'000'000), 100'000'001);  // the float is 0.100000001490...
+  EXPECT_EQ(to_nanoseconds(-0.25, 1'000'000'000), -250'000'000);
+  // 2^-22 s is the step of a double at 1.6e9 s.
+  EXPECT_EQ(to_nanoseconds(1630577758.0 + 0x1p-22, 1'000'000'000), 1630577758000000238);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300, 1e10,
+                           std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(to_nanoseconds(bad, 1'000'000'000), std::nullopt) << bad;
+  }
+  EXPECT_EQ(to_nanoseconds(std::numeric_limits<std::uint64_t>::max(), 1), std::nullopt);
+  EXPECT_EQ(to_nanoseconds(std::numeric_limits<std::int64_t>::max(), 1000), std::nullopt);
+}
+
+}  // namespace
+}  // namespace surefoot::io

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Stamps that cannot be, mended by what the scans before and after tell.
+#include "io/stamp_repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kStart = 1'700'000'000 * kSecond + 123;
+
+/// Scans out of memory, each of one point that tells its number.
+class Stamped : public Recording {
+ public:
+  explicit Stamped(std::vector<std::int64_t> stamps) : stamps_(std::move(stamps)) {}
+  std::optional<ScanItem> next() override {
+    if (next_ == stamps_.size()) return std::nullopt;
+    ScanItem item;
+    item.name = "scan " + std::to_string(next_);
+    item.scan.emplace();
+    item.scan->points = {{1.0F, 2.0F, static_cast<float>(next_)}};
+    item.scan->stamp_ns = stamps_[next_++];
+    return item;
+  }
+  std::optional<std::size_t> size() const override { return stamps_.size(); }
+  void skip(std::size_t scans) override { next_ = std::min(next_ + scans, stamps_.size()); }
+  double progress() const override { return 0.0; }
+  const std::vector<std::string>& notes() const override { return notes_; }
+  std::string description() const override { return "memory"; }
+
+ private:
+  std::vector<std::int64_t> stamps_;
+  std::size_t next_ = 0;
+  std::vector<std::string> notes_;
+};
+
+std::vector<std::int64_t> regular(std::size_t count) {
+  std::vector<std::int64_t> stamps;
+  for (std::size_t i = 0; i < count; ++i) {
+    stamps.push_back(kStart + static_cast<std::int64_t>(i) * kSecond / 10);
+  }
+  return stamps;
+}
+
+struct Repaired {
+  std::vector<std::int64_t> stamps;
+  std::vector<std::string> notes;
+};
+
+Repaired repaired(std::vector<std::int64_t> stamps) {
+  const auto recording = repair_stamps(std::make_unique<Stamped>(std::move(stamps)), {});
+  Repaired result;
+  while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
+  result.notes = recording->notes();
+  return result;
+}
+
+TEST(StampRepair, LeavesWhatCanBeToTheNanosecond) {
+  std::vector<std::int64_t> stamps = regular(30);
+  stamps[7] += 12'345'678;                                            // jitter
+  for (std::size_t i = 12; i < 30; ++i) stamps[i] += 40 * kSecond;    // a gap
+  for (std::size_t i = 20; i < 30; ++i) stamps[i] += 3600 * kSecond;  // and a long one
+  const Repaired result = repaired(stamps);
+  EXPECT_EQ(result.stamps, stamps);
+  EXPECT_TRUE(result.notes.empty());
+}
+
+TEST(StampRepair, OneWildStampIsPutWhereItBelongs) {
+  for (const std::int64_t off : {2 * kSecond, -2 * kSecond, 3600 * kSecond, -3600 * kSecond}) {
+    for (const std::size_t at : {std::size_t{0}, std::size_t{1}, std::size_t{9}}) {
+      std::vector<std::int64_t> stamps = regular(20);
+      stamps[at] += off;
+      if (at == 0 && off < 0) continue;  // a gap after the first scan
+      const Repaired result = repaired(stamps);
+      EXPECT_EQ(result.stamps, regular(20)) << off << " at " << at;
+      ASSERT_EQ(result.notes.size(), 1U);
+      EXPECT_NE(result.notes[0].find("scan " + std::to_string(at)), std::string::npos);
+    }
+  }
+}
+
+TEST(StampRepair, AClockThatIsSetBackGoesOn) {
+  for (const std::int64_t back : {kSecond / 2, 2 * kSecond, 3600 * kSecond}) {
+    std::vector<std::int64_t> stamps = regular(20);
+    for (std::size_t i = 8; i < 20; ++i) stamps[i] -= back;
+    const Repaired result = repaired(stamps);
+    EXPECT_EQ(result.stamps, regular(20)) << back;
+    EXPECT_EQ(result.notes.size(), 1U);
+  }
+}
+
+TEST(StampRepair, StampsThatStandGrowByTheUsualInterval) {
+  std::vector<std::int64_t> stamps = regular(20);
+  for (std::size_t i = 8; i < 20; ++i) stamps[i] = stamps[7];
+  EXPECT_EQ(repaired(stamps).stamps, regular(20));
+  // From the first on: nothing tells the interval, 10 a second is assumed.
+  EXPECT_EQ(repaired(std::vector<std::int64_t>(20, kStart)).stamps, regular(20));
+}
+
+TEST(StampRepair, WhatWasSentTwiceIsLeftOut) {
+  class Twice : public Stamped {
+   public:
+    Twice() : Stamped(regular(10)) {}
+    std::optional<ScanItem> next() override {
+      if (again_) return std::exchange(again_, std::nullopt);
+      std::optional<ScanItem> item = Stamped::next();
+      if (item && item->name == "scan 4") again_ = item;
+      return item;
+    }
+    std::optional<ScanItem> again_;
+  };
+  const auto recording = repair_stamps(std::make_unique<Twice>(), {});
+  std::vector<std::int64_t> stamps;
+  while (const auto item = recording->next()) stamps.push_back(item->scan->stamp_ns);
+  EXPECT_EQ(stamps, regular(10));
+  EXPECT_EQ(recording->notes().size(), 1U);
+}
+
+TEST(StampRepair, AnythingGrows) {
+  constexpr auto kFar = std::numeric_limits<std::int64_t>::max() / 8;
+  std::vector<std::int64_t> stamps = {kFar, -kFar, 0, 5, -7, -kFar, 3, kFar, 1, 2, 0};
+  for (int turn = 0; turn < 11; ++turn) {
+    std::rotate(stamps.begin(), stamps.begin() + 1, stamps.end());
+    const Repaired result = repaired(stamps);
+    ASSERT_EQ(result.stamps.size(), stamps.size());
+    for (std::size_t i = 1; i < result.stamps.size(); ++i) {
+      EXPECT_GT(result.stamps[i], result.stamps[i - 1]) << turn << " " << i;
+    }
+  }
+  constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  EXPECT_EQ(repaired({kMost, kLeast, 0, kMost, kLeast, kMost, kMost}).stamps.size(), 7U);
+  EXPECT_TRUE(repaired({}).stamps.empty());
+}
+
+}  // namespace
+}  // namespace surefoot::io

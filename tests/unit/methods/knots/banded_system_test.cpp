@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The chain's solver against Eigen's dense Cholesky and inverse.
+#include "methods/knots/banded_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+/// A positive definite chain, as the solver and as a dense matrix hold it.
+struct Chain {
+  BandedSystem system;
+  Eigen::MatrixXd H;
+  Eigen::VectorXd g;
+
+  explicit Chain(std::size_t poses)
+      : system(poses), H(Eigen::MatrixXd::Zero(6 * poses, 6 * poses)), g(6 * poses) {
+    g.setZero();
+  }
+  void add(std::size_t row, std::size_t column, const Matrix6& block) {
+    system.add(row, column, block);
+    H.block<6, 6>(6 * row, 6 * column) += block;
+    if (row != column) H.block<6, 6>(6 * column, 6 * row) += block.transpose();
+  }
+};
+
+Eigen::MatrixXd random_matrix(Random& random, Eigen::Index rows, Eigen::Index columns) {
+  Eigen::MatrixXd m(rows, columns);
+  for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = random.normal(1.0);
+  return m;
+}
+
+/// Least-squares terms over three neighbouring poses at a time, in mixed units.
+Chain random_chain(Random& random, std::size_t poses) {
+  Chain chain(poses);
+  for (std::size_t first = 0; first < poses; ++first) {
+    const std::size_t count = std::min<std::size_t>(3, poses - first);
+    Eigen::MatrixXd J = random_matrix(random, 24, static_cast<Eigen::Index>(6 * count));
+    for (Eigen::Index c = 0; c < J.cols(); ++c)
+      J.col(c) *= std::pow(10.0, 0.4 * static_cast<double>(c % 6) - 1.0);
+    const Eigen::MatrixXd products = J.transpose() * J;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        chain.add(first + i, first + j, products.block<6, 6>(6 * i, 6 * j));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < poses; ++i) {
+    const Twist gradient = random.twist(5.0, 5.0);
+    chain.system.add(i, gradient);
+    chain.g.segment<6>(6 * i) += gradient;
+  }
+  return chain;
+}
+
+TEST(BandedSystem, StepAndCovarianceEqualTheDenseOnes) {
+  Random random(1);
+  for (std::size_t poses = 1; poses <= 20; ++poses) {
+    Chain chain = random_chain(random, poses);
+    ASSERT_TRUE(chain.system.factorise()) << poses << " poses";
+    const Eigen::VectorXd expected = chain.H.llt().solve(-chain.g);
+    const Eigen::MatrixXd inverse = chain.H.inverse();
+    const auto step = chain.system.solve();
+    const auto covariance = chain.system.covariance();
+    ASSERT_EQ(step.size(), poses);
+    for (std::size_t i = 0; i < poses; ++i) {
+      EXPECT_LT((step[i] - expected.segment<6>(6 * i)).norm(), 1e-9 * expected.norm());
+      for (std::size_t j = 0; j < poses; ++j) {
+        if (std::max(i, j) - std::min(i, j) > 2) continue;
+        const Matrix6 block = inverse.block<6, 6>(6 * i, 6 * j);
+        EXPECT_LT((covariance(i, j) - block).norm(), 1e-9 * inverse.norm())
+            << "block " << i << ", " << j << " of " << poses;
+      }
+    }
+  }
+}
+
+TEST(BandedSystem, TermsAddUp) {
+  Random random(2);
+  const Chain chain = random_chain(random, 5);
+  BandedSystem once = chain.system, twice = chain.system;
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t j = i > 2 ? i - 2 : 0; j <= i; ++j) {
+      twice.add(i, j, chain.H.block<6, 6>(6 * i, 6 * j));
+    }
+  }
+  ASSERT_TRUE(once.factorise() && twice.factorise());
+  const auto a = once.solve(), b = twice.solve();
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_LT((a[i] - 2.0 * b[i]).norm(), 1e-12);
+}
+
+TEST(BandedSystem, WhatIsNotPositiveDefiniteIsToldSo) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const std::size_t at : {0U, 3U, 6U}) {
+    Random random(3);
+    Chain chain = random_chain(random, 7);
+    ASSERT_TRUE(BandedSystem(chain.system).factorise());
+    for (const double bad : {-1e6, nan, infinity}) {
+      BandedSystem system = chain.system;
+      Matrix6 block = Matrix6::Zero();
+      block(4, 4) = bad;
+      system.add(at, at, block);
+      EXPECT_FALSE(system.factorise()) << bad << " at pose " << at;
+    }
+    if (at == 0) continue;
+    BandedSystem system = chain.system;
+    system.add(at, at - 1, Matrix6::Constant(nan));
+    EXPECT_FALSE(system.factorise()) << "beside the diagonal at pose " << at;
+  }
+}
+
+TEST(BandedSystem, APoseWithoutTermsIsSingular) {
+  for (const std::size_t without : {0U, 2U, 4U}) {
+    BandedSystem system(5);
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (i != without) system.add(i, i, Matrix6::Identity());
+    }
+    EXPECT_FALSE(system.factorise());
+  }
+  // Poses that are only tied to each other may still move together.
+  BandedSystem loose(2);
+  loose.add(0, 0, Matrix6::Identity());
+  loose.add(1, 0, -Matrix6::Identity());
+  loose.add(1, 1, Matrix6::Identity());
+  EXPECT_FALSE(loose.factorise());
+}
+
+}  // namespace
+}  // namespace surefoot

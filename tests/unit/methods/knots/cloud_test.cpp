@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Clouds: what a voxel of leaves, grass or stones tells, that holds neither plane nor pole.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "methods/knots/surfel_map.hpp"
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+using Points = std::vector<Eigen::Vector3d>;
+
+const Eigen::Vector3d kSensor(-6.0, 3.0, 1.0);
+const Eigen::Vector3d kMiddle(0.2, 0.2, 0.2);  // of the finest voxel at the origin
+
+Config::Knots knots_config() {
+  Config::Knots config = Config().knots;
+  config.finest_voxel = 0.4;
+  config.levels = 4;
+  config.ring_gap = 0.03;
+  return config;
+}
+
+SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config()) {
+  SurfelMap map(config, 100.0);
+  map.insert(points, kSensor);
+  return map;
+}
+
+const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
+  SurfelMap::Place fresh;
+  return map.find(place, place - kSensor, finest, fresh);
+}
+
+Points shrub(Random& random, int count, double radius) {
+  Points points;
+  for (int i = 0; i < count; ++i) points.emplace_back(kMiddle + radius * random.unit_vector());
+  return points;
+}
+
+/// Of a surfel with three directions [m^2].
+Eigen::Matrix3d covariance_of(const Surfel& surfel) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int d = 0; d < 3; ++d) {
+    sum += surfel.variance[d] * surfel.across[d] * surfel.across[d].transpose();
+  }
+  return sum;
+}
+
+TEST(Cloud, ItIsItsPointsGaussianAndWhatTheRingsLeaveUnseen) {
+  Random random(21);
+  const Points points = shrub(random, 100, 0.15);
+  const SurfelMap map = map_of(points);
+  const Surfel* const cloud = find(map, kMiddle);
+  ASSERT_NE(cloud, nullptr);
+  ASSERT_TRUE(cloud->cloud());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), rays = Eigen::Vector3d::Zero();
+  double squared_range = 0.0;
+  for (const auto& point : points) {
+    mean += point / 100.0;
+    rays += (point - kSensor).normalized();
+    squared_range += (point - kSensor).squaredNorm() / 100.0;
+  }
+  Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
+  for (const auto& p : points) expected += (p - mean) * (p - mean).transpose() / 100.0;
+  // Anywhere up to the next ring, on either side: a variance of a third of the gap squared.
+  const Eigen::Vector3d ray = rays.normalized();
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - ray * ray.transpose();
+  expected += 0.03 * 0.03 * squared_range / 3.0 * across;
+  EXPECT_LT((cloud->mean - mean).norm(), 1e-12);
+  EXPECT_LT((covariance_of(*cloud) - expected).norm(), 1e-12);
+}
+
+TEST(Cloud, OneRingTellsNothingBetweenTheRings) {
+  Random random(22);
+  Points ring;  // along y, as one beam sweeps it over a leaf: no height at all
+  for (int i = 0; i < 40; ++i) ring.emplace_back(0.2, random.uniform(0.02, 0.38), 0.2);
+  const SurfelMap map = map_of(ring);
+  const Surfel* const cloud = find(map, kMiddle);
+  ASSERT_NE(cloud, nullptr);
+  ASSERT_TRUE(cloud->cloud());
+  const double range = (kMiddle - kSensor).norm();
+  EXPECT_GT(covariance_of(*cloud)(2, 2), 0.9 * 0.03 * 0.03 * range * range / 3.0);
+  // The farther, the less is known.
+  EXPECT_LT(covariance_of(*cloud)(2, 2), 1.1 * 0.03 * 0.03 * range * range / 3.0);
+}
+
+TEST(Cloud, PlanesAndPolesComeFirstOnWhicheverGrid) {
+  Points rings;  // of a floor, 0.8 m apart: lines in the finest voxels, a plane in coarser ones
+  for (int row = 0; row < 4; ++row) {
+    for (int i = 0; i < 60; ++i) rings.emplace_back(0.053 * i, 0.2 + 0.8 * row, 0.1);
+  }
+  const SurfelMap map = map_of(rings);
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(0.5, 0.2, 0.1), {0.5, 0.6, 0.1}}) {
+    const Surfel* const surfel = find(map, place);
+    ASSERT_NE(surfel, nullptr);
+    EXPECT_EQ(surfel->directions, 1);
+  }
+  Config::Knots fine = knots_config();
+  fine.levels = 1;
+  const SurfelMap lines = map_of(rings, fine);
+  const Surfel* const line = find(lines, {0.5, 0.2, 0.1});
+  ASSERT_NE(line, nullptr);
+  EXPECT_TRUE(line->cloud());
+}
+
+TEST(Cloud, TheFinestOneAnswersAgainAndAgain) {
+  Random random(23);
+  const SurfelMap map = map_of(shrub(random, 200, 0.6));
+  for (int finest = 0; finest < 4; ++finest) {
+    SurfelMap::Place remembered;
+    const Eigen::Vector3d place = kMiddle + Eigen::Vector3d(0.45, 0.3, 0.2);
+    const Surfel* const first = map.find(place, place - kSensor, finest, remembered);
+    if (first == nullptr) continue;
+    EXPECT_EQ(map.find(place, place - kSensor, finest, remembered), first);
+    EXPECT_EQ(find(map, place, finest), first);
+    if (first->cloud()) EXPECT_GE(remembered.level, finest);
+  }
+  ASSERT_NE(find(map, kMiddle, 2), nullptr);
+  EXPECT_TRUE(find(map, kMiddle, 2)->cloud());
+}
+
+TEST(Cloud, NoneOfTooFewPointsAndNoneWithoutWeight) {
+  Random random(24);
+  const Points points = shrub(random, 100, 0.15);
+  EXPECT_EQ(find(map_of(Points(points.begin(), points.begin() + 5)), kMiddle), nullptr);
+  Config::Knots without = knots_config();
+  without.cloud_weight = 0.0;
+  EXPECT_EQ(find(map_of(points, without), kMiddle), nullptr);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,595 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// One scan of a swaying sensor against a map made with the true motion.
+#include "methods/knots/knot_attempts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "support/random.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scenes and motions of the test support
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kScanStart = 0.7;  // [s]
+constexpr int kSegments = 8;
+constexpr double kStep = 0.1 / kSegments;  // [s]
+const Pose kStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
+const StepObserver kNobody = [](Step) {};
+
+/// Rolls and pitches by up to 3.5 deg at 2.5 Hz while it walks: 0.5 rad/s.
+Pose swaying(double t) {
+  const double phase = 2.0 * std::numbers::pi * 2.5 * t;
+  const Eigen::Vector3d angles(3.5 * kDegree * std::sin(phase), 2.5 * kDegree * std::cos(phase),
+                               1.0 * kDegree * std::sin(phase + 1.0));
+  return kStart * Pose{from_roll_pitch_yaw(angles), {0.8 * t, 0.0, 0.02 * std::sin(2.0 * phase)}};
+}
+
+double seconds(const Scan& scan, std::size_t point) {
+  return 1e-9 * static_cast<double>(scan.stamp_ns + scan.times_ns[point]);
+}
+
+/// Six scans of the same walk, every point where it was seen.
+const SurfelMap& true_map() {
+  static const SurfelMap map = [] {
+    SurfelMap made(Config().knots, 100.0);
+    for (const Scan& scan : take_scans(furnished_hall(), swaying, 6)) {
+      std::vector<Eigen::Vector3d> points;
+      for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        if (scan.points[i].isZero()) continue;
+        points.emplace_back(swaying(seconds(scan, i)) * scan.points[i].cast<double>());
+      }
+      made.insert(points, swaying(seconds(scan, 0)).translation);
+    }
+    return made;
+  }();
+  return map;
+}
+
+/// Every third point of the scan that begins at kScanStart.
+KnotPoints take_points() {
+  const Scan scan = take_scan(furnished_hall(), swaying, kScanStart, {});
+  KnotPoints points;
+  for (int segment = 0; segment < kSegments; ++segment) {
+    points.begins.push_back(points.points.size());
+    for (std::size_t i = 0; i < scan.points.size(); i += 3) {
+      const double share = (seconds(scan, i) - kScanStart) / kStep;
+      if (scan.points[i].isZero() || std::min(static_cast<int>(share), kSegments - 1) != segment) {
+        continue;
+      }
+      points.points.push_back({scan.points[i].cast<double>(), share - segment, {}});
+    }
+  }
+  points.begins.push_back(points.points.size());
+  return points;
+}
+
+const KnotPoints& scan_points() {
+  static const KnotPoints points = take_points();
+  return points;
+}
+
+double knot_time(std::size_t k) { return kScanStart + (static_cast<double>(k) - 1.0) * kStep; }
+
+KnotWindow window_along(const std::function<Pose(double)>& motion) {
+  KnotWindow window{{}, kStep, kStep, 700'000'000, 800'000'000};
+  for (std::size_t k = 0; k < kSegments + 2; ++k) window.knots.push_back(motion(knot_time(k)));
+  return window;
+}
+
+/// The first two knots, known to `sigma` [m, rad].
+KnotPrior prior_at(const KnotWindow& window, double sigma) {
+  return {{window.knots[0], window.knots[1]},
+          Eigen::Matrix<double, 12, 12>::Identity() / (sigma * sigma)};
+}
+
+KnotRegistration register_from(const KnotWindow& start, const KnotPrior& prior,
+                               const Config::Knots& config = Config().knots, int threads = 1) {
+  KnotPoints points = scan_points();
+  const VelocityModel model(config);
+  const Workers workers(threads);
+  return register_knots(points, {true_map(), prior, model, config, workers, kNobody}, start,
+                        usual_annealing(config));
+}
+
+struct KnotError {
+  double translation = 0.0, rotation_deg = 0.0;  ///< largest of the scan's knots
+};
+
+KnotError error_of(const KnotWindow& window) {
+  KnotError error;
+  for (std::size_t k = 1; k < window.knots.size(); ++k) {
+    const Twist miss = difference(window.knots[k], swaying(knot_time(k)));
+    error.translation = std::max(error.translation, miss.head<3>().norm());
+    error.rotation_deg = std::max(error.rotation_deg, miss.tail<3>().norm() / kDegree);
+  }
+  return error;
+}
+
+TEST(KnotRegistration, AtTheTruthItStays) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotRegistration found = register_from(truth, prior_at(truth, 0.01));
+  EXPECT_TRUE(found.solved);
+  EXPECT_TRUE(found.converged);
+  EXPECT_LT(found.misfit, 0.25);  // measured: 0.174
+  EXPECT_GT(found.matches, 1500);
+  const KnotError error = error_of(found.window);
+  std::printf("from the truth: %.4f m, %.3f deg, misfit %.3f, %d iterations\n", error.translation,
+              error.rotation_deg, found.misfit, found.iterations);
+  EXPECT_LT(error.translation, 0.02);  // measured: 0.0135
+  EXPECT_LT(error.rotation_deg, 0.7);  // measured: 0.46
+}
+
+TEST(KnotRegistration, FromFiveCentimetresAndDegreesOffItConverges) {
+  Random random(1);
+  const KnotWindow truth = window_along(swaying);
+  for (int i = 0; i < 8; ++i) {
+    Twist off;
+    off << 0.05 * random.unit_vector(), 1.5 * kDegree * random.unit_vector();
+    KnotWindow start = truth;
+    for (Pose& knot : start.knots) knot = displaced(knot, off);
+    const KnotRegistration found = register_from(start, prior_at(start, 0.05));
+    EXPECT_TRUE(found.converged);
+    const KnotError error = error_of(found.window);
+    std::printf("from 5 cm, 1.5 deg off: %.4f m, %.3f deg\n", error.translation,
+                error.rotation_deg);
+    EXPECT_LT(error.translation, 0.023);  // measured: 0.011 .. 0.015
+    EXPECT_LT(error.rotation_deg, 1.0);   // measured: 0.49 .. 0.73
+  }
+}
+
+TEST(KnotRegistration, TheSwayWithinTheScanIsFound) {
+  // Predicted as if the sensor went on without turning.
+  const KnotWindow truth = window_along(swaying);
+  KnotWindow steady = window_along([](double t) {
+    return Pose{swaying(kScanStart).rotation,
+                swaying(kScanStart).translation + Eigen::Vector3d(0.8 * (t - kScanStart), 0, 0)};
+  });
+  steady.knots[0] = truth.knots[0];
+  const KnotError predicted = error_of(steady);
+  const KnotRegistration found = register_from(steady, prior_at(truth, 0.01));
+  const KnotError error = error_of(found.window);
+  std::printf("sway: %.3f deg predicted, %.3f deg found; %.4f m\n", predicted.rotation_deg,
+              error.rotation_deg, error.translation);
+  EXPECT_GT(predicted.rotation_deg, 2.0);
+  EXPECT_LT(error.rotation_deg, 0.15 * predicted.rotation_deg);  // measured: 0.46 of 4.49
+  EXPECT_LT(error.translation, 0.02);                            // measured: 0.0135
+}
+
+/// What the registration minimises once its kernel is narrow, written down anew.
+double cost(const KnotWindow& window, const KnotPrior& prior, const Config::Knots& config) {
+  const VelocityModel model(config);
+  double sum = 0.0;
+  const KnotPoints& points = scan_points();
+  for (std::size_t s = 0; s < window.segments(); ++s) {
+    const Twist turn = se3_log(window.knots[s + 1].inverse() * window.knots[s + 2]);
+    for (std::size_t i = points.begins[s]; i < points.begins[s + 1]; ++i) {
+      const KnotPoints::Point& point = points.points[i];
+      const Pose T = window.knots[s + 1] * se3_exp(point.share * turn);
+      const Eigen::Vector3d place = T * point.position;
+      SurfelMap::Place unknown;
+      const Surfel* const surfel = true_map().find(place, place - T.translation, 0, unknown);
+      for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+        const double r = surfel->across[d].dot(place - surfel->mean);
+        const double variance = config.noise * config.noise + surfel->variance[d];
+        const double share = surfel->directions == 3 ? config.cloud_weight : 1.0;
+        // Geman-McClure
+        sum += 0.5 * share * config.independence * r * r / (variance + r * r / 9.0);
+      }
+    }
+  }
+  for (std::size_t k = 0; k + 2 < window.knots.size(); ++k) {
+    const double phi = std::exp(-kStep / config.correlation_time);
+    const Twist e = window.velocity(k + 1) - phi * window.velocity(k);
+    const Twist s = model.fluctuation();
+    sum += 0.5 * e.cwiseQuotient(s).squaredNorm() / (1.0 - phi * phi);
+  }
+  Eigen::Matrix<double, 12, 1> e;
+  e << difference(window.knots[0], prior.means[0]), difference(window.knots[1], prior.means[1]);
+  return sum + 0.5 * e.dot(prior.information * e);
+}
+
+Twist gradient(KnotWindow window, std::size_t knot, const KnotPrior& prior,
+               const Config::Knots& config) {
+  constexpr double kSmall = 1e-6;
+  Twist result;
+  const Pose at = window.knots[knot];
+  for (int axis = 0; axis < 6; ++axis) {
+    double values[2];
+    for (const int side : {0, 1}) {
+      Twist by = Twist::Zero();
+      by[axis] = side ? kSmall : -kSmall;
+      window.knots[knot] = displaced(at, by);
+      values[side] = cost(window, prior, config);
+    }
+    result[axis] = (values[1] - values[0]) / (2.0 * kSmall);
+  }
+  return result;
+}
+
+TEST(KnotRegistration, ItEndsWhereTheCostsGradientVanishes) {
+  // For every knot, so the shares of a residual between a segment's two knots are right.
+  Config::Knots config = Config().knots;
+  config.convergence = 1e-7;
+  config.max_iterations = 200;
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration found = register_from(truth, prior, config);
+  ASSERT_TRUE(found.converged);
+  for (std::size_t k = 0; k < truth.knots.size(); ++k) {
+    const Twist rest = gradient(found.window, k, prior, config);
+    for (const int axis : {0, 2, 3, 5}) {
+      KnotWindow away = found.window;
+      Twist by = Twist::Zero();
+      by[axis] = 1e-3;
+      away.knots[k] = displaced(away.knots[k], by);
+      const double slope = gradient(away, k, prior, config)[axis];
+      EXPECT_LT(std::abs(rest[axis]), 0.05 * std::abs(slope)) << "knot " << k << " axis " << axis;
+    }
+  }
+}
+
+/// The normal equations of the cost's Gauss-Newton step at a window, whole.
+struct DenseEquations {
+  Eigen::MatrixXd H;                   ///< of all knots
+  Matrix6 rigid = Matrix6::Zero();     ///< of the surfels alone, the scan moved as one
+  Matrix6 clusters = Matrix6::Zero();  ///< outer products of the gradients of neighbours
+  double weighted_squares = 0.0;
+  int residuals = 0;
+};
+
+void add_dense_surfels(const KnotWindow& window, const Config::Knots& config,
+                       DenseEquations& dense) {
+  const KnotPoints& points = scan_points();
+  for (std::size_t s = 0; s < window.segments(); ++s) {
+    const Pose &first = window.knots[s + 1], &last = window.knots[s + 2];
+    Eigen::Matrix<double, 6, 3> neighbours = Eigen::Matrix<double, 6, 3>::Zero();
+    for (std::size_t i = points.begins[s]; i < points.begins[s + 1]; ++i) {
+      const double u = points.points[i].share;
+      const Eigen::Vector3d place =
+          first * se3_exp(u * se3_log(first.inverse() * last)) * points.points[i].position;
+      const Eigen::Vector3d arm = place - (1.0 - u) * first.translation - u * last.translation;
+      SurfelMap::Place unknown;
+      const Surfel* const surfel = true_map().find(place, arm, 0, unknown);
+      for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+        const Eigen::Vector3d n = surfel->across[d];
+        const double r = n.dot(place - surfel->mean);
+        const double variance = config.noise * config.noise + surfel->variance[d];
+        const double share = surfel->directions == 3 ? config.cloud_weight : 1.0;
+        const double w =
+            share * config.independence / variance / std::pow(1.0 + r * r / (9.0 * variance), 2);
+        Twist of_pose;
+        of_pose << n, arm.cross(n);
+        Eigen::VectorXd J = Eigen::VectorXd::Zero(dense.H.rows());
+        J.segment<6>(6 * static_cast<Eigen::Index>(s + 1)) = (1.0 - u) * of_pose;
+        J.segment<6>(6 * static_cast<Eigen::Index>(s + 2)) = u * of_pose;
+        dense.H += w * J * J.transpose();
+        dense.rigid += w * of_pose * of_pose.transpose();
+        dense.weighted_squares += w * r * r;
+        ++dense.residuals;
+        Eigen::Index axis = 0;
+        n.cwiseAbs().maxCoeff(&axis);
+        neighbours.col(axis) += w * r * of_pose;
+      }
+    }
+    dense.clusters += neighbours * neighbours.transpose();
+  }
+}
+
+DenseEquations dense_equations(const KnotWindow& window, const KnotPrior& prior,
+                               const Config::Knots& config) {
+  DenseEquations dense;
+  const auto size = static_cast<Eigen::Index>(6 * window.knots.size());
+  dense.H = Eigen::MatrixXd::Zero(size, size);
+  add_dense_surfels(window, config, dense);
+  const double phi = std::exp(-kStep / config.correlation_time);
+  const Twist s = VelocityModel(config).fluctuation();
+  for (Eigen::Index k = 0; k + 18 <= size; k += 6) {
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, size);  // of v_{k+1} - phi v_k
+    J.middleCols<6>(k) = phi / kStep * Matrix6::Identity();
+    J.middleCols<6>(k + 6) = -(1.0 + phi) / kStep * Matrix6::Identity();
+    J.middleCols<6>(k + 12) = 1.0 / kStep * Matrix6::Identity();
+    const Twist information = s.cwiseAbs2().cwiseInverse() / (1.0 - phi * phi);
+    dense.H += J.transpose() * information.asDiagonal() * J;
+  }
+  dense.H.topLeftCorner<12, 12>() += prior.information;
+  return dense;
+}
+
+/// A registration that went on until nothing moves, and its window's equations written down anew.
+struct Settled {
+  KnotRegistration found;
+  DenseEquations dense;
+};
+
+Settled settle() {
+  Config::Knots config = Config().knots;
+  config.convergence = 1e-7;
+  config.max_iterations = 200;
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  KnotRegistration found = register_from(truth, prior, config);
+  DenseEquations dense = dense_equations(found.window, prior, config);
+  return {std::move(found), std::move(dense)};
+}
+
+TEST(KnotRegistration, ItsCovarianceIsTheInverseOfTheDenseNormalEquations) {
+  const auto [found, dense] = settle();
+  ASSERT_TRUE(found.converged);
+  const Eigen::MatrixXd C = dense.H.inverse();
+  const std::size_t knots = found.window.knots.size();
+  for (std::size_t i = 0; i < knots; ++i) {
+    for (std::size_t j = i; j < std::min(i + 3, knots); ++j) {
+      const Matrix6 expected =
+          C.block<6, 6>(6 * static_cast<Eigen::Index>(i), 6 * static_cast<Eigen::Index>(j));
+      EXPECT_LT((found.covariance(i, j) - expected).norm(), 1e-5 * expected.norm())
+          << i << ' ' << j;
+    }
+  }
+  const Eigen::Matrix<double, 12, 12> last = C.bottomRightCorner<12, 12>().inverse();
+  EXPECT_LT((found.last_two - last).norm(), 1e-5 * last.norm());
+  EXPECT_LT((found.rigid.H - dense.rigid).norm(), 1e-5 * dense.rigid.norm());
+  EXPECT_EQ(found.rigid.count, dense.residuals);
+}
+
+TEST(KnotRegistration, DependenceIsOfTheSumsOverNeighbours) {
+  const auto [found, dense] = settle();
+  const double variance = dense.weighted_squares / dense.residuals;
+  const double expected = (dense.rigid.inverse() * dense.clusters).trace() / (6.0 * variance);
+  EXPECT_NEAR(found.dependence, expected, 1e-4 * expected);
+  EXPECT_GT(std::abs(expected - 1.0), 0.1);  // or it would tell nothing
+  std::printf("dependence: %.2f\n", expected);
+}
+
+TEST(KnotRegistration, ThePoseBetweenTwoKnotsHasTheirJointCovariance) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotRegistration found = register_from(truth, prior_at(truth, 0.01));
+  const auto step_ns = static_cast<std::int64_t>(1e9 * kStep);
+  for (std::size_t segment = 0; segment < kSegments; ++segment) {
+    for (const double u : {0.0, 0.3, 1.0}) {
+      const std::int64_t at = found.window.begin_ns + static_cast<std::int64_t>(segment) * step_ns +
+                              static_cast<std::int64_t>(u * 1e9 * kStep);
+      Eigen::Matrix<double, 12, 12> joint;
+      joint << found.covariance(segment + 1, segment + 1),
+          found.covariance(segment + 1, segment + 2), found.covariance(segment + 2, segment + 1),
+          found.covariance(segment + 2, segment + 2);
+      Eigen::Matrix<double, 6, 12> share;
+      share << (1.0 - u) * Matrix6::Identity(), u * Matrix6::Identity();
+      const Matrix6 expected = share * joint * share.transpose();
+      EXPECT_LT((found.covariance_at(at) - expected).norm(), 1e-6 * expected.norm())
+          << segment << ' ' << u;
+    }
+  }
+}
+
+TEST(KnotRegistration, TheMisfitIsWhatTheKernelTakesAway) {
+  const Config::Knots config = Config().knots;
+  const KnotWindow truth = window_along(swaying);
+  const KnotRegistration found = register_from(truth, prior_at(truth, 0.01));
+  ASSERT_TRUE(found.converged);
+  double sum = 0.0;
+  int unseen = 0;
+  const KnotPoints& points = scan_points();
+  const ScanTrajectory motion = found.window.trajectory();
+  for (std::size_t s = 0; s < found.window.segments(); ++s) {
+    for (std::size_t i = points.begins[s]; i < points.begins[s + 1]; ++i) {
+      const KnotPoints::Point& point = points.points[i];
+      const Pose T = motion.at((static_cast<double>(s) + point.share) / kSegments);
+      const Eigen::Vector3d place = T * point.position;
+      SurfelMap::Place unknown;
+      const Surfel* const surfel = true_map().find(place, place - T.translation, 0, unknown);
+      if (surfel == nullptr) ++unseen;
+      for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+        const double r = surfel->across[d].dot(place - surfel->mean);
+        const double variance = config.noise * config.noise + surfel->variance[d];
+        sum += r * r / (9.0 * variance + r * r) / surfel->directions;
+      }
+    }
+  }
+  const auto all = static_cast<double>(points.points.size());
+  EXPECT_NEAR(found.unseen, unseen / all, 1e-3);
+  EXPECT_NEAR(found.misfit, (sum + unseen) / all, 2e-3);  // the last step moved it a little
+}
+
+TEST(KnotRegistration, TheKernelNarrowsToItsEndBeforeItConverges) {
+  Config::Knots config = Config().knots;
+  config.max_iterations = 100;
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  for (const double start : {0.1, 0.4, 1.6}) {
+    config.kernel_start = start;
+    const double steps = std::log(config.kernel_end / start) / std::log(config.kernel_decay);
+    const KnotRegistration found = register_from(truth, prior, config);
+    EXPECT_TRUE(found.converged);
+    EXPECT_GE(found.iterations, 1 + static_cast<int>(std::ceil(steps - 1e-9))) << start;
+  }
+}
+
+TEST(KnotRegistration, ThreadsDoNotChangeABit) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  for (const int threads : {2, 5}) {
+    const KnotRegistration many = register_from(truth, prior, Config().knots, threads);
+    EXPECT_EQ(one.iterations, many.iterations);
+    EXPECT_EQ(one.misfit, many.misfit);
+    EXPECT_EQ(one.rigid.H, many.rigid.H);
+    for (std::size_t k = 0; k < truth.knots.size(); ++k) {
+      EXPECT_EQ(one.window.knots[k].matrix(), many.window.knots[k].matrix());
+      EXPECT_EQ(one.covariance(k, k), many.covariance(k, k));
+    }
+  }
+}
+
+TEST(KnotRegistration, WithoutAMapThePredictionStays) {
+  const SurfelMap empty(Config().knots, 100.0);
+  const Config::Knots config = Config().knots;
+  KnotWindow start = window_along([](double t) {
+    return Pose{Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.45 + 0.0 * t}};
+  });
+  KnotPoints points = scan_points();
+  const KnotPrior prior = prior_at(start, 0.01);
+  const VelocityModel model(config);
+  const Workers workers(1);
+  const KnotRegistration found = register_knots(
+      points, {empty, prior, model, config, workers, kNobody}, start, usual_annealing(config));
+  EXPECT_TRUE(found.solved);
+  EXPECT_EQ(found.matches, 0);
+  EXPECT_EQ(found.misfit, 1.0);
+  for (std::size_t k = 0; k < start.knots.size(); ++k) {
+    EXPECT_LT(difference(found.window.knots[k], start.knots[k]).norm(), 1e-9);
+  }
+}
+
+KnotRegistration attempts_from(const KnotWindow& start, const KnotPrior& prior,
+                               const UsualFit& usual, int* searches = nullptr,
+                               const VelocityModel& model = VelocityModel(Config().knots)) {
+  const Config::Knots config = Config().knots;
+  const Workers workers(1);
+  const StepObserver count = [&](Step step) {
+    if (searches != nullptr && step == Step::search) ++*searches;
+  };
+  KnotPoints points = scan_points();
+  return register_in_attempts(points, {true_map(), prior, model, config, workers, count}, start,
+                              usual);
+}
+
+TEST(KnotAttempts, AUsualScanNeedsOne) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  UsualFit usual;
+  usual.learn(one, 1.0, Config().knots);
+  int searches = 0;
+  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
+  EXPECT_EQ(searches, one.iterations);
+  EXPECT_EQ(found.misfit, one.misfit);
+}
+
+/// As it is, but that the sensor pitches by 20 deg within the scan.
+KnotWindow pitching(const KnotWindow& window) {
+  KnotWindow start = window;
+  for (std::size_t k = 2; k < start.knots.size(); ++k) {
+    const double angle = 20.0 * kDegree * static_cast<double>(k - 1) / kSegments;
+    start.knots[k].rotation = start.knots[k].rotation * from_roll_pitch_yaw({0.0, angle, 0.0});
+  }
+  return start;
+}
+
+TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
+  // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  UsualFit usual;
+  usual.learn(register_from(truth, prior), 1.0, Config().knots);
+  usual.disagreement *= 0.5;
+  const KnotWindow start = pitching(truth);
+  int searches = 0;
+  const KnotRegistration found = attempts_from(start, prior, usual, &searches);
+  ASSERT_TRUE(found.solved);
+  EXPECT_GT(searches, 3 * found.iterations);
+  EXPECT_LE(found.misfit, register_from(start, prior).misfit);
+  const KnotError error = error_of(found.window);
+  std::printf("from a pitch of 20 deg: %.4f m, %.3f deg, misfit %.3f\n", error.translation,
+              error.rotation_deg, found.misfit);
+  EXPECT_LT(error.translation, 0.02);  // as from the truth
+  EXPECT_LT(error.rotation_deg, 0.7);
+}
+
+/// Iterations of one attempt from a start, and its misfit.
+KnotRegistration attempt(const KnotWindow& start, const KnotPrior& prior, Annealing annealing,
+                         const VelocityModel& model) {
+  KnotPoints points = scan_points();
+  const Config::Knots config = Config().knots;
+  const Workers workers(1);
+  return register_knots(points, {true_map(), prior, model, config, workers, kNobody}, start,
+                        annealing);
+}
+
+TEST(KnotAttempts, TheyAreFromSwingsThenPatientAndThenLooser) {
+  const Config::Knots config = Config().knots;
+  const KnotWindow truth = window_along(swaying);
+  const KnotWindow start = pitching(truth);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  // Too stiff for the sway, so that a looser one does better.
+  const VelocityModel model(config, Twist::Constant(0.05));
+  const Annealing usual_way = usual_annealing(config), patient = patient_annealing(config);
+  const Eigen::Quaterniond attitude = truth.knots[1].rotation;
+  std::vector<KnotRegistration> expected = {attempt(start, prior, usual_way, model)};
+  for (const Eigen::Vector3d& swing :
+       {Eigen::Vector3d(0, 2, 0), {0, -2, 0}, {2, 0, 0}, {-2, 0, 0}}) {  // [rad/s] of the sensor
+    Twist velocity = start.mean_velocity();
+    velocity.tail<3>() += attitude * swing;
+    expected.push_back(attempt(start.at_velocity(velocity), prior,
+                               {0.2, usual_way.decay, usual_way.max_iterations}, model));
+  }
+  const KnotWindow steady = start.at_velocity(model.mean(attitude));
+  for (const VelocityModel& of : {model, model.looser(3.0)}) {
+    expected.push_back(attempt(start, prior, patient, of));
+    expected.push_back(attempt(steady, prior, patient, of));
+  }
+  const auto iterations_of = [&](std::size_t attempts) {
+    int sum = 0;
+    for (std::size_t i = 0; i < attempts; ++i) sum += expected[i].iterations;
+    return sum;
+  };
+  UsualFit usual;
+  usual.misfit = 0.5 * expected[0].misfit;  // so that it is suspicious, but not wrong
+  int searches = 0;
+  (void)attempts_from(start, prior, usual, &searches, model);
+  EXPECT_EQ(searches, iterations_of(7));
+  usual.misfit_of_seen = -1.0;  // wrong, whatever is found
+  searches = 0;
+  const KnotRegistration found = attempts_from(start, prior, usual, &searches, model);
+  EXPECT_EQ(searches, iterations_of(9));
+  const auto disagreement = [](const KnotRegistration& one) {
+    return one.misfit - 0.8 * one.unseen;  // docs/method.md, "Convergence"
+  };
+  const auto best = std::min_element(
+      expected.begin(), expected.end(),
+      [&](const auto& a, const auto& b) { return disagreement(a) < disagreement(b); });
+  EXPECT_EQ(found.misfit, best->misfit);
+  EXPECT_GE(best - expected.begin(), 7);  // a looser one
+}
+
+TEST(KnotAttempts, TheUsualFadesAndWhatIsUnseenCountsLittle) {
+  const Config::Knots config = Config().knots;
+  KnotRegistration found;
+  found.misfit = 0.5;
+  found.unseen = 0.4;  // so that 0.1 are of points that the map has seen
+  UsualFit usual;
+  usual.learn(found, 1.0, config);
+  EXPECT_DOUBLE_EQ(usual.misfit, 0.5);
+  EXPECT_NEAR(usual.disagreement, 0.1 + 0.2 * 0.4, 1e-12);
+  EXPECT_NEAR(usual.misfit_of_seen, 0.1 / 0.6, 1e-12);
+  EXPECT_NEAR(usual.most_misfit_of_seen(config), 2.0 * 0.1 / 0.6 + 0.15, 1e-12);
+  found.misfit = 0.4;
+  usual.learn(found, 0.1, config);
+  EXPECT_NEAR(usual.misfit, 0.49, 1e-12);
+}
+
+TEST(KnotRegistration, WhatIsNotFiniteIsNotSolved) {
+  const KnotWindow truth = window_along(swaying);
+  KnotPrior unknown_place = prior_at(truth, 0.01), unknown_weight = unknown_place;
+  unknown_place.means[1].translation.x() = std::numeric_limits<double>::quiet_NaN();
+  unknown_weight.information(7, 7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(register_from(truth, unknown_place).solved);
+  EXPECT_FALSE(register_from(truth, unknown_weight).solved);
+}
+
+}  // namespace
+}  // namespace surefoot

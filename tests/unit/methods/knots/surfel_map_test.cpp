@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/surfel_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+using Points = std::vector<Eigen::Vector3d>;
+
+const Eigen::Vector3d kSensor(2.0, 5.0, 7.0);  // sees the tests' level and upright planes aslant
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// The values that the tests' geometry relies on.
+Config::Knots knots_config() {
+  Config::Knots config = Config().knots;
+  config.finest_voxel = 0.4;
+  config.levels = 4;
+  config.points_per_voxel = 200;
+  config.min_points = 6;
+  config.breadth = 0.1;
+  config.flatness = 0.06;
+  config.slenderness = 0.1;
+  config.edge_on = 0.03;
+  config.cloud_weight = 0.0;  // planes and poles alone
+  return config;
+}
+
+SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config(),
+                 const Eigen::Vector3d& sensor = kSensor) {
+  SurfelMap map(config, 100.0);
+  map.insert(points, sensor);
+  return map;
+}
+
+const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0,
+                   const Eigen::Vector3d& sensor = kSensor) {
+  SurfelMap::Place fresh;
+  return map.find(place, place - sensor, finest, fresh);
+}
+
+int level_found(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
+  SurfelMap::Place fresh;
+  (void)map.find(place, place - kSensor, finest, fresh);
+  return fresh.level;
+}
+
+/// Points about `centre`, spread evenly by +-half along each of the columns of `axes`, with noise.
+Points cloud(Random& random, int count, const Eigen::Vector3d& centre, const Eigen::Matrix3d& axes,
+             const Eigen::Vector3d& half, double noise = 0.0) {
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d share = random.vector(1.0);
+    const Eigen::Vector3d off(random.normal(noise), random.normal(noise), random.normal(noise));
+    points.emplace_back(centre + axes * share.cwiseProduct(half) + off);
+  }
+  return points;
+}
+
+const Eigen::Vector3d kCentre(0.2, 0.2, 0.2);  // of the finest voxel at the origin
+
+TEST(SurfelMap, APlanesMeanNormalAndVarianceAreItsPoints) {
+  Random random(1);
+  for (const double noise : {0.0, 0.005}) {
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::Matrix3d axes = random.pose(0.0, 3.0).rotation.toRotationMatrix();
+      const Points points = cloud(random, 60, kCentre, axes, {0.1, 0.1, 0.0}, noise);
+      const Eigen::Vector3d sensor = kCentre + 5.0 * axes.col(2);
+      const SurfelMap map = map_of(points, knots_config(), sensor);
+      const Surfel* const surfel = find(map, kCentre, 0, sensor);
+      ASSERT_NE(surfel, nullptr);
+      ASSERT_EQ(surfel->directions, 1);
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const auto& point : points) mean += point / 60.0;
+      Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+      for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / 60.0;
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
+      const Eigen::Vector3d normal = noise > 0.0 ? eigen.eigenvectors().col(0) : axes.col(2);
+      EXPECT_LT((surfel->mean - mean).norm(), 1e-12);
+      EXPECT_NEAR(surfel->across[0].norm(), 1.0, 1e-12);
+      EXPECT_LT(surfel->across[0].cross(normal).norm(), 1e-7);
+      EXPECT_NEAR(surfel->variance[0], eigen.eigenvalues()[0], 1e-12);
+    }
+  }
+}
+
+TEST(SurfelMap, AStandingPoleHasTwoDirectionsALyingLineNone) {
+  Random random(2);
+  for (const double tilt_deg : {0.0, 20.0, 40.0, 50.0, 70.0, 90.0}) {
+    const Eigen::Matrix3d axes = so3_exp({tilt_deg * kDegree, 0.0, 0.0}).toRotationMatrix();
+    const SurfelMap map = map_of(cloud(random, 60, kCentre, axes, {0.003, 0.003, 0.19}));
+    const Surfel* const surfel = find(map, kCentre);
+    if (tilt_deg > 45.0) {
+      EXPECT_EQ(surfel, nullptr) << tilt_deg;
+      continue;
+    }
+    ASSERT_NE(surfel, nullptr) << tilt_deg;
+    ASSERT_EQ(surfel->directions, 2);
+    for (const Eigen::Vector3d& across : {surfel->across[0], surfel->across[1]}) {
+      EXPECT_LT(std::abs(across.dot(axes.col(2))), 0.02);
+      EXPECT_NEAR(across.norm(), 1.0, 1e-12);
+    }
+    EXPECT_LT(std::abs(surfel->across[0].dot(surfel->across[1])), 1e-9);
+    EXPECT_LE(surfel->variance[0], surfel->variance[1]);
+    EXPECT_LT(surfel->variance[1], 0.003 * 0.003);
+  }
+}
+
+TEST(SurfelMap, ABallAndAHandfulOfPointsAreNoSurfel) {
+  Random random(3);
+  Points ball;
+  for (int i = 0; i < 150; ++i) ball.emplace_back(kCentre + 0.15 * random.unit_vector());
+  EXPECT_EQ(find(map_of(ball), kCentre), nullptr);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d flat(0.18, 0.18, 0.0), tiny(0.02, 0.02, 0.0);
+  EXPECT_EQ(find(map_of(cloud(random, 5, kCentre, axes, flat)), kCentre), nullptr);
+  EXPECT_NE(find(map_of(cloud(random, 30, kCentre, axes, flat)), kCentre), nullptr);
+  // As flat, but not broad enough to tell its normal.
+  EXPECT_EQ(find(map_of(cloud(random, 30, kCentre, axes, tiny)), kCentre), nullptr);
+}
+
+TEST(SurfelMap, TheFinestLevelAskedForThatHasASurfelAnswers) {
+  Random random(4);
+  const SurfelMap map =
+      map_of(cloud(random, 40'000, {1.6, 1.6, 0.2}, Eigen::Matrix3d::Identity(), {1.6, 1.6, 0.0}));
+  for (int finest = 0; finest < 4; ++finest) {
+    EXPECT_EQ(level_found(map, {1.0, 1.0, 0.2}, finest), finest);
+  }
+  EXPECT_EQ(level_found(map, {1.0, 1.0, 0.5}, 0), 1);  // above the finest voxel of the plane
+  EXPECT_EQ(find(map, {1.0, 1.0, 3.3}), nullptr);
+}
+
+TEST(SurfelMap, BetweenRingsACoarserLevelAnswers) {
+  Random random(5);
+  Points rings;
+  for (const double y : {0.2, 1.0, 1.8, 2.6}) {
+    for (const auto& point :
+         cloud(random, 60, {1.6, y, 0.1}, Eigen::Matrix3d::Identity(), {1.6, 0.0, 0.0})) {
+      rings.push_back(point);
+    }
+  }
+  const SurfelMap map = map_of(rings);
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(0.5, 0.2, 0.1), {0.5, 0.6, 0.1}}) {
+    const int level = level_found(map, place);
+    EXPECT_EQ(level, 2) << place.transpose();  // the first whose voxels hold two rings
+    const Surfel* const surfel = find(map, place);
+    ASSERT_NE(surfel, nullptr);
+    EXPECT_EQ(surfel->directions, 1);
+    EXPECT_NEAR(std::abs(surfel->across[0].z()), 1.0, 1e-9);
+  }
+}
+
+/// One ring of a LiDAR at the origin through foliage: a cone of rays, 10 deg up, ranges anywhere.
+Points ring_through_foliage(Random& random, const Eigen::Vector3d& sensor) {
+  const double elevation = 10.0 * kDegree;
+  Points points;
+  for (int i = 0; i < 60; ++i) {
+    const double azimuth = random.uniform(-1.0, 1.0) * kDegree, range = random.uniform(9.7, 10.3);
+    const Eigen::Vector3d ray(std::cos(elevation) * std::cos(azimuth),
+                              std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    points.emplace_back(sensor + range * ray);
+  }
+  return points;
+}
+
+TEST(SurfelMap, ThePlaneThatARingSweepsIsNoSurfel) {
+  Random random(12);
+  const Eigen::Vector3d sensor(0.5, 0.3, 0.4);
+  const Points points = ring_through_foliage(random, sensor);
+  const auto surfels = [&points](const Eigen::Vector3d& seen_from) {
+    SurfelMap map(knots_config(), 100.0);
+    map.insert(points, seen_from);
+    return std::count_if(points.begin(), points.end(), [&map](const Eigen::Vector3d& point) {
+      return find(map, point) != nullptr;
+    });
+  };
+  EXPECT_EQ(surfels(sensor), 0);
+  // The same points seen from elsewhere are a plane like any other.
+  EXPECT_GT(surfels(sensor + Eigen::Vector3d(0.0, 0.0, 2.0)), 40);
+}
+
+TEST(SurfelMap, AWallHasTwoSides) {
+  Random random(13);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d here(-4.0, 1.0, 0.5), there(5.0, -1.0, 0.5), half(0.0, 0.19, 0.19);
+  SurfelMap map(knots_config(), 100.0);
+  map.insert(cloud(random, 60, {0.10, 0.2, 0.2}, axes, half, 0.002), here);
+  const Eigen::Vector3d place(0.16, 0.2, 0.2);
+  ASSERT_NE(find(map, place, 0, here), nullptr);
+  EXPECT_EQ(find(map, place, 0, there), nullptr);  // nobody saw that side yet
+  map.insert(cloud(random, 60, {0.25, 0.2, 0.2}, axes, half, 0.002), there);
+  const Surfel* const front = find(map, place, 0, here);
+  const Surfel* const back = find(map, place, 0, there);
+  ASSERT_NE(front, nullptr);
+  ASSERT_NE(back, nullptr);
+  EXPECT_NEAR(front->mean.x(), 0.10, 1e-3);
+  EXPECT_NEAR(back->mean.x(), 0.25, 1e-3);
+  EXPECT_LT(front->across[0].x(), -0.99);  // each to who sees it
+  EXPECT_GT(back->across[0].x(), 0.99);
+  // And both survive a cleaning.
+  map.remove_far({0.0, 0.0, 0.0});
+  map.remove_far({90.0, 0.0, 0.0});
+  EXPECT_NEAR(find(map, place, 0, here)->mean.x(), 0.10, 1e-3);
+  EXPECT_NEAR(find(map, place, 0, there)->mean.x(), 0.25, 1e-3);
+}
+
+TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
+  Random random(6);
+  Config::Knots config = knots_config();
+  config.points_per_voxel = 50;
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  SurfelMap map = map_of(cloud(random, 50, {0.2, 0.2, 0.1}, axes, {0.19, 0.19, 0.0}), config);
+  const Surfel before = *find(map, kCentre);
+  map.insert(cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0}), kSensor);
+  const Surfel after = *find(map, kCentre);
+  EXPECT_EQ(after.mean, before.mean);
+  EXPECT_EQ(after.variance[0], before.variance[0]);
+  EXPECT_NEAR(after.mean.z(), 0.1, 1e-12);
+}
+
+TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
+  Random random(7);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d near(0.2, 0.2, 0.2), far(160.2, 0.2, 0.2);
+  Points points = cloud(random, 60, near, axes, {0.19, 0.19, 0.0});
+  const Points others = cloud(random, 60, far, axes, {0.19, 0.19, 0.0});
+  points.insert(points.end(), others.begin(), others.end());
+  SurfelMap map = map_of(points);  // its radius is 100 m
+  ASSERT_EQ(map.points().size(), 2U);
+  map.remove_far({80.0, 0.0, 0.0});  // where the cleaning counts from; both are within
+  map.remove_far({82.0, 0.0, 0.0});
+  EXPECT_EQ(map.points().size(), 2U);
+  map.remove_far({100.5, 0.0, 0.0});
+  ASSERT_EQ(map.points().size(), 1U);
+  EXPECT_NEAR(map.points().front().x(), 160.2, 0.1);
+  EXPECT_EQ(find(map, near), nullptr);
+  EXPECT_NE(find(map, far), nullptr);  // the table still leads to its voxel
+  map.insert(cloud(random, 60, near, axes, {0.19, 0.19, 0.0}), kSensor);
+  EXPECT_NE(find(map, near), nullptr);
+  map.clear();
+  EXPECT_TRUE(map.empty());
+  EXPECT_EQ(find(map, far), nullptr);
+}
+
+/// Planes, poles and scatter over 12 m.
+Points yard(Random& random) {
+  Points points;
+  const auto add = [&](const Points& more) {
+    points.insert(points.end(), more.begin(), more.end());
+  };
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  add(cloud(random, 8000, {0.0, 0.0, 0.1}, axes, {6.0, 6.0, 0.0}, 0.01));
+  add(cloud(random, 3000, {5.1, 0.0, 1.5}, axes, {0.0, 6.0, 1.5}, 0.01));
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::Vector3d foot(random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0), 1.5);
+    add(cloud(random, 150, foot, axes, {0.02, 0.02, 1.4}, 0.005));
+  }
+  add(cloud(random, 500, {-3.0, -3.0, 1.5}, axes, {1.0, 1.0, 1.0}));
+  return points;
+}
+
+TEST(SurfelMap, ARememberedPlaceChangesNoAnswer) {
+  Random random(8);
+  const SurfelMap map = map_of(yard(random));
+  int hits = 0, misses = 0;
+  for (int walk = 0; walk < 40; ++walk) {
+    Eigen::Vector3d place = random.vector(5.0);
+    place.z() = random.uniform(-0.2, 1.5);
+    SurfelMap::Place remembered;
+    for (int step = 0; step < 200; ++step) {
+      place += random.vector(step % 3 == 0 ? 0.3 : 0.02);
+      const int finest = step / 40 % 4;
+      const Eigen::Vector3d ray = step % 7 < 3 ? place - kSensor : random.vector(1.0);
+      const Surfel* const surfel = map.find(place, ray, finest, remembered);
+      SurfelMap::Place fresh;
+      ASSERT_EQ(surfel, map.find(place, ray, finest, fresh));
+      EXPECT_EQ(remembered.level, fresh.level);
+      ++(surfel != nullptr ? hits : misses);
+    }
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(misses, 300);
+}
+
+TEST(SurfelMap, TheWorldMayLieKilometresAway) {
+  Random random(9);
+  const Points here = yard(random);
+  const Eigen::Vector3d shift(10'240.0, -10'240.0, 1024.0);  // whole voxels of every level
+  Points there;
+  for (const auto& point : here) there.emplace_back(point + shift);
+  const SurfelMap near = map_of(here), far = map_of(there, knots_config(), kSensor + shift);
+  int found = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d place(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(0, 3));
+    const Surfel* const a = find(near, place);
+    const Surfel* const b = find(far, place + shift, 0, kSensor + shift);
+    ASSERT_EQ(a == nullptr, b == nullptr);
+    if (a == nullptr) continue;
+    ++found;
+    ASSERT_EQ(a->directions, b->directions);
+    EXPECT_LT((a->mean + shift - b->mean).norm(), 1e-10);
+    // A double at 10 km is good to 2 pm.
+    EXPECT_NEAR(a->variance[0], b->variance[0], 1e-11);
+    EXPECT_LT(a->across[0].cross(b->across[0]).norm(), 1e-6);
+  }
+  EXPECT_GT(found, 500);
+}
+
+/// Scans of a wall that somebody stands in front of, for so many scans, and then no longer.
+class Visitor {
+ public:
+  explicit Visitor(int gone_after) : map_(config(gone_after), 100.0) {}
+
+  void stand(int scans) { look(scans, true); }
+  void leave(int scans) { look(scans, false); }
+
+  /// Points of the map about the place.
+  [[nodiscard]] int left() const {
+    const Points points = map_.points();
+    return static_cast<int>(std::count_if(points.begin(), points.end(), [](const auto& point) {
+      return (point - kPlace).norm() < 0.6;
+    }));
+  }
+  [[nodiscard]] int wall() const { return static_cast<int>(map_.points().size()) - left(); }
+  [[nodiscard]] const Points& emptied() const { return emptied_; }
+
+ private:
+  static Config::Knots config(int gone_after) {
+    Config::Knots config = knots_config();
+    config.gone_after = gone_after;
+    return config;
+  }
+
+  void look(int scans, bool standing) {
+    const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    for (int i = 0; i < scans; ++i) {
+      Points points = cloud(random_, 4000, {12.0, 0.0, 1.0}, axes, {0.0, 6.0, 2.0}, 0.01);
+      if (standing) {
+        const Points body = cloud(random_, 200, kPlace, axes, {0.2, 0.2, 0.5});
+        points.insert(points.end(), body.begin(), body.end());
+      }
+      const Points gone = map_.insert(points, {0.0, 0.0, 0.6});
+      emptied_.insert(emptied_.end(), gone.begin(), gone.end());
+    }
+  }
+
+  inline static const Eigen::Vector3d kPlace{5.0, 0.0, 1.0};
+  Random random_{11};
+  SurfelMap map_;
+  Points emptied_;
+};
+
+TEST(SurfelMap, WhatMovedAwayIsForgotten) {
+  Visitor visitor(2);
+  visitor.stand(5);
+  const int standing = visitor.left(), wall = visitor.wall();
+  ASSERT_GE(standing, 6);
+  EXPECT_TRUE(visitor.emptied().empty());
+  visitor.leave(1);
+  EXPECT_EQ(visitor.left(), standing);  // one scan is not enough
+  visitor.leave(20);
+  EXPECT_EQ(visitor.left(), 0);
+  EXPECT_GE(visitor.wall(), wall);
+  EXPECT_EQ(static_cast<int>(visitor.emptied().size()), standing - visitor.left());
+  for (const Eigen::Vector3d& centre : visitor.emptied()) {
+    EXPECT_LT((centre - Eigen::Vector3d(5.0, 0.0, 1.0)).norm(), 1.0);
+    const Eigen::Array3d cells = centre.array() / 0.4 - 0.5;
+    EXPECT_LT((cells - cells.round()).abs().maxCoeff(), 1e-9);  // a voxel's centre
+  }
+  visitor.stand(3);
+  EXPECT_GT(visitor.left(), standing / 2);  // who comes back is seen again
+}
+
+TEST(SurfelMap, WhatStoodForLongIsForgottenTheLater) {
+  Visitor visitor(2);
+  visitor.stand(60);
+  const int standing = visitor.left();
+  visitor.leave(16);  // a quarter of 60, and 2, are 17
+  EXPECT_EQ(visitor.left(), standing);
+  visitor.leave(30);
+  EXPECT_EQ(visitor.left(), 0);
+}
+
+TEST(SurfelMap, NothingIsForgottenIfNotAskedFor) {
+  Visitor visitor(0);
+  visitor.stand(5);
+  const int standing = visitor.left();
+  visitor.leave(60);
+  EXPECT_EQ(visitor.left(), standing);
+  EXPECT_TRUE(visitor.emptied().empty());
+}
+
+TEST(SurfelMap, LevelsAreNamedByTheSizeOfTheirVoxels) {
+  const SurfelMap map(knots_config(), 100.0);  // 0.4, 0.8, 1.6, 3.2 m
+  EXPECT_EQ(map.level_of(0.0), 0);
+  EXPECT_EQ(map.level_of(0.4), 0);
+  EXPECT_EQ(map.level_of(0.41), 1);
+  EXPECT_EQ(map.level_of(1.5), 2);
+  EXPECT_EQ(map.level_of(3.2), 3);
+  EXPECT_EQ(map.level_of(1000.0), 3);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/output_folder.hpp"
+
+#include "runs/run_files.hpp"
+#include "runs/scans_csv.hpp"
+#include "support/scratch.hpp"
+
+namespace surefoot::runs {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFolderTest : public test::Scratch {
+ protected:
+  OutputFolderTest() { write("in/000000.pcd", ""); }
+
+  void expect_refused(const std::string& folder, const std::string& named,
+                      bool overwrite = false) const {
+    try {
+      const OutputFolder taken(folder_ / folder, folder_ / "in", overwrite);
+      ADD_FAILURE() << "taken: " << folder;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(folder), std::string::npos) << error.what();
+    }
+  }
+};
+
+TEST_F(OutputFolderTest, AnEarlierRunsFilesGoAndOthersStay) {
+  for (const char* name : kRunFiles) write(std::string("out/") + name, scans_csv_header());
+  const auto thesis = write("out/thesis.tex", "years of work");
+  const OutputFolder folder(folder_ / "out", folder_ / "in", false);
+  EXPECT_TRUE(folder.replaced());
+  for (const char* name : kRunFiles) EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
+  EXPECT_TRUE(fs::exists(thesis));
+}
+
+TEST_F(OutputFolderTest, WhatNoRunHasLeftIsRefused) {
+  for (const char* name : {"trajectory.tum", "map.ply", "scans.csv", "000000.pcd", "cloud.ply"}) {
+    const auto foreign = write("other/" + std::string(name), "mine");
+    expect_refused("other", name);
+    EXPECT_TRUE(fs::exists(foreign));
+    const OutputFolder taken(folder_ / "other", folder_ / "in", true);
+    fs::remove_all(folder_ / "other");
+  }
+}
+
+TEST_F(OutputFolderTest, ARecordingIsNeverTheOutput) {
+  expect_refused("in", "recording");
+  expect_refused("in", "recording", true);
+  fs::create_directory_symlink(folder_ / "in", folder_ / "link");
+  expect_refused("link", "recording", true);
+  const auto capture = write("captures/walk.pcap", "");
+  EXPECT_THROW(OutputFolder(folder_ / "captures", capture, true), std::runtime_error);
+}
+
+TEST_F(OutputFolderTest, OneRunAtATime) {
+  const OutputFolder first(folder_ / "out", folder_ / "in", false);
+  EXPECT_FALSE(first.replaced());
+  expect_refused("out", "another process", true);
+}
+
+/// Runs without -o, in a folder of its own.
+class Latest : public OutputFolderTest {
+ protected:
+  Latest() : before_(fs::current_path()) { fs::current_path(folder_); }
+  ~Latest() override { fs::current_path(before_); }
+
+ private:
+  fs::path before_;
+};
+
+TEST_F(Latest, PointsToTheLastRun) {
+  for (int i = 0; i < 2; ++i) {
+    const OutputFolder folder({}, "in", false);
+    EXPECT_TRUE(fs::is_symlink("results/latest"));
+    EXPECT_TRUE(fs::equivalent("results/latest", folder.path()));
+  }
+}
+
+TEST_F(Latest, WhatSomebodyElsePutThereStays) {
+  write("results/latest", "mine");
+  (void)OutputFolder({}, "in", false);
+  EXPECT_TRUE(fs::is_regular_file("results/latest"));
+  fs::remove("results/latest");
+  fs::create_directory("results/latest");
+  (void)OutputFolder({}, "in", false);
+  EXPECT_FALSE(fs::is_symlink("results/latest"));
+  fs::remove("results/latest");
+  fs::create_directory_symlink("../in", "results/latest");
+  (void)OutputFolder({}, "in", false);
+  EXPECT_EQ(fs::read_symlink("results/latest"), "../in");
+}
+
+}  // namespace
+}  // namespace surefoot::runs

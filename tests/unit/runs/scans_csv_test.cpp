@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/scans_csv.hpp"
+
+#include "runs/csv_table.hpp"
+#include "support/scratch.hpp"
+
+namespace surefoot::runs {
+namespace {
+
+using ScansCsv = test::Scratch;
+
+constexpr const char* kHeader = "scan,name,stamp,status,message,ms_map,ms_total\n";
+
+TEST(CsvFields, Quotes) {
+  EXPECT_EQ(csv_fields("a,,\"b, \"\"c\"\"\",d"),
+            (std::vector<std::string>{"a", "", "b, \"c\"", "d"}));
+  EXPECT_EQ(csv_fields(""), std::vector<std::string>{""});
+}
+
+TEST_F(ScansCsv, IsRead) {
+  const auto file = write("scans.csv", std::string(kHeader) +
+                                           "0,\"a\",1.050000000,first_scan,\"\",0.1,8.5\n"
+                                           "1,\"b\",1.150000001,ok,\"far, \"\"far\"\"\",0.1,7.5\n"
+                                           "2,\"c\",1.250000000,ok,\"\",0.1,9.25\n");
+  const report::ScanTable scans = read_scans_csv(file);
+  EXPECT_EQ(scans.stamps_ns,
+            (std::vector<std::int64_t>{1'050'000'000, 1'150'000'001, 1'250'000'000}));
+  EXPECT_EQ(count_statuses(scans),
+            (std::map<std::string, std::size_t>{{"first_scan", 1}, {"ok", 2}}));
+  EXPECT_EQ(scan_milliseconds(scans, file), (std::vector<double>{8.5, 7.5, 9.25}));
+  EXPECT_EQ(scans.messages, (std::vector<std::string>{"", "far, \"far\"", ""}));
+}
+
+/// Every column's value is different, so that a column in another's place shows.
+TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
+  Estimate estimate;
+  estimate.status = Status::degenerate;
+  estimate.stamp_ns = 1'700'000'000'123'456'789;
+  estimate.message = "weak, \"very\"\nweak";
+  estimate.T_map_lidar.translation = {1.5, -2.5, 3.5};
+  estimate.points = 4;
+  estimate.registered_points = 5;
+  estimate.converged = true;
+  estimate.covariance.diagonal() << 1.0, 4.0, 9.0, 16.0, 25.0, 36.0;
+  estimate.degenerate = {{Twist::Zero(), 0.25, "forward"}, {Twist::Zero(), 0.5, "up"}};
+  const StepTimes times;
+  const auto file = write(
+      "scans.csv", scans_csv_header() + scans_csv_line({7, "a\nb\r\x01.pcd", estimate, times}));
+  const report::ScanTable scans = read_scans_csv(file);
+  ASSERT_EQ(scans.size(), 1U);
+  EXPECT_EQ(scans.stamps_ns.front(), estimate.stamp_ns);
+  EXPECT_EQ(scans.statuses.front(), "degenerate");
+  EXPECT_EQ(scans.messages.front(), "weak, \"very\"\\x0aweak");
+  EXPECT_EQ(scans.degenerate.front(), "forward up");
+  std::map<std::string, float> numbers;
+  for (const report::ScanColumn& column : scans.columns) {
+    numbers[column.name] = column.values.front();
+  }
+  const std::map<std::string, float> expected = {{"scan", 7.0F},
+                                                 {"x", 1.5F},
+                                                 {"y", -2.5F},
+                                                 {"z", 3.5F},
+                                                 {"points", 4.0F},
+                                                 {"registered_points", 5.0F},
+                                                 {"converged", 1.0F},
+                                                 {"sigma_x_m", 1.0F},
+                                                 {"sigma_yaw_rad", 6.0F},
+                                                 {"ms_total", 0.0F},
+                                                 {"least_information", 0.25F}};
+  for (const auto& [name, value] : expected) {
+    ASSERT_TRUE(numbers.count(name)) << name;
+    EXPECT_EQ(numbers[name], value) << name;
+  }
+  EXPECT_TRUE(scans_csv_header().starts_with(scans_csv_beginning()));
+}
+
+TEST_F(ScansCsv, WhatIsWrongIsNamed) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"", "cannot be read"},
+      {"scan,name\n", "'stamp'"},
+      {std::string(kHeader) + "0,\"a\",1.0\n", "line 2"},
+      {std::string(kHeader) + "0,\"a\",1.0,ok,\"\",0.1,8.5\n1,\"a\",soon,ok,\"\",0.1,8.5\n",
+       "line 3"},
+      {std::string(kHeader) + "0,\"a\",1.0,ok,\"\",0.1,quick\n", "'quick'"}};
+  for (const auto& [content, named] : cases) {
+    const auto file = write("scans.csv", content);
+    try {
+      (void)scan_milliseconds(read_scans_csv(file), file);
+      ADD_FAILURE() << "taken: " << content;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("scans.csv"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_THROW((void)read_scans_csv(folder_ / "none.csv"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace surefoot::runs

@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Every sensor's decoder on single returns of made packets: place, time, intensity and ring from
+// the manuals' formulae and a few values of their tables.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sensors/sensor_list.hpp"
+#include "unit/sensors/encoders.hpp"
+
+namespace surefoot::sensors {
+namespace {
+
+using test::bytes_of;
+
+constexpr double kDegree = M_PI / 180.0;
+
+Firings decode(const std::string& payload, const std::string& expected_sensor,
+               const DecoderOptions& options = {}) {
+  std::string reason;
+  const auto decoder = find_decoder(bytes_of(payload), "", options, reason);
+  Firings firings;
+  if (decoder == nullptr) {
+    ADD_FAILURE() << expected_sensor << " not found: " << reason;
+    return firings;
+  }
+  EXPECT_EQ(decoder->sensor(), expected_sensor);
+  EXPECT_EQ(decoder->decode(bytes_of(payload), firings), PacketKind::kData);
+  return firings;
+}
+
+// Offset of point `i` from the packet's time.
+std::int64_t time_of(const Firings& firings, std::size_t i) {
+  for (const Firing& firing : firings.firings) {
+    if (i < firing.end) return firing.offset_ns + firings.points[i].offset_ns;
+  }
+  return -1;
+}
+
+// Velodyne's and RoboSense's frame; azimuth and elevation in degrees.
+void expect_at(const FiringPoint& point, double range, double azimuth, double elevation) {
+  const Eigen::Vector3d expected(
+      range * std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
+      -range * std::cos(elevation * kDegree) * std::sin(azimuth * kDegree),
+      range * std::sin(elevation * kDegree));
+  EXPECT_LT((point.position.cast<double>() - expected).norm(), 1e-5)
+      << point.position.transpose() << " instead of " << expected.transpose();
+}
+
+std::vector<unsigned> turning(unsigned from, unsigned step, unsigned blocks_at_once) {
+  std::vector<unsigned> azimuths;
+  for (unsigned block = 0; block < 12; ++block) {
+    azimuths.push_back(from + block / blocks_at_once * step);
+  }
+  return azimuths;
+}
+
+constexpr DecoderOptions plain_options() {
+  DecoderOptions options;
+  options.beam_origins = false;
+  return options;
+}
+
+TEST(Vlp32, AReturnOfASecondLaserOfAPair) {
+  auto packet = test::velodyne_packet({0xeeff}, turning(9000, 20, 1), 7, 0x37, 0x28);
+  test::set_velodyne(packet, 3, 9, 2500, 77);  // laser 9: 0.333 deg, azimuth offset -4.2 deg
+  const Firings firings = decode(packet, "VLP-32C", plain_options());
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(firings.time_ns, 7000);
+  EXPECT_EQ(time_of(firings, 0), 3 * 55'296 + 4 * 2'304);
+  expect_at(firings.points[0], 10.0, 90.6 + 0.2 * 4 * 2.304 / 55.296 - 4.2, 0.333);
+  EXPECT_EQ(firings.points[0].intensity, 77.0F);
+  EXPECT_EQ(firings.points[0].ring, 21);  // 21 lasers lie lower
+}
+
+TEST(Vlp32, TheBeamsOriginIsItsHeightOnTheAxis) {
+  auto packet = test::velodyne_packet({0xeeff}, turning(0, 20, 1), 0, 0x37, 0x28);
+  test::set_velodyne(packet, 0, 0, 2500, 1);  // -25 deg
+  const double with = decode(packet, "VLP-32C").points.at(0).position.z();
+  const double without = decode(packet, "VLP-32C", plain_options()).points.at(0).position.z();
+  EXPECT_NEAR(with - without, 0.0424 * std::tan(25.0 * kDegree), 1e-6);
+}
+
+TEST(Hdl32, LasersFireOneAfterTheOther) {
+  auto packet = test::velodyne_packet({0xeeff}, turning(35900, 16, 1), 0, 0x37, 0x21);
+  test::set_velodyne(packet, 2, 31, 5000, 3);  // the last laser: 10.67 deg
+  const Firings firings = decode(packet, "HDL-32E");
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(time_of(firings, 0), 2 * 46'080 + 31 * 1'152);
+  expect_at(firings.points[0], 10.0, 359.32 + 0.16 * 31 * 1.152 / 46.08, 10.67);
+  EXPECT_EQ(firings.points[0].ring, 31);
+}
+
+TEST(Vls128, BanksAndGroupsOfEight) {
+  auto packet = test::velodyne_packet({0xeeff, 0xddff, 0xccff, 0xbbff}, turning(1000, 20, 4), 100,
+                                      0x38, 0xa1);
+  test::set_velodyne(packet, 4 + 2, 1, 2500, 9);  // second sequence, laser 65: group 8
+  const Firings firings = decode(packet, "VLS-128");
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(time_of(firings, 0), -8'700 + 53'300 + 2'665 * 9);
+  EXPECT_NEAR(firings.points[0].position.norm(), 10.0, 1e-5);
+  EXPECT_EQ(firings.firings.size(), 3U);
+  EXPECT_NEAR(firings.firings[1].azimuth_deg, 10.2, 1e-9);
+}
+
+// Two returns: blocks of one bank follow each other, and four blocks are not used.
+TEST(Vls128, DualReturn) {
+  const std::vector<unsigned> azimuths(12, 1000);
+  auto packet = test::velodyne_packet(
+      {0xeeff, 0xeeff, 0xddff, 0xddff, 0xccff, 0xccff, 0xbbff, 0xbbff}, azimuths, 100, 0x39, 0xa1);
+  test::set_velodyne(packet, 2, 5, 2500, 9);
+  test::set_velodyne(packet, 3, 5, 1000, 200);
+  DecoderOptions options;
+  EXPECT_NEAR(decode(packet, "VLS-128", options).points.at(0).position.norm(), 4.0, 1e-5);
+  options.returns = ReturnChoice::kLast;
+  EXPECT_NEAR(decode(packet, "VLS-128", options).points.at(0).position.norm(), 10.0, 1e-5);
+  options.returns = ReturnChoice::kBoth;
+  EXPECT_EQ(decode(packet, "VLS-128", options).points.size(), 2U);
+}
+
+// Without corrections an HDL-64E's laser is where its angles say; the stamp is the packet's end.
+TEST(Hdl64, ACalibrationFileAndTimesBeforeTheStamp) {
+  std::string yaml = "lasers:\n";
+  for (int id = 0; id < 64; ++id) {
+    yaml += "- {laser_id: " + std::to_string(id) +
+            ", rot_correction: -0.1, vert_correction: 0.2, dist_correction: 0.5, "
+            "vert_offset_correction: 0.1, horiz_offset_correction: 0.02}\n";
+  }
+  auto packet = test::velodyne_packet({0xeeff, 0xddff}, turning(27000, 18, 2), 5'000, 'V', 0x01);
+  test::set_velodyne(packet, 11, 31, 4750, 50);  // the very last firing
+  DecoderOptions options;
+  options.calibration = yaml;
+  const Firings firings = decode(packet, "HDL-64E-S3", options);
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(time_of(firings, 0), -2'340);
+  const double azimuth = 270.9 * kDegree + 0.1 + 0.18 * kDegree * (48.0 - 2.34) / 48.0;
+  const double flat = 10.0 * std::cos(0.2) - 0.1 * std::sin(0.2);
+  const Eigen::Vector3f& point = firings.points[0].position;
+  EXPECT_NEAR(point.x(), flat * std::cos(azimuth) + 0.02 * std::sin(azimuth), 1e-5);
+  EXPECT_NEAR(point.y(), -(flat * std::sin(azimuth) - 0.02 * std::cos(azimuth)), 1e-5);
+  EXPECT_NEAR(point.z(), 10.0 * std::sin(0.2) + 0.1 * std::cos(0.2), 1e-5);
+}
+
+TEST(Hdl64, BrokenCalibrationsAreRefused) {
+  const auto packet = test::velodyne_packet({0xeeff, 0xddff}, turning(0, 18, 2), 0, 'V', 1);
+  std::string reason;
+  for (const char* yaml : {"lasers: [{laser_id: 1}]", "lasers: 3", "[", "a: b", "\x01\x02"}) {
+    DecoderOptions options;
+    options.calibration = yaml;
+    EXPECT_THROW((void)find_decoder(bytes_of(packet), "", options, reason), CalibrationError)
+        << yaml;
+  }
+}
+
+// Elevation and azimuth offset of the first channel, and its firing after the last block's time.
+struct HesaiFacts {
+  double elevation, azimuth;
+  std::int64_t last_block_ns;
+  double channel_us;
+};
+
+TEST(Hesai, AReturnOfTheFirstChannelInTheLastBlock) {
+  const HesaiFacts facts[] = {{15.0, 0.0, 5'632, 0.368},         {14.9724, 0.0824, 5'632, 0.368},
+                              {19.407, 0.094, 5'632, 0.368},     {-52.121, 8.736, 525'710, 12.31},
+                              {-52.6268, 10.1083, 9'000, 2.312}, {14.794, -1.042, -28'580, -42.22},
+                              {14.9, -1.042, -42'580, -23.18}};
+  for (std::size_t i = 0; i < test::hesai_layouts().size(); ++i) {
+    const test::HesaiLayout& layout = test::hesai_layouts()[i];
+    SCOPED_TRACE(layout.name);
+    auto packet = test::hesai_packet(layout, 4500, 40, 1, 0x37, 123'456, 9);
+    test::set_hesai(packet, layout, layout.blocks - 1, 0, 2500, 33);
+    const Firings firings = decode(packet, layout.name);
+    ASSERT_EQ(firings.points.size(), 1U);
+    EXPECT_EQ(firings.time_ns, 1'673'403'349'123'456'000);
+    EXPECT_EQ(firings.numbers, layout.sequence > 0 ? 1ULL << 32U : 0U);
+    EXPECT_EQ(time_of(firings, 0),
+              facts[i].last_block_ns + std::llround(1000 * facts[i].channel_us));
+    const Firing& last = firings.firings.back();
+    const double turn = 0.4 * 1000.0 * facts[i].channel_us / static_cast<double>(last.duration_ns);
+    const double azimuth =
+        (45.0 + 0.4 * double(layout.blocks - 1) + turn + facts[i].azimuth) * kDegree;
+    const double elevation = facts[i].elevation * kDegree;
+    const Eigen::Vector3d expected(10.0 * std::cos(elevation) * std::sin(azimuth),
+                                   10.0 * std::cos(elevation) * std::cos(azimuth),
+                                   10.0 * std::sin(elevation));
+    EXPECT_LT((firings.points[0].position.cast<double>() - expected).norm(), 2e-5);
+    EXPECT_EQ(firings.points[0].intensity, 33.0F);
+  }
+}
+
+TEST(Hesai, TwoReturnsShareAnAzimuth) {
+  for (const test::HesaiLayout& layout : test::hesai_layouts()) {
+    SCOPED_TRACE(layout.name);
+    auto packet = test::hesai_packet(layout, 4500, 40, 2, 0x39, 0, 0);
+    test::set_hesai(packet, layout, 0, 5, 2500, 33);
+    test::set_hesai(packet, layout, 1, 5, 1000, 200);
+    DecoderOptions options;
+    EXPECT_NEAR(decode(packet, layout.name, options).points.at(0).position.norm(), 4.0, 1e-5);
+    options.returns = ReturnChoice::kLast;
+    EXPECT_NEAR(decode(packet, layout.name, options).points.at(0).position.norm(), 10.0, 1e-5);
+    options.returns = ReturnChoice::kBoth;
+    const Firings both = decode(packet, layout.name, options);
+    EXPECT_EQ(both.points.size(), 2U);
+    EXPECT_EQ(both.firings.size(), layout.blocks / 2);
+  }
+}
+
+TEST(Hesai, ContradictionsAreMalformed) {
+  const test::HesaiLayout& layout = test::hesai_layouts().front();
+  const std::string good = test::hesai_packet(layout, 0, 18, 1, 0x37, 0, 0);
+  std::string reason;
+  const auto decoder = find_decoder(bytes_of(good), "", {}, reason);
+  ASSERT_NE(decoder, nullptr);
+  const auto kind_of = [&](std::size_t at, char value) {
+    std::string packet = good;
+    packet[at] = value;
+    Firings firings;
+    return decoder->decode(bytes_of(packet), firings);
+  };
+  EXPECT_EQ(kind_of(layout.mode, '\x11'), PacketKind::kMalformed);
+  EXPECT_EQ(kind_of(layout.date + 1, 13), PacketKind::kMalformed);
+  EXPECT_EQ(kind_of(layout.header + 1, '\xff'), PacketKind::kMalformed);  // 652 deg
+  EXPECT_EQ(kind_of(6, 15), PacketKind::kOther);
+}
+
+TEST(Hesai, ACalibrationFileReplacesTheAngles) {
+  const test::HesaiLayout& layout = test::hesai_layouts().front();
+  auto packet = test::hesai_packet(layout, 0, 18, 1, 0x37, 0, 0);
+  test::set_hesai(packet, layout, 7, 15, 2500, 1);
+  DecoderOptions options;
+  options.calibration = "Laser id,Elevation,Azimuth\n";
+  for (int id = 1; id <= 16; ++id) {
+    options.calibration += std::to_string(id) + "," + std::to_string(30 - id) + ",0.5\r\n";
+  }
+  const Eigen::Vector3f at = decode(packet, layout.name, options).points.at(0).position;
+  EXPECT_NEAR(std::asin(at.z() / at.norm()) / kDegree, 14.0, 1e-4);
+  options.calibration += "17,0,0\n";
+  std::string reason;
+  EXPECT_THROW((void)find_decoder(bytes_of(packet), "", options, reason), CalibrationError);
+}
+
+struct OusterCase {
+  const char* profile;
+  std::size_t pixel_bytes;
+  bool legacy;
+  unsigned unit_mm;
+};
+const OusterCase kOusterCases[] = {{"LEGACY", 12, true, 1},
+                                   {"RNG19_RFL8_SIG16_NIR16", 12, false, 1},
+                                   {"RNG19_RFL8_SIG16_NIR16_DUAL", 16, false, 1},
+                                   {"RNG15_RFL8_NIR8", 4, false, 8},
+                                   {"RNG15_RFL8_NIR8_DUAL", 8, false, 8}};
+
+TEST(Ouster, AReturnInEveryProfile) {
+  for (const OusterCase& one : kOusterCases) {
+    for (const bool old_form : {false, true}) {
+      SCOPED_TRACE(one.profile);
+      auto packet = test::ouster_packet(one.pixel_bytes, one.legacy, 700, 16, 5'000'000'000);
+      const std::size_t at = test::ouster_pixel(one.pixel_bytes, one.legacy, 4, 1);
+      test::put(packet, at, static_cast<std::uint16_t>(10'000 / one.unit_mm));
+      DecoderOptions options;
+      options.metadata = test::ouster_json(one.profile, old_form);
+      const Firings firings = decode(packet, "OS-1-16", options);
+      ASSERT_EQ(firings.points.size(), 1U);
+      EXPECT_EQ(firings.time_ns, 5'000'000'000);
+      EXPECT_EQ(time_of(firings, 0), 4 * 1'562'500);
+      EXPECT_EQ(firings.firings[4].frame, 700U);
+      // Column 20 of 64, altitude 13 deg, azimuth -1 deg; the lidar looks backwards, 36 mm up.
+      const double encoder = 2.0 * M_PI * (1.0 - 20.0 / 64.0);
+      const double along = 10.0 - 0.0158;
+      const double angle = encoder + 1.0 * kDegree;
+      const double flat = along * std::cos(13.0 * kDegree);
+      const Eigen::Vector3d expected(-(flat * std::cos(angle) + 0.0158 * std::cos(encoder)),
+                                     -(flat * std::sin(angle) + 0.0158 * std::sin(encoder)),
+                                     along * std::sin(13.0 * kDegree) + 0.036);
+      EXPECT_LT((firings.points[0].position.cast<double>() - expected).norm(), 2e-6);
+      EXPECT_EQ(firings.points[0].ring, 14);
+    }
+  }
+}
+
+TEST(Ouster, TheStrongerOfTwoReturns) {
+  auto packet = test::ouster_packet(16, false, 1, 0, 1000);
+  const std::size_t at = test::ouster_pixel(16, false, 0, 0);
+  test::put(packet, at, std::uint16_t{4000});
+  test::put(packet, at + 4, std::uint16_t{9000});
+  test::put(packet, at + 8, std::uint16_t{50});
+  test::put(packet, at + 10, std::uint16_t{20});
+  DecoderOptions options;
+  options.metadata = test::ouster_json("RNG19_RFL8_SIG16_NIR16_DUAL");
+  const auto intensities = [&](ReturnChoice choice) {
+    options.returns = choice;
+    std::vector<float> values;
+    for (const FiringPoint& point : decode(packet, "OS-1-16", options).points) {
+      values.push_back(point.intensity);
+    }
+    return values;
+  };
+  EXPECT_EQ(intensities(ReturnChoice::kStrongest), std::vector<float>{50.0F});
+  EXPECT_EQ(intensities(ReturnChoice::kLast), std::vector<float>{20.0F});
+  EXPECT_EQ(intensities(ReturnChoice::kBoth), (std::vector<float>{50.0F, 20.0F}));
+}
+
+TEST(Ouster, MetadataThatIsNoneIsNamed) {
+  const auto packet = test::ouster_packet(12, true, 1, 0, 1000);
+  const std::string good = test::ouster_json("LEGACY");
+  std::string reason;
+  EXPECT_EQ(find_decoder(bytes_of(packet), "", {}, reason), nullptr);
+  EXPECT_NE(reason.find("--calibration"), std::string::npos) << reason;
+  const auto message_of = [&](const std::string& json) {
+    DecoderOptions options;
+    options.calibration = json;
+    return io::test::message_of<CalibrationError>(
+        [&] { (void)find_decoder(bytes_of(packet), "", options, reason); });
+  };
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string json = good;
+    return json.replace(json.find(from), from.size(), to);
+  };
+  EXPECT_EQ(message_of(good), "");
+  EXPECT_NE(message_of("no json").find("JSON"), std::string::npos);
+  EXPECT_NE(message_of("[1]").find("JSON"), std::string::npos);
+  EXPECT_NE(message_of(replaced("64x10", "fast")).find("lidar_mode"), std::string::npos);
+  EXPECT_NE(message_of(replaced("\"columns_per_packet\": 16", "\"columns_per_packet\": 1000000000"))
+                .find("columns_per_packet"),
+            std::string::npos);
+  EXPECT_NE(message_of(replaced("\"columns_per_packet\": 16", "\"columns_per_packet\": 15"))
+                .find("15 columns"),
+            std::string::npos);
+  EXPECT_NE(message_of(replaced("LEGACY", "FUSA")).find("FUSA"), std::string::npos);
+  EXPECT_NE(message_of(replaced("[15, ", "[")).find("15 altitude"), std::string::npos);
+  EXPECT_NE(message_of(replaced("[15, ", "[\"x\", ")).find("altitude"), std::string::npos);
+  EXPECT_NE(message_of(replaced("[0, 63]", "[0, 64]")).find("window"), std::string::npos);
+  EXPECT_NE(message_of(replaced("36, 0, 0, 0, 1]", "36]")).find("4 x 4"), std::string::npos);
+}
+
+TEST(Livox, PointsOfAllThreeTypes) {
+  auto millimetres = test::livox_packet(1'700'000'000'000'000'000, 1, 14);
+  test::put(millimetres, 36 + 14 * 6, std::int32_t{-1500});
+  test::put(millimetres, 36 + 14 * 6 + 8, std::int32_t{250});
+  millimetres[36 + 14 * 6 + 12] = 99;
+  const Firings firings = decode(millimetres, "Livox Mid-360");
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(firings.time_ns, 1'700'000'000'000'000'000);
+  EXPECT_EQ(time_of(firings, 0), 6 * 5'000);
+  EXPECT_EQ(firings.points[0].position, Eigen::Vector3f(-1.5F, 0.0F, 0.25F));
+  EXPECT_EQ(firings.points[0].intensity, 99.0F);
+  EXPECT_EQ(firings.points[0].ring, 2);
+
+  auto centimetres = test::livox_packet(5, 2, 8);
+  test::put(centimetres, 36 + 2, std::int16_t{-300});
+  EXPECT_EQ(decode(centimetres, "Livox Mid-360").points.at(0).position,
+            Eigen::Vector3f(0.0F, -3.0F, 0.0F));
+  auto spherical = test::livox_packet(5, 3, 10);
+  test::put(spherical, 36, std::uint32_t{2000});
+  test::put(spherical, 36 + 4, std::uint16_t{9000});
+  test::put(spherical, 36 + 6, std::uint16_t{9000});
+  EXPECT_LT(
+      (decode(spherical, "Livox Mid-360").points.at(0).position - Eigen::Vector3f(0.0F, 2.0F, 0.0F))
+          .norm(),
+      1e-6F);
+  std::string reason;
+  EXPECT_EQ(find_decoder(bytes_of(test::livox_packet(5, 0, 24)), "", {}, reason), nullptr);
+  millimetres[5] = 95;  // fewer points than bytes for them
+  EXPECT_EQ(find_decoder(bytes_of(millimetres), "", {}, reason), nullptr);
+}
+
+TEST(Rs16, SingleAndDual) {
+  auto packet = test::rs16_packet(9000, 40, 5'000);
+  test::set_rs16(packet, 2, 16 + 9, 2000, 12);  // the second sequence's laser 9: 13 deg
+  std::string reason;
+  const auto decoder = find_decoder(bytes_of(packet), "", {}, reason);
+  ASSERT_NE(decoder, nullptr) << reason;
+  Firings firings;
+  ASSERT_EQ(decoder->decode(bytes_of(packet), firings), PacketKind::kData);
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(firings.time_ns, 1'673'403'349'005'000'000);
+  EXPECT_EQ(time_of(firings, 0), 2 * 111'000 + 55'500 + 9 * 2'800);
+  const double azimuth = (90.8 + 0.2 + 0.4 * 25.2 / 111.0) * kDegree;
+  const double flat = 10.0 * std::cos(13.0 * kDegree) + 0.03825;
+  EXPECT_NEAR(firings.points[0].position.x(), flat * std::cos(azimuth), 1e-5);
+  EXPECT_NEAR(firings.points[0].position.y(), -flat * std::sin(azimuth), 1e-5);
+  EXPECT_EQ(firings.points[0].ring, 14);
+  // Half the time until the next packet: both returns of each firing.
+  auto next = test::rs16_packet(9480, 20, 5'666);
+  test::set_rs16(next, 1, 0, 1000, 12);
+  test::set_rs16(next, 1, 16, 2000, 90);
+  ASSERT_EQ(decoder->decode(bytes_of(next), firings), PacketKind::kData);
+  EXPECT_EQ(decoder->return_mode(), "dual");
+  ASSERT_EQ(firings.points.size(), 1U);
+  EXPECT_EQ(firings.points[0].intensity, 90.0F);
+  EXPECT_EQ(time_of(firings, 0), 55'500);
+}
+
+TEST(SensorList, NamesInAnyForm) {
+  EXPECT_TRUE(is_sensor_name("vlp16"));
+  EXPECT_TRUE(is_sensor_name("PANDARXT-32"));
+  EXPECT_FALSE(is_sensor_name("vlp17"));
+  EXPECT_FALSE(is_sensor_name(""));
+  std::string reason;
+  const auto packet = test::velodyne_packet({0xeeff, 0xddff}, turning(0, 18, 2), 0, 'V', 1);
+  const auto named = find_decoder(bytes_of(packet), "hdl64e-s2", {}, reason);
+  ASSERT_NE(named, nullptr);
+  EXPECT_EQ(named->sensor(), "HDL-64E-S2");
+  EXPECT_EQ(find_decoder(bytes_of(packet), "PandarXT-16", {}, reason), nullptr);
+}
+
+}  // namespace
+}  // namespace surefoot::sensors
