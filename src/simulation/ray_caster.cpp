@@ -69,6 +69,13 @@ void set_ray(RTCRayHit16& packet, std::size_t i, const Ray& ray, float max_dista
   packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
 }
 
+/// The lane of a packet that has no ray. Where the processor has no vectors of 16, Embree cuts the
+/// packet up and looks at the rays alone, not at their validity: it takes one that ends before it
+/// begins for none.
+void set_no_ray(RTCRayHit16& packet, std::size_t i) {
+  set_ray(packet, i, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), 0.0F}, -1.0F);
+}
+
 /// What of a mesh bears a foot.
 TriangleMesh firm_part(const TriangleMesh& mesh) {
   TriangleMesh firm;
@@ -190,6 +197,7 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
     valid[i] = -1;
     set_ray(packet, i, rays[i], max_distance);
   }
+  for (std::size_t i = rays.size(); i < kPacket; ++i) set_no_ray(packet, i);
   intersect_coherent16(valid.data(), fixed, packet);
   // Rays now end where they met something fixed; only what is nearer takes its place.
   if (movers != nullptr) intersect_coherent16(valid.data(), movers, packet);
@@ -287,6 +295,7 @@ std::optional<double> RayCaster::ground_below(const Eigen::Vector3d& point, doub
   valid[0] = -1;
   set_ray(packet, 0, {point.cast<float>(), -Eigen::Vector3f::UnitZ(), 0.0F},
           static_cast<float>(depth));
+  for (std::size_t i = 1; i < kPacket; ++i) set_no_ray(packet, i);
   intersect_coherent16(valid.data(), impl_->firm == nullptr ? impl_->fixed : impl_->firm, packet);
   if (packet.hit.geomID[0] == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return point.z() - static_cast<double>(packet.ray.tfar[0]);
