@@ -30,8 +30,9 @@ Step quantised(double value, const Interval& interval) {
   return static_cast<Step>(at > 0.0 ? std::lround(kSteps * std::min(at, 1.0)) : 0);
 }
 
-std::vector<float> chosen(const std::vector<float>& values, const std::vector<std::uint32_t>& at) {
-  std::vector<float> result;
+template <typename T>
+std::vector<T> chosen(const std::vector<T>& values, const std::vector<std::uint32_t>& at) {
+  std::vector<T> result;
   result.reserve(at.size());
   for (const std::uint32_t i : at) result.push_back(values[i]);
   return result;
@@ -59,26 +60,25 @@ Json series_json(const std::vector<float>& values, const Interval& interval) {
           {"values", base64_of(std::span<const Step>(steps))}};
 }
 
-Json positions_json(const std::vector<Eigen::Vector3f>& points,
-                    const std::vector<std::uint32_t>& kept) {
-  Eigen::Vector3f low = points[kept.front()], high = low;
-  for (const std::uint32_t i : kept) {
-    low = low.cwiseMin(points[i]);
-    high = high.cwiseMax(points[i]);
+}  // namespace
+
+Json points_json(const std::vector<Eigen::Vector3f>& points) {
+  Eigen::Vector3f low = points.front(), high = low;
+  for (const Eigen::Vector3f& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
   }
   std::vector<std::uint16_t> steps;
-  steps.reserve(3 * kept.size());
-  for (const std::uint32_t i : kept) {
+  steps.reserve(3 * points.size());
+  for (const Eigen::Vector3f& point : points) {
     for (int axis = 0; axis < 3; ++axis) {
-      steps.push_back(quantised<std::uint16_t>(points[i][axis], {low[axis], high[axis]}));
+      steps.push_back(quantised<std::uint16_t>(point[axis], {low[axis], high[axis]}));
     }
   }
   return {{"low", {low.x(), low.y(), low.z()}},
           {"high", {high.x(), high.y(), high.z()}},
           {"values", base64_of(std::span<const std::uint16_t>(steps))}};
 }
-
-}  // namespace
 
 Json map_json(const MapCloud& map, std::size_t budget) {
   for (const std::vector<float>* values : {&map.intensities, &map.first_seen}) {
@@ -92,7 +92,7 @@ Json map_json(const MapCloud& map, std::size_t budget) {
   if (thinned.kept.empty()) return nullptr;
   Json json = {
       {"points", map.points.size()}, {"shown", thinned.kept.size()},
-      {"cube_m", thinned.cube},      {"positions", positions_json(map.points, thinned.kept)},
+      {"cube_m", thinned.cube},      {"positions", points_json(chosen(map.points, thinned.kept))},
       {"intensity", nullptr},        {"first_seen_s", nullptr}};
   if (!map.intensities.empty()) {
     const std::vector<float> values = chosen(map.intensities, thinned.kept);

@@ -12,4 +12,7 @@ namespace surefoot::report {
 /// `high` [m]; intensities in 256 steps, times in 65536. Null for a map without points.
 [[nodiscard]] nlohmann::ordered_json map_json(const MapCloud& map, std::size_t budget);
 
+/// Coordinates in 65536 steps an axis between `low` and `high` [m]; at least one point.
+[[nodiscard]] nlohmann::ordered_json points_json(const std::vector<Eigen::Vector3f>& points);
+
 }  // namespace surefoot::report

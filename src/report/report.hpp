@@ -66,6 +66,14 @@ struct MapCloud {
   std::vector<float> first_seen;  ///< [s] after the run's first scan
 };
 
+/// A sweep's points, all laid into the map by its pose at mid-scan; vectors of equal length.
+struct DeskewSample {
+  std::size_t scan = 0;                   ///< its place in the run's ScanTable
+  std::vector<Eigen::Vector3f> measured;  ///< [m] as they came
+  std::vector<Eigen::Vector3f> deskewed;  ///< [m] each by the pose at its own instant
+  std::vector<float> times;               ///< within the sweep, 0 to 1
+};
+
 /// Poses are given in the frame in which runs are shown: the truth's world where there is a truth,
 /// the run's own map otherwise. z is up.
 struct ReportRun {
@@ -78,6 +86,7 @@ struct ReportRun {
   std::vector<std::optional<Pose>> poses;  ///< one a scan; none for a rejected one
   std::optional<RunEvaluation> evaluation;
   MapCloud map;
+  std::vector<DeskewSample> deskewing;
 };
 
 struct ReportRecording {

@@ -125,6 +125,19 @@ Json evaluation_json(const std::optional<RunEvaluation>& evaluation, std::int64_
             {"yaw_deg", floats(errors.yaw_deg)}}}};
 }
 
+Json deskewing_json(const DeskewSample& sample) {
+  expect_length("a sweep's points as measured", sample.measured.size(), sample.times.size());
+  expect_length("a sweep's deskewed points", sample.deskewed.size(), sample.times.size());
+  std::vector<std::uint8_t> times;
+  for (const float time : sample.times) {
+    times.push_back(static_cast<std::uint8_t>(255.0F * std::clamp(time, 0.0F, 1.0F)));
+  }
+  return {{"scan", sample.scan},
+          {"measured", points_json(sample.measured)},
+          {"deskewed", points_json(sample.deskewed)},
+          {"times", base64_of(std::span<const std::uint8_t>(times))}};
+}
+
 Json run_json(const ReportRun& run, std::int64_t start_ns, std::size_t map_points) {
   expect_length("poses", run.poses.size(), run.scans.size());
   PoseSeries poses;
@@ -137,8 +150,12 @@ Json run_json(const ReportRun& run, std::int64_t start_ns, std::size_t map_point
                {"scans", scans_json(run.scans, start_ns)},
                {"path", Json::object()},
                {"evaluation", evaluation_json(run.evaluation, start_ns)},
-               {"map", map_json(run.map, map_points)}};
+               {"map", map_json(run.map, map_points)},
+               {"deskewing", Json::array()}};
   poses.put_into(json["path"]);
+  for (const DeskewSample& sample : run.deskewing) {
+    if (!sample.times.empty()) json["deskewing"].push_back(deskewing_json(sample));
+  }
   for (const ReportParameter& parameter : run.parameters) {
     json["parameters"].push_back({{"name", parameter.name},
                                   {"value", parameter.value},

@@ -128,6 +128,7 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   const Estimate estimate = odometry_.add_scan(*item.scan);
   if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
+  if (!options_.no_report) output.add_sample(*item.scan, estimate);
   for (RunBag& bag : bags_) bag.add(item.name, estimate, odometry_);
   if (estimate.trusted() && !options_.no_map) {
     const double time = seconds(estimate.stamp_ns - first_stamp_ns_);

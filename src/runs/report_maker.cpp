@@ -17,6 +17,7 @@
 #include "report/page.hpp"
 #include "report/report_json.hpp"
 #include "runs/run_folder.hpp"
+#include "runs/run_truth.hpp"
 
 namespace surefoot::runs {
 
@@ -25,8 +26,6 @@ using evaluation::AssociatedTrajectories;
 using evaluation::Relation;
 
 namespace {
-
-constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hundreds of hertz
 
 report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
   report::ErrorSeries series;
@@ -53,37 +52,26 @@ void move_run(const Pose& T_world_map, report::ReportRun& run) {
   }
   const Eigen::Matrix3f R = T_world_map.rotation.toRotationMatrix().cast<float>();
   const Eigen::Vector3f t = T_world_map.translation.cast<float>();
-  for (Eigen::Vector3f& point : run.map.points) point = R * point + t;
+  const auto move = [&](std::vector<Eigen::Vector3f>& points) {
+    for (Eigen::Vector3f& point : points) point = R * point + t;
+  };
+  move(run.map.points);
+  for (report::DeskewSample& sample : run.deskewing) {
+    move(sample.measured);
+    move(sample.deskewed);
+  }
 }
 
-/// The figures are those of `surefoot eval` with its defaults. What is drawn is laid on the truth
-/// by orientations, too: on a straight way positions leave the turn about it open, and the map
-/// would lie on its side.
+/// The figures are those of `surefoot eval` with its defaults; what is drawn is laid on the truth.
 void evaluate_run(const Trajectory& truth, const Trajectory& measured, report::ReportRun& run) {
   const evaluation::EvaluationOptions options;
   // Named as `surefoot eval` names it: by the file.
   const auto figures = evaluation::evaluate("trajectory", truth, measured, options);
   AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);
-  const evaluation::Alignment shown =
-      evaluation::find_alignment(pairs, evaluation::AlignmentMethod::kPoses);
-  pairs.estimate = evaluation::aligned(pairs.estimate, shown);
+  const Pose T_world_map = laid_on_truth(pairs);
+  pairs.estimate = evaluation::aligned(pairs.estimate, {T_world_map});
   run.evaluation = {evaluation::json_of(figures).dump(), error_series(pairs)};
-  move_run(shown.pose, run);
-}
-
-/// The part of the truth during the run, thinned evenly.
-Trajectory truth_during(const Trajectory& truth, const report::ScanTable& scans) {
-  Trajectory part;
-  if (scans.stamps_ns.empty()) return part;
-  for (const StampedPose& pose : truth) {
-    if (pose.stamp_ns >= scans.stamps_ns.front() && pose.stamp_ns <= scans.stamps_ns.back()) {
-      part.push_back(pose);
-    }
-  }
-  const std::size_t stride = part.size() / kTruthPoses + 1;
-  Trajectory thinned;
-  for (std::size_t i = 0; i < part.size(); i += stride) thinned.push_back(part[i]);
-  return thinned;
+  move_run(T_world_map, run);
 }
 
 std::string name_of(const fs::path& path) {
@@ -114,6 +102,7 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   run.scans = std::move(read.scans);
   run.poses = std::move(read.poses);
   run.map = std::move(read.map);
+  run.deskewing = std::move(read.deskewing);
   run.name = !name.empty() ? name : read.method.empty() ? name_of(folder) : read.method;
   const bool taken =
       std::any_of(report_.runs.begin(), report_.runs.end(), [&](const report::ReportRun& other) {
@@ -122,16 +111,16 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   if (taken) run.name += fmt::format(" ({})", name_of(folder));
 
   fs::path truth_file = truth.empty() ? truth_ : truth;
-  if (truth_file.empty() && read.poses_of_lidar && fs::is_regular_file(read.input / "gt.tum")) {
-    truth_file = read.input / "gt.tum";
-  }
+  if (truth_file.empty() && read.poses_of_lidar) truth_file = truth_beside(read.input);
   if (!truth_file.empty()) {
     const Trajectory poses = io::read_tum(truth_file);
     run.facts.emplace_back("Truth", truth_file.string());
     try {
       evaluate_run(poses, read.measured, run);
       Trajectory& shown = report_.recordings[run.recording].truth;
-      if (shown.empty()) shown = truth_during(poses, run.scans);
+      if (shown.empty() && run.scans.size() > 0) {
+        shown = truth_between(poses, run.scans.stamps_ns.front(), run.scans.stamps_ns.back());
+      }
     } catch (const std::exception& error) {
       run.notes.push_back(fmt::format("not compared with the truth: {}", error.what()));
       problems_.push_back(fmt::format("{}: {}", folder.string(), run.notes.back()));

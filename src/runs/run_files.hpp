@@ -13,6 +13,7 @@ inline constexpr const char* kDenseTrajectoryFile = "trajectory_dense.tum";
 inline constexpr const char* kKittiTrajectoryFile = "trajectory_kitti.txt";
 inline constexpr const char* kScansFile = "scans.csv";
 inline constexpr const char* kMapFile = "map.ply";
+inline constexpr const char* kDeskewingFile = "deskewing.ply";
 inline constexpr const char* kPictureFile = "picture.png";
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kDescriptionFile = "run.yaml";
@@ -20,7 +21,7 @@ inline constexpr const char* kDescriptionFile = "run.yaml";
 /// In the order in which an earlier run's are removed: those that tell a run's folder from another
 /// go last.
 inline constexpr std::array kRunFiles = {
-    kReportFile,          kPictureFile,    kMapFile,         kDenseTrajectoryFile,
+    kReportFile,          kPictureFile,    kDeskewingFile,   kMapFile,  kDenseTrajectoryFile,
     kKittiTrajectoryFile, kTrajectoryFile, kDescriptionFile, kScansFile};
 
 }  // namespace surefoot::runs

@@ -7,6 +7,7 @@
 #include "io/files/ply_reader.hpp"
 #include "io/recording.hpp"
 #include "io/trajectory_files.hpp"
+#include "runs/deskew_samples.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_yaml.hpp"
 #include "runs/scans_csv.hpp"
@@ -129,6 +130,11 @@ RunFolder read_run_folder(const fs::path& folder) {
     run.map = read_map(folder / kMapFile);
   } else {
     run.notes.emplace_back("no map.ply: paths are shown without a map");
+  }
+  if (fs::exists(folder / kDeskewingFile)) {
+    run.deskewing = read_deskew_samples(folder / kDeskewingFile);
+    std::erase_if(run.deskewing,
+                  [&](const auto& sample) { return sample.scan >= run.scans.size(); });
   }
   return run;
 }

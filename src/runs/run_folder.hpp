@@ -25,6 +25,7 @@ struct RunFolder {
   std::vector<std::optional<Pose>> poses;  ///< T_map_lidar (or base), one a scan; none if rejected
   Trajectory measured;                     ///< trajectory.tum
   report::MapCloud map;                    ///< in the map frame
+  std::vector<report::DeskewSample> deskewing;  ///< likewise
 };
 
 /// Throws io::ReadError if scans.csv, trajectory_kitti.txt or trajectory.tum is missing or

@@ -11,6 +11,7 @@
 #include "io/files/ply_writer.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
+#include "runs/run_truth.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
 #include "report/run_picture.hpp"
 #endif
@@ -56,6 +57,10 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
   }
 }
 
+void RunOutput::add_sample(const Scan& scan, const Estimate& estimate) {
+  samples_.add(lines_ - 1, scan, estimate);
+}
+
 /// Poses at multiples of the period, each once: of two scans that overlap, the first one's.
 void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written) {
   const std::int64_t from = std::max(estimate.trajectory.start_ns(), dense_until_ns_);
@@ -68,6 +73,22 @@ void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written)
   dense_until_ns_ = std::max(dense_until_ns_, to);
 }
 
+/// The recording's truth in the map frame, where it has one; a broken file is no reason to have no
+/// picture.
+Trajectory RunOutput::truth_of(const RunOptions& options) const {
+  const fs::path file = options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
+  if (file.empty()) return {};
+  Trajectory measured;
+  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
+    if (!untrusted_[i]) measured.push_back(trajectory_[i]);
+  }
+  try {
+    return truth_in_map(io::read_tum(file), measured);
+  } catch (const io::ReadError&) {
+    return {};
+  }
+}
+
 void RunOutput::finish(const RunOptions& options, const RunDescription& description,
                        const mapping::MapBuilder& map) {
   if (!options.no_map) {
@@ -75,12 +96,14 @@ void RunOutput::finish(const RunOptions& options, const RunDescription& descript
                                                 {"first_seen", map.first_seen()}};
     io::write_ply(folder_.path() / kMapFile, map.points(), columns);
   }
+  const std::vector<report::DeskewSample> sweeps = samples_.samples();
+  if (!sweeps.empty()) write_deskew_samples(folder_.path() / kDeskewingFile, sweeps);
 #ifdef SUREFOOT_HAS_PICTURES
   if (!options.no_picture) {
     const fs::path input = fs::absolute(options.input).lexically_normal();
     const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
     const std::string title = fmt::format("{}, method {}", name.string(), description.method);
-    report::draw_run_picture({title, trajectory_, map.points(), {}, untrusted_},
+    report::draw_run_picture({title, trajectory_, map.points(), truth_of(options), untrusted_},
                              folder_.path() / kPictureFile);
   }
 #endif

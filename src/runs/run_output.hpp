@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mapping/map_builder.hpp"
+#include "runs/deskew_samples.hpp"
 #include "runs/output_folder.hpp"
 #include "runs/run_options.hpp"
 #include "runs/scans_csv.hpp"
@@ -28,7 +29,9 @@ class RunOutput {
   /// pose was measured. `T_lidar_written`: where the frame whose poses are written sits.
   void add(const std::string& name, const Estimate& estimate, const Pose& T_lidar_written,
            const StepTimes& times);
-  /// map.ply, the picture and run.yaml.
+  /// Called after add(): the sweep may be one that shows what deskewing does.
+  void add_sample(const Scan& scan, const Estimate& estimate);
+  /// map.ply, deskewing.ply, the picture and run.yaml.
   void finish(const RunOptions& options, const RunDescription& description,
               const mapping::MapBuilder& map);
 
@@ -38,6 +41,7 @@ class RunOutput {
  private:
   std::ofstream open(const char* name);
   void add_dense(const Estimate& estimate, const Pose& T_lidar_written);
+  [[nodiscard]] Trajectory truth_of(const RunOptions& options) const;
 
   OutputFolder folder_;
   std::ofstream csv_, tum_, kitti_, dense_;
@@ -45,6 +49,7 @@ class RunOutput {
   std::int64_t dense_until_ns_ = std::numeric_limits<std::int64_t>::min() / 2;
   Trajectory trajectory_;
   std::vector<bool> untrusted_;
+  DeskewSamples samples_;
   std::size_t lines_ = 0;
 };
 

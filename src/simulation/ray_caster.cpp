@@ -191,7 +191,7 @@ void RayCaster::set_interval(double begin, double end) {
 
 void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
                                   std::span<Hit> hits, int panes_passed) const {
-  alignas(64) RTCRayHit16 packet{};  // lanes not asked for, too: Embree may look at them
+  alignas(64) RTCRayHit16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     valid[i] = -1;
@@ -290,7 +290,7 @@ void RayCaster::cast(std::span<const Ray> rays, float max_distance, std::span<Hi
 }
 
 std::optional<double> RayCaster::ground_below(const Eigen::Vector3d& point, double depth) const {
-  alignas(64) RTCRayHit16 packet{};  // lanes not asked for, too: Embree may look at them
+  alignas(64) RTCRayHit16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   valid[0] = -1;
   set_ray(packet, 0, {point.cast<float>(), -Eigen::Vector3f::UnitZ(), 0.0F},

@@ -54,6 +54,23 @@ function decodeMap(map) {
   };
 }
 
+/** Coordinates that were sent in steps [m]. */
+function decodePoints({ low, high, values }) {
+  const steps = new Uint16Array(bytesOf(values).buffer);
+  return Float32Array.from(steps, (step, i) => {
+    return low[i % 3] + (step / 65535) * (high[i % 3] - low[i % 3]);
+  });
+}
+
+function decodeSample({ scan, measured, deskewed, times }) {
+  return {
+    scan,
+    measured: decodePoints(measured),
+    deskewed: decodePoints(deskewed),
+    times: bytesOf(times),
+  };
+}
+
 function decodePoses({ positions, angles }) {
   return { positions: floats(positions), angles: floats(angles) };
 }
@@ -75,6 +92,7 @@ function decodeRun(run, index) {
     figures: run.evaluation?.figures ?? null,
     errors: run.evaluation ? decodeAll(run.evaluation.errors) : null,
     map: decodeMap(run.map),
+    deskewing: run.deskewing.map(decodeSample),
   };
 }
 

@@ -4,7 +4,9 @@
 import { addCharts } from "./charts.js";
 import { readReport } from "./data.js";
 import { el } from "./dom.js";
+import { addDeskewing } from "./deskew_view.js";
 import { addHeader } from "./header.js";
+import { addMapGrid } from "./map_grid.js";
 import { addViews } from "./views.js";
 import { addScrubber } from "./scrubber.js";
 import { Store } from "./store.js";
@@ -39,6 +41,8 @@ function showReport() {
   };
   addHeader(page, context);
   addViews(page, context);
+  addMapGrid(page, context);
+  addDeskewing(page, context);
   addCharts(page, context);
   addTables(page, context);
   addScrubber(page, context);

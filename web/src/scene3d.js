@@ -173,6 +173,22 @@ export class Scene3d {
     this.draw();
   }
 
+  /** Turns to where another scene looks. */
+  lookAs(other) {
+    this.following = true;
+    this.camera.position.copy(other.camera.position);
+    this.controls.target.copy(other.controls.target);
+    this.controls.update();
+    this.following = false;
+    this.draw();
+  }
+
+  dispose() {
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (width === 0 || height === 0) return;

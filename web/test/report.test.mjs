@@ -89,6 +89,20 @@ test("shows the figures of surefoot eval", async () => {
   }
 });
 
+test("shows sweeps as measured and as deskewed", async () => {
+  const views = [".card:nth-child(1) .sweep canvas", ".card:nth-child(2) .sweep canvas"];
+  const [measured, deskewed] = await pictures(views);
+  assert.ok(measured.distinct >= 20 && deskewed.distinct >= 20);
+  assert.notEqual(measured.text, deskewed.text);
+  assert.match(
+    await page.$eval(".deskewing .note", (note) => note.textContent),
+    /^Scan \d+, .* by 0\.\d+ m \(RMS\)/,
+  );
+  await page.click(".deskewing .choice label:nth-child(2)");
+  await settle(page);
+  assert.notEqual((await pictures(views))[1].text, deskewed.text);
+});
+
 test("marks the instant under the pointer everywhere", async () => {
   const earlier = await pictures();
   await hover(page, await page.$(".chart .u-over"), 0.5, 0.5);
@@ -167,6 +181,21 @@ test("fits a telephone", async () => {
 
 test("has not complained, and asked for nothing", () => assertQuiet(complaints, requests));
 
+/** Two maps beside each other: whoever turns one turns the other. */
+async function turnsBoth(comparison) {
+  const maps = [".card:nth-child(1) .one-map canvas", ".card:nth-child(2) .one-map canvas"];
+  const both = () => Promise.all(maps.map((map) => colorsOf(comparison, map)));
+  const earlier = await both();
+  for (const { distinct } of earlier) assert.ok(distinct >= 20, `${distinct} colours`);
+  await hover(comparison, await comparison.$(maps[0]), 0.5, 0.5);
+  const box = await (await comparison.$(maps[0])).boundingBox();
+  await comparison.mouse.down();
+  await comparison.mouse.move(box.x + 0.8 * box.width, box.y + 0.5 * box.height, { steps: 4 });
+  await comparison.mouse.up();
+  await settle(comparison);
+  (await both()).forEach(({ text }, i) => assert.notEqual(text, earlier[i].text, maps[i]));
+}
+
 test("shows several runs beside each other, dark where the system is", async () => {
   const opened = await open(browser, process.env.SUREFOOT_TEST_COMPARISON, { theme: "dark" });
   const comparison = opened.page;
@@ -176,6 +205,7 @@ test("shows several runs beside each other, dark where the system is", async () 
   await settle(comparison);
   assert.equal(await comparison.evaluate(() => window.surefootReport.store.get("run")), 1);
   assert.ok(await comparison.$('td[data-place="1"]'));
+  await turnsBoth(comparison);
   assertQuiet(opened.complaints, opened.requests);
 });
 

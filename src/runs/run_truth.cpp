@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/run_truth.hpp"
+
+#include <exception>
+
+#include "evaluation/evaluate.hpp"
+
+namespace surefoot::runs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hundreds of hertz
+
+}  // namespace
+
+fs::path truth_beside(const fs::path& input) {
+  const fs::path file = input / "gt.tum";
+  return fs::is_regular_file(file) ? file : fs::path{};
+}
+
+Pose laid_on_truth(const evaluation::AssociatedTrajectories& pairs) {
+  return find_alignment(pairs, evaluation::AlignmentMethod::kPoses).pose;
+}
+
+Trajectory truth_between(const Trajectory& truth, std::int64_t first_ns, std::int64_t last_ns) {
+  Trajectory part;
+  for (const StampedPose& pose : truth) {
+    if (pose.stamp_ns >= first_ns && pose.stamp_ns <= last_ns) part.push_back(pose);
+  }
+  const std::size_t stride = part.size() / kTruthPoses + 1;
+  Trajectory thinned;
+  for (std::size_t i = 0; i < part.size(); i += stride) thinned.push_back(part[i]);
+  return thinned;
+}
+
+Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured) {
+  if (truth.empty() || measured.empty()) return {};
+  try {
+    const evaluation::EvaluationOptions options;
+    const Pose T_map_world =
+        laid_on_truth(evaluation::associate(truth, measured, options.association)).inverse();
+    Trajectory seen = truth_between(truth, measured.front().stamp_ns, measured.back().stamp_ns);
+    for (StampedPose& pose : seen) pose.pose = T_map_world * pose.pose;
+    return seen;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+}  // namespace surefoot::runs

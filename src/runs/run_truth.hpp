@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The truth that lies beside a recording, where the run's path is to be seen with it.
+#pragma once
+
+#include <filesystem>
+
+#include "evaluation/alignment.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::runs {
+
+/// The gt.tum of the recording, poses of the LiDAR; empty if there is none.
+[[nodiscard]] std::filesystem::path truth_beside(const std::filesystem::path& input);
+
+/// T_world_map by which a run is laid on its truth to be looked at: by orientations, too. On a
+/// straight way positions leave the turn about it open, and the map would lie on its side. Throws
+/// std::runtime_error where truth and run have no time in common.
+[[nodiscard]] Pose laid_on_truth(const evaluation::AssociatedTrajectories& pairs);
+
+/// The truth from the run's first to its last pose, thinned to a few thousand.
+[[nodiscard]] Trajectory truth_between(const Trajectory& truth, std::int64_t first_ns,
+                                       std::int64_t last_ns);
+
+/// The same in the run's own map frame; empty where truth and run have no time in
+/// common or the truth is none that can be compared with.
+[[nodiscard]] Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured);
+
+}  // namespace surefoot::runs

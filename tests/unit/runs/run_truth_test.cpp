@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/run_truth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace surefoot::runs {
+namespace {
+
+constexpr std::int64_t kStep = 100'000'000;  // [ns]
+
+/// A straight walk along x that looks ahead, moved by `T`.
+Trajectory walk(const Pose& T, std::size_t poses, std::int64_t start_ns = 0) {
+  Trajectory trajectory;
+  for (std::size_t i = 0; i < poses; ++i) {
+    Pose pose;
+    pose.translation.x() = 0.1 * double(i);
+    trajectory.push_back({start_ns + std::int64_t(i) * kStep, T * pose});
+  }
+  return trajectory;
+}
+
+Pose turned() {
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(std::numbers::pi / 3, Eigen::Vector3d::UnitX());
+  pose.translation = {100, -3, 7};
+  return pose;
+}
+
+TEST(RunTruth, IsLaidIntoTheMapByPosesAlsoOnAStraightWay) {
+  const Trajectory measured = walk({}, 50);
+  const Trajectory truth = walk(turned(), 80);
+  const Trajectory shown = truth_in_map(truth, measured);
+  ASSERT_EQ(shown.size(), 50U);  // from the run's first to its last pose
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_EQ(shown[i].stamp_ns, measured[i].stamp_ns);
+    EXPECT_LT((shown[i].pose.translation - measured[i].pose.translation).norm(), 1e-9);
+    EXPECT_LT(shown[i].pose.rotation.angularDistance(measured[i].pose.rotation), 1e-9);
+  }
+}
+
+TEST(RunTruth, OfAnotherTimeIsNone) {
+  EXPECT_TRUE(truth_in_map(walk(turned(), 50, 1'000'000'000'000), walk({}, 50)).empty());
+  EXPECT_TRUE(truth_in_map({}, walk({}, 50)).empty());
+  EXPECT_TRUE(truth_in_map(walk({}, 50), {}).empty());
+}
+
+TEST(RunTruth, OutOfOrderIsNone) {
+  Trajectory truth = walk({}, 50);
+  std::swap(truth[3], truth[30]);
+  EXPECT_TRUE(truth_in_map(truth, walk({}, 50)).empty());
+}
+
+}  // namespace
+}  // namespace surefoot::runs
