@@ -10,6 +10,7 @@
 #include <string>
 
 #include "io/decimal_time.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 #include "io/recording_summary.hpp"
 #include "process/exit_codes.hpp"
@@ -71,7 +72,7 @@ nlohmann::ordered_json to_json(const RecordingSummary& summary) {
 }
 
 void print_row(const char* name, const std::string& value) {
-  std::printf("%-14s %s\n", name, value.c_str());
+  std::printf("%-14s %s\n", name, io::printable(value).c_str());
 }
 
 std::string text_of(const Spread& spread, const char* format) {

@@ -14,6 +14,7 @@ using io::OpenOptions;
 using io::ReturnChoice;
 using io::Spin;
 using io::StampAt;
+using io::TimeDirection;
 using io::TimeReference;
 using io::TimeUnit;
 
@@ -41,6 +42,13 @@ void add_time_options(CLI::App& command, OpenOptions& options) {
   add_choice<StampAt>(command, "--stamp-at", options.stamp_at,
                       "Instant of a scan that its stamp names",
                       {{"start", StampAt::kStart}, {"end", StampAt::kEnd}})
+      ->group(kGroup);
+  add_choice<TimeDirection>(command, "--point-times", options.time_direction,
+                            "forward; backward: they count back from the stamp; none: leave them "
+                            "out, the scans are deskewed already",
+                            {{"forward", TimeDirection::kForward},
+                             {"backward", TimeDirection::kBackward},
+                             {"none", TimeDirection::kNone}})
       ->group(kGroup);
   add_choice<DeriveTimes>(command, "--derive-times", options.derive_times,
                           "Make up point times: azimuth: of a spinning LiDAR, from --cut on",

@@ -50,6 +50,11 @@ class WatchedRecording : public Recording {
  public:
   WatchedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
       : recording_(std::move(recording)), options_(options) {
+    if (options_.time_direction == TimeDirection::kBackward) {
+      own_notes_.emplace_back("point times: counted back from the stamp, as asked for");
+    } else if (options_.time_direction == TimeDirection::kNone) {
+      own_notes_.emplace_back("point times: left out, as asked for");
+    }
     merge_notes();
   }
 
@@ -103,6 +108,11 @@ class WatchedRecording : public Recording {
   }
 
   void watch(Scan& scan) {
+    if (options_.time_direction == TimeDirection::kNone) {
+      scan.times_ns.clear();
+      return;
+    }
+    if (options_.time_direction == TimeDirection::kBackward) count_backward(scan);
     if (options_.derive_times == DeriveTimes::kAzimuth) {
       derive_times(scan, {options_.spin, options_.cut_azimuth_deg, period_ns_, options_.stamp_at});
       return;
@@ -173,6 +183,11 @@ std::optional<Spin> spin_of(const Scan& scan) {
   if (clockwise >= kMost) return Spin::kClockwise;
   if (counterclockwise >= kMost) return Spin::kCounterclockwise;
   return std::nullopt;
+}
+
+void count_backward(Scan& scan) {
+  // Not of the lowest number, which has no opposite.
+  for (std::int32_t& time : scan.times_ns) time = -std::max(time, -INT32_MAX);
 }
 
 void derive_times(Scan& scan, const Sweep& sweep) {

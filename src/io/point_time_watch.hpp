@@ -35,8 +35,11 @@ struct Sweep {
 /// Point times from azimuths: the sweep begins at the cut and takes a period.
 void derive_times(Scan& scan, const Sweep& sweep);
 
-/// The recording with the options' derived times, or, without, one that notes once what is amiss
-/// with its scans' times.
+/// Point times that count back from the stamp, made to count forward.
+void count_backward(Scan& scan);
+
+/// The recording with the options' derived or turned times, or, without, one that notes once what
+/// is amiss with its scans' times.
 [[nodiscard]] std::unique_ptr<Recording> watch_point_times(std::unique_ptr<Recording> recording,
                                                            const OpenOptions& options);
 

@@ -35,6 +35,12 @@ enum class DeriveTimes {
   kNo,
   kAzimuth,  ///< by where a point lies within a revolution
 };
+/// Which way point times count, and whether they count at all.
+enum class TimeDirection {
+  kForward,
+  kBackward,  ///< back from the stamp, where a field holds how old a point is
+  kNone       ///< left out: the scans are deskewed already
+};
 /// How a LiDAR turns, seen from above.
 enum class Spin { kClockwise, kCounterclockwise };
 using sensors::ReturnChoice;
@@ -50,6 +56,7 @@ struct OpenOptions {
   TimeUnit time_unit = TimeUnit::kAuto;
   TimeReference time_reference = TimeReference::kAuto;
   StampAt stamp_at = StampAt::kStart;
+  TimeDirection time_direction = TimeDirection::kForward;
   DeriveTimes derive_times = DeriveTimes::kNo;
   Spin spin = Spin::kClockwise;  ///< of derived times
   /// Mend stamps that cannot be (stamp_repair.hpp), and say so.

@@ -6,8 +6,6 @@
 
 namespace surefoot::report {
 
-namespace {
-
 std::string html_text(std::string_view text) {
   std::string html;
   for (const char c : text) {
@@ -27,8 +25,6 @@ std::string html_text(std::string_view text) {
   }
   return html;
 }
-
-}  // namespace
 
 std::string make_page(std::string_view page_template, std::string_view title,
                       std::string_view json) {

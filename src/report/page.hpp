@@ -16,6 +16,9 @@ inline constexpr std::string_view kTitlePlaceholder = "{{surefoot-report-title}}
 /// The page without data; empty in a program that was built without the page.
 [[nodiscard]] std::string_view page_template();
 
+/// Text as HTML shows it, whatever characters it has.
+[[nodiscard]] std::string html_text(std::string_view text);
+
 /// The page with `json` (of to_json()) and the title in it. Throws std::invalid_argument if the
 /// template has not exactly one place for the data.
 [[nodiscard]] std::string make_page(std::string_view page_template, std::string_view title,

@@ -60,6 +60,7 @@ const std::vector<Layer> kLayers = {
     {"report", {"geometry"}},
     {"process", {}},
     {"runs", {"geometry", "io", "mapping", "evaluation", "report", "process"}},
+    {"checks", {"io", "report", "runs"}},
     {"experiments", {"io", "evaluation", "simulation", "report", "process", "runs"}},
     {"recordings", {"geometry", "sensors", "io", "simulation", "report", "process"}},
 };

@@ -9,6 +9,7 @@
 #include "io/messages/message_reader.hpp"
 #include "io/messages/packet_message.hpp"
 #include "io/packets/packet_scans.hpp"
+#include "io/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -18,15 +19,6 @@ constexpr std::size_t kMostTopics = 10'000;
 // Messages of a topic that are tried before it counts as of no use.
 constexpr std::size_t kMostLookedInto = 200;
 constexpr std::size_t kMostListed = 40;
-
-std::string escaped(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    const bool plain = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-    text += plain ? c : '?';
-  }
-  return text;
-}
 
 void look_into_cloud(const Message& message, TopicSurvey& survey) {
   survey.usable = true;  // where this one is damaged, the next one may be whole
@@ -79,10 +71,10 @@ std::string metadata_in(const Message& message) {
 std::string line_of(const TopicSurvey& survey) {
   char rate[40];
   std::snprintf(rate, sizeof(rate), "%.1f Hz", survey.rate_hz());
-  std::string line = "  " + escaped(survey.topic.name) + "  " + escaped(survey.topic.type);
+  std::string line = "  " + printable(survey.topic.name) + "  " + printable(survey.topic.type);
   if (survey.messages > 1) line += std::string("  ") + rate;
-  if (!survey.frame.empty()) line += "  frame " + escaped(survey.frame);
-  if (!survey.content.empty()) line += "  " + escaped(survey.content);
+  if (!survey.frame.empty()) line += "  frame " + printable(survey.frame);
+  if (!survey.content.empty()) line += "  " + printable(survey.content);
   return line;
 }
 
@@ -160,7 +152,7 @@ const TopicSurvey& choose_topic(const std::vector<TopicSurvey>& topics, const st
     std::string text = bag + ": " + std::to_string(usable.size()) +
                        " topics that scans can be made of:" + list(usable) + "\ntake one:";
     for (const TopicSurvey& survey : usable) {
-      text += "\n  surefoot run " + bag + " --topic " + escaped(survey.topic.name);
+      text += "\n  surefoot run " + bag + " --topic " + printable(survey.topic.name);
     }
     throw ReadError(text);
   }

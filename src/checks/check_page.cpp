@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "checks/check_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "report/page.hpp"
+
+namespace surefoot::checks {
+namespace {
+
+using report::html_text;
+
+constexpr const char* kHead = R"(<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>{}</title><style>
+:root {{ color-scheme: light dark; --line: #8884; --dot: #1f6fb2; --bad: #c0392b; --good: #1e8449; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --dot: #6db3f2; --bad: #ff7b6b; --good: #58d68d; }} }}
+body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }}
+h1 {{ font-size: 1.4rem; }} h2 {{ font-size: 1.05rem; margin: 1.6rem 0 .3rem; }}
+.verdict {{ font-size: 1.2rem; font-weight: 600; }}
+.bad {{ color: var(--bad); }} .good {{ color: var(--good); }}
+table {{ border-collapse: collapse; }} td, th {{ padding: .2rem .8rem .2rem 0; text-align: left;
+vertical-align: top; border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }}
+svg {{ width: 100%; height: auto; display: block; }}
+svg text {{ font: 12px system-ui, sans-serif; fill: currentColor; }}
+svg line {{ stroke: var(--line); }} svg circle {{ fill: var(--dot); }}
+svg circle.odd {{ fill: var(--bad); }} svg rect {{ fill: var(--dot); }}
+svg rect.best {{ fill: var(--good); }}
+</style></head><body>
+)";
+
+// Scans that are drawn at most: one of each bin's most unusual ones would do as well, a page of a
+// hundred megabytes would not.
+constexpr std::size_t kMostDots = 2000;
+constexpr double kWidth = 900.0, kHeight = 130.0, kLeft = 70.0, kRight = 10.0;
+constexpr double kTop = 8.0, kBottom = 22.0;
+
+struct Dot {
+  double at = 0.0;  // number of the scan
+  double value = 0.0;
+  bool odd = false;
+};
+
+struct Chart {
+  const char* title;
+  const char* unit;
+  std::vector<Dot> dots;
+};
+
+// The odd ones, and of the others as many as there is room for.
+std::vector<Dot> drawn(std::vector<Dot> dots) {
+  const std::size_t step = dots.size() / kMostDots + 1;
+  std::size_t index = 0, odd = 0;
+  std::erase_if(dots, [&](const Dot& dot) {
+    if (!std::isfinite(dot.value)) return true;
+    const bool keep = index++ % step == 0 || (dot.odd && odd++ < kMostDots);
+    return !keep;
+  });
+  return dots;
+}
+
+std::string chart_of(const Chart& chart, std::size_t scans) {
+  const std::vector<Dot> dots = drawn(chart.dots);
+  if (dots.empty()) return {};
+  const auto [low, high] = std::minmax_element(
+      dots.begin(), dots.end(), [](const Dot& a, const Dot& b) { return a.value < b.value; });
+  const double least = std::min(0.0, low->value);
+  const double greatest = high->value > least ? high->value : least + 1.0;
+  const auto x = [&](double at) {
+    return kLeft + (kWidth - kLeft - kRight) * at / std::max(1.0, double(scans) - 1.0);
+  };
+  const auto y = [&](double value) {
+    return kHeight - kBottom - (kHeight - kTop - kBottom) * (value - least) / (greatest - least);
+  };
+  std::string svg = fmt::format("<h2>{}</h2>\n<svg viewBox=\"0 0 {} {}\" role=\"img\">\n",
+                                chart.title, kWidth, kHeight);
+  for (const double value : {least, greatest}) {
+    svg += fmt::format(
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/><text x=\"{3}\" y=\"{4:.1f}\" "
+        "text-anchor=\"end\">{5:.4g}{6}</text>\n",
+        kLeft, kWidth - kRight, y(value), kLeft - 6, y(value) + 4, value, chart.unit);
+  }
+  svg += fmt::format(
+      "<text x=\"{}\" y=\"{}\">scan 0</text><text x=\"{}\" y=\"{}\" "
+      "text-anchor=\"end\">{}</text>\n",
+      kLeft, kHeight - 4, kWidth - kRight, kHeight - 4, scans - 1);
+  for (const Dot& dot : dots) {
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}/>", x(dot.at), y(dot.value),
+                       dot.odd ? 3 : 1.6, dot.odd ? " class=\"odd\"" : "");
+  }
+  return svg + "\n</svg>\n";
+}
+
+using Value = std::function<double(const ScanFacts&)>;
+using Odd = std::function<bool(const ScanFacts&)>;
+
+Chart chart_from(const RecordingCheck& check, const char* title, const char* unit,
+                 const Value& value, const Odd& odd) {
+  Chart chart{title, unit, {}};
+  for (std::size_t i = 0; i < check.scans.size(); ++i) {
+    const ScanFacts& scan = check.scans[i];
+    if (scan.error.empty()) chart.dots.push_back({double(i), value(scan), odd(scan)});
+  }
+  return chart;
+}
+
+Chart interval_chart(const RecordingCheck& check) {
+  Chart chart{"Time since the scan before", " s", {}};
+  const ScanFacts* last = nullptr;
+  const double usual = check.figures.usual_interval_s;
+  for (std::size_t i = 0; i < check.scans.size(); ++i) {
+    const ScanFacts& scan = check.scans[i];
+    if (!scan.error.empty()) continue;
+    if (last != nullptr) {
+      const double step = 1e-9 * static_cast<double>(scan.stamp_ns - last->stamp_ns);
+      chart.dots.push_back({double(i), step, step <= 0.0 || step > 1.5 * usual});
+    }
+    last = &scan;
+  }
+  return chart;
+}
+
+std::string charts(const RecordingCheck& check) {
+  if (check.scans.empty()) return {};
+  const auto never = [](const ScanFacts&) { return false; };
+  const double usual = check.figures.returns.median;
+  std::string html;
+  const auto add = [&](const Chart& chart) { html += chart_of(chart, check.scans.size()); };
+  add(interval_chart(check));
+  add(chart_from(
+      check, "Returns", "", [](const ScanFacts& s) { return double(s.returns); },
+      [usual](const ScanFacts& s) { return double(s.returns) < 0.5 * usual; }));
+  add(chart_from(
+      check, "Points that are NaN, infinite or zero", " %",
+      [](const ScanFacts& s) {
+        return s.points == 0 ? 0.0 : 100.0 * double(s.not_finite + s.zero) / double(s.points);
+      },
+      never));
+  add(chart_from(
+      check, "How long a sweep lasts", " s",
+      [](const ScanFacts& s) { return s.last_s - s.first_s; }, never));
+  add(chart_from(
+      check, "Range of the middle return", " m", [](const ScanFacts& s) { return s.middle; },
+      never));
+  add(chart_from(
+      check, "Directions around with returns", " %",
+      [](const ScanFacts& s) { return 100.0 * s.seen_around; }, never));
+  add(chart_from(
+      check, "Turned since the scan before, roughly", " deg",
+      [](const ScanFacts& s) { return s.turned_deg; }, never));
+  return html;
+}
+
+std::string trials(const MotionCheck& motion) {
+  const std::vector<TimeTrial>& all = motion.trials.trials;
+  double greatest = 0.0;
+  for (const TimeTrial& trial : all) greatest = std::max(greatest, trial.middle_blur);
+  if (!(greatest > 0.0)) return {};
+  constexpr double kBar = 26.0, kNames = 260.0;
+  std::string svg = fmt::format(
+      "<h2>How blurred the map is, by how the point times are read</h2>\n<svg viewBox=\"0 0 {} "
+      "{}\" "
+      "role=\"img\">\n",
+      kWidth, kBar * double(all.size()) + 4);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double top = kBar * double(i);
+    const double width = (kWidth - kNames - 90) * all[i].middle_blur / greatest;
+    svg += fmt::format(
+        "<text x=\"0\" y=\"{0:.0f}\">{1}</text><rect x=\"{2}\" y=\"{3}\" width=\"{4:.1f}\" "
+        "height=\"{5}\"{6}/><text x=\"{7:.1f}\" y=\"{0:.0f}\">{8:.1f} mm</text>\n",
+        top + 17, name_of(all[i].reading), kNames, top + 4, width, kBar - 8,
+        motion.trials.decided && i == motion.trials.preferred ? " class=\"best\"" : "",
+        kNames + width + 6, 1e3 * all[i].middle_blur);
+  }
+  return svg + "</svg>\n";
+}
+
+std::string findings_table(const std::vector<Finding>& findings) {
+  if (findings.empty()) return "<p>Nothing odd was found.</p>\n";
+  std::string html = "<table><tr><th></th><th>what</th><th>scans</th><th>first</th></tr>\n";
+  for (const Finding& finding : findings) {
+    html += fmt::format(
+        "<tr><td class=\"{}\">{}</td><td>{}{}{}</td><td>{}</td><td>{}</td></tr>\n",
+        finding.suffers ? "bad" : "", finding.suffers ? "suffers" : "odd", html_text(finding.what),
+        finding.detail.empty() ? "" : ": ", html_text(finding.detail),
+        finding.scans > 0 ? std::to_string(finding.scans) : "", html_text(finding.first));
+  }
+  return html + "</table>\n";
+}
+
+std::string list(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return {};
+  std::string html = "<ul>\n";
+  for (const std::string& sentence : sentences) html += "<li>" + html_text(sentence) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+}  // namespace
+
+std::string to_html(const RecordingCheck& check, const std::string& name) {
+  const Figures& figures = check.figures;
+  const std::string title = html_text(name);
+  std::string html = fmt::format(kHead, title);
+  html += fmt::format("<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n", title,
+                      check.suffers() ? "bad" : "good", html_text(check.verdict()));
+  html += fmt::format("<p>{}: {} scans at {:.2f} Hz, {:.0f} points each, {} rings.</p>\n",
+                      html_text(check.description), figures.scans, figures.rate_hz(),
+                      figures.points.median, figures.rings.size());
+  html += findings_table(check.findings);
+  html += "<h2>Times</h2>\n" + list(check.time_sentences) + list(check.motion_sentences) +
+          list(check.notes);
+  if (check.motion) html += trials(*check.motion);
+  return html + charts(check) + "</body></html>\n";
+}
+
+}  // namespace surefoot::checks

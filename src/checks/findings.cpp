@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "checks/findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "surefoot/config.hpp"
+
+namespace surefoot::checks {
+namespace {
+
+using io::PointTimes;
+using io::spread_of;
+
+// A scan is missing where an interval is half as long again as usual.
+constexpr double kGap = 1.5;
+// Sweeps that last so much longer than it is to the next one lie over each other.
+constexpr double kOverlap = 1.25;
+// A scan with less than this share of the usual returns, or directions, is part of one.
+constexpr double kPart = 0.5;
+// What more than every tenth scan (or packet, or point) has is the recording's way, not a mishap.
+constexpr double kHabit = 0.1;
+constexpr double kSlowest = 5.0;  // [Hz] rates of LiDARs that spin are 5 to 20
+
+std::string text(const char* format, double a, double b = 0.0) {
+  char buffer[200];
+  std::snprintf(buffer, sizeof(buffer), format, a, b);
+  return buffer;
+}
+
+double seconds_of(std::int64_t ns) { return 1e-9 * static_cast<double>(ns); }
+double real(std::size_t value) { return static_cast<double>(value); }
+
+/// Collects what several scans have in common.
+class Findings {
+ public:
+  void scan(const std::string& what, const std::string& name) {
+    Finding& finding = at(what);
+    if (finding.scans++ == 0) finding.first = name;
+  }
+  void recording(bool suffers, const std::string& what, const std::string& detail) {
+    Finding& finding = at(what);
+    finding.suffers = suffers;
+    finding.detail = detail;
+  }
+  /// Settles what is known once all scans were seen; nothing where none has it.
+  template <typename Judge>
+  void judge(const std::string& what, Judge&& judge) {
+    for (Finding& finding : list_) {
+      if (finding.what == what) judge(finding);
+    }
+  }
+  [[nodiscard]] std::vector<Finding> take() {
+    std::stable_sort(list_.begin(), list_.end(),
+                     [](const Finding& a, const Finding& b) { return a.suffers > b.suffers; });
+    return std::move(list_);
+  }
+
+ private:
+  Finding& at(const std::string& what) {
+    for (Finding& finding : list_) {
+      if (finding.what == what) return finding;
+    }
+    list_.push_back({});
+    list_.back().what = what;
+    return list_.back();
+  }
+  std::vector<Finding> list_;
+};
+
+class Inspection {
+ public:
+  Inspection(const std::vector<ScanFacts>& scans, const Figures& figures)
+      : scans_(scans), figures_(figures) {}
+
+  std::vector<Finding> execute(const io::CaptureCounts& counts) {
+    for (std::size_t i = 0; i < scans_.size(); ++i) {
+      if (!scans_[i].error.empty()) {
+        found_.scan("scans that cannot be read", scans_[i].error);
+        continue;
+      }
+      look_at_stamp(scans_[i]);
+      look_at_points(scans_[i], i + 1 == scans_.size());
+      look_at_times(scans_[i]);
+    }
+    judge_stamps();
+    judge_points();
+    judge_times();
+    judge_recording(counts);
+    return found_.take();
+  }
+
+ private:
+  [[nodiscard]] double share(const Finding& finding) const {
+    return real(finding.scans) / std::max(1.0, real(figures_.scans));
+  }
+
+  void look_at_stamp(const ScanFacts& scan) {
+    if (last_ != nullptr) {
+      const double step = seconds_of(scan.stamp_ns - last_->stamp_ns);
+      const double usual = figures_.usual_interval_s;
+      if (step < 0.0) found_.scan("stamps that go back", scan.name);
+      if (step == 0.0) found_.scan("stamps that are the last one's again", scan.name);
+      if (usual > 0.0 && step > kGap * usual) {
+        found_.scan("gaps", scan.name);
+        longest_gap_ = std::max(longest_gap_, step);
+        missing_ += step / usual - 1.0;
+      }
+    }
+    if (scan.sent_again) found_.scan("scans that are the last one again", scan.name);
+    last_ = &scan;
+  }
+
+  void look_at_points(const ScanFacts& scan, bool is_last) {
+    const double usual = figures_.returns.median;
+    if (scan.returns < static_cast<std::size_t>(config_.preprocess.min_points)) {
+      found_.scan("scans with hardly a return", scan.name);
+    } else if (!scan.remark.empty()) {
+      const bool at_the_end = is_last || &scan == &scans_.front();
+      found_.scan(at_the_end ? "first and last scan in part" : "scans in part", scan.name);
+    } else if (real(scan.returns) < kPart * usual ||
+               scan.seen_around < kPart * figures_.around.median) {
+      found_.scan("scans with less than half of the usual points or directions", scan.name);
+    }
+    if (scan.not_finite > 0) found_.scan("points that are NaN or infinite", scan.name);
+    if (scan.zero > 0) found_.scan("points that are zero", scan.name);
+    if (scan.untimed > 0) {
+      found_.scan("points without a usable time", scan.name);
+      untimed_ += scan.untimed;
+    }
+    const std::size_t usual_rings = figures_.rings.size();
+    if (usual_rings > 1 && 2 * scan.rings.size() < usual_rings) {
+      found_.scan("scans with less than half of the rings", scan.name);
+    }
+  }
+
+  void look_at_times(const ScanFacts& scan) {
+    if (scan.returns == 0) return;
+    if (scan.times == PointTimes::kNone) found_.scan("no point times", scan.name);
+    if (scan.times == PointTimes::kEqual) found_.scan("point times that are all equal", scan.name);
+    if (scan.times != PointTimes::kThere) return;
+    const double interval = figures_.usual_interval_s;
+    if (interval > 0.0 && scan.last_s - scan.first_s > kOverlap * interval) {
+      found_.scan("sweeps that last longer than it is to the next", scan.name);
+    }
+    if (scan.spin == io::Spin::kCounterclockwise) {
+      found_.scan("sweeps that run counter-clockwise", scan.name);
+    }
+  }
+
+  void judge_stamps() {
+    found_.judge("stamps that go back", [&](Finding& finding) {
+      finding.suffers = share(finding) > kHabit;
+      finding.detail = "a run puts them where they belong";
+    });
+    found_.judge("stamps that are the last one's again", [&](Finding& finding) {
+      finding.suffers = share(finding) > kHabit;
+      finding.detail =
+          "a run takes the usual interval instead; where most stand still, --rate says it";
+    });
+    found_.judge("gaps", [&](Finding& finding) {
+      const double bridged = config_.motion_prior.max_extrapolation;
+      finding.suffers = longest_gap_ > bridged || missing_ > kHabit * real(figures_.scans);
+      finding.detail =
+          text("the longest %.3f s, about %.0f scans missing in all", longest_gap_, missing_) +
+          text("; a run goes on as it moved for %.1f s", bridged);
+    });
+    found_.judge("scans that are the last one again", [&](Finding& finding) {
+      finding.suffers = share(finding) > kHabit;
+      finding.detail = "the driver sent them twice";
+    });
+    found_.judge("scans that cannot be read", [&](Finding& finding) {
+      finding.suffers = true;
+      finding.detail = "a run leaves them out";
+    });
+  }
+
+  void judge_points() {
+    found_.judge("scans with hardly a return", [&](Finding& finding) {
+      finding.suffers = true;
+      finding.detail =
+          text("less than %.0f; a run rejects them", double(config_.preprocess.min_points));
+    });
+    for (const char* what : {"scans in part", "scans with less than half of the rings",
+                             "scans with less than half of the usual points or directions"}) {
+      found_.judge(what, [&](Finding& finding) {
+        finding.suffers = share(finding) > kHabit;
+        finding.detail = "messages, packets or returns are missing";
+      });
+    }
+    found_.judge("points that are NaN or infinite", [&](Finding& finding) {
+      finding.detail =
+          text("%.1f %% of all points; a run passes them over", 100.0 * figures_.not_finite_share);
+    });
+    found_.judge("points that are zero", [&](Finding& finding) {
+      finding.detail = text("%.1f %% of all points: no return; a run passes them over",
+                            100.0 * figures_.zero_share);
+    });
+    found_.judge("points without a usable time", [&](Finding& finding) {
+      const double of_all = real(untimed_) / std::max(1.0, real(untimed_) + all_points());
+      finding.suffers = of_all > kHabit;
+      finding.detail = text("%.2f %% of all points; they are left out", 100.0 * of_all);
+    });
+    const double nearest = config_.preprocess.min_range;
+    if (figures_.scans > 0 && figures_.range_m.median > 0.0 && figures_.range_m.median < nearest) {
+      found_.recording(true, "half of the points are nearer than a run uses",
+                       text("%.2f m in the middle, preprocess.min_range is %.2f m",
+                            figures_.range_m.median, nearest));
+    }
+  }
+
+  void judge_times() {
+    found_.judge("no point times", [&](Finding& finding) { judge_untimed(finding); });
+    found_.judge("point times that are all equal", [&](Finding& f) { judge_untimed(f); });
+    found_.judge("sweeps that last longer than it is to the next", [&](Finding& finding) {
+      finding.suffers = share(finding) > kHabit;
+      finding.detail = text(
+          "%.4f s, the scans are %.4f s apart: is the unit of the point times "
+          "wrong (--time-unit), or the rate (--rate)?",
+          figures_.duration_s.median, figures_.usual_interval_s);
+    });
+    found_.judge("sweeps that run counter-clockwise", [&](Finding& finding) {
+      finding.detail =
+          "LiDARs spin clockwise seen from above: it hangs upside down, or its times "
+          "are reversed";
+    });
+  }
+
+  void judge_untimed(Finding& finding) {
+    finding.suffers = share(finding) > kHabit;
+    finding.detail = "nothing can be deskewed; if the LiDAR spins, --derive-times azimuth";
+  }
+
+  void judge_recording(const io::CaptureCounts& counts) {
+    const double rate = figures_.rate_hz();
+    if (figures_.scans > 1 && rate > 0.0 && rate < kSlowest - 0.5) {
+      found_.recording(false, "few scans a second",
+                       text("%.2f Hz: between two of them the robot must hardly turn", rate));
+    }
+    if (figures_.scans == 1) found_.recording(true, "a single scan", "there is no motion to find");
+    if (figures_.scans == 0) found_.recording(true, "no scan at all", "");
+    if (counts.lost == 0) return;
+    const double lost = real(counts.lost) / real(counts.lost + counts.data_packets);
+    found_.recording(lost > kHabit, "lost packets",
+                     text("%.0f, %.2f %% of all", real(counts.lost), 100.0 * lost));
+  }
+
+  [[nodiscard]] double all_points() const {
+    double sum = 0.0;
+    for (const ScanFacts& scan : scans_) sum += real(scan.points);
+    return sum;
+  }
+
+  const std::vector<ScanFacts>& scans_;
+  const Figures& figures_;
+  const Config config_;
+  Findings found_;
+  const ScanFacts* last_ = nullptr;
+  double longest_gap_ = 0.0;
+  double missing_ = 0.0;  // scans
+  std::size_t untimed_ = 0;
+};
+
+// Those that occur in at least every tenth scan: a stray number is no ring.
+std::vector<std::uint16_t> usual_rings(const std::vector<ScanFacts>& scans) {
+  std::map<std::uint16_t, std::size_t> counts;
+  std::size_t readable = 0;
+  for (const ScanFacts& scan : scans) {
+    for (const std::uint16_t ring : scan.rings) ++counts[ring];
+    readable += scan.error.empty() ? 1 : 0;
+  }
+  std::vector<std::uint16_t> rings;
+  for (const auto& [ring, count] : counts) {
+    if (real(count) >= kHabit * real(readable)) rings.push_back(ring);
+  }
+  return rings;
+}
+
+/// One value of every scan that could be read and of which `choose` is true.
+template <typename Value, typename Choose>
+std::vector<double> values_of(const std::vector<ScanFacts>& scans, Value&& value, Choose&& choose) {
+  std::vector<double> values;
+  for (const ScanFacts& scan : scans) {
+    if (scan.error.empty() && choose(scan)) values.push_back(value(scan));
+  }
+  return values;
+}
+
+void add_stamps(const std::vector<ScanFacts>& scans, Figures& figures) {
+  std::vector<double> steps, forward;
+  const ScanFacts* last = nullptr;
+  for (const ScanFacts& scan : scans) {
+    if (!scan.error.empty()) continue;
+    if (last != nullptr) {
+      steps.push_back(seconds_of(scan.stamp_ns - last->stamp_ns));
+      if (steps.back() > 0.0) forward.push_back(steps.back());
+    } else {
+      figures.first_stamp_ns = scan.stamp_ns;
+    }
+    figures.last_stamp_ns = scan.stamp_ns;
+    last = &scan;
+  }
+  figures.interval_s = spread_of(steps);
+  figures.usual_interval_s = spread_of(forward).median;
+}
+
+}  // namespace
+
+Figures figures_of(const std::vector<ScanFacts>& scans) {
+  Figures figures;
+  double points = 0.0, not_finite = 0.0, zero = 0.0;
+  for (const ScanFacts& scan : scans) {
+    ++(scan.error.empty() ? figures.scans : figures.unreadable);
+    points += real(scan.points);
+    not_finite += real(scan.not_finite);
+    zero += real(scan.zero);
+    figures.turned_deg += std::abs(scan.turned_deg);
+  }
+  figures.not_finite_share = points > 0.0 ? not_finite / points : 0.0;
+  figures.zero_share = points > 0.0 ? zero / points : 0.0;
+  const auto any = [](const ScanFacts&) { return true; };
+  const auto seen = [](const ScanFacts& scan) { return scan.returns > 0; };
+  const auto timed = [](const ScanFacts& scan) { return scan.times == PointTimes::kThere; };
+  const auto spread = [&scans](auto&& value, auto&& choose) {
+    return spread_of(values_of(scans, value, choose));
+  };
+  figures.points = spread([](const ScanFacts& s) { return real(s.points); }, any);
+  figures.returns = spread([](const ScanFacts& s) { return real(s.returns); }, any);
+  figures.duration_s = spread([](const ScanFacts& s) { return s.last_s - s.first_s; }, timed);
+  figures.first_time_s = spread([](const ScanFacts& s) { return s.first_s; }, timed);
+  figures.last_time_s = spread([](const ScanFacts& s) { return s.last_s; }, timed);
+  figures.around = spread([](const ScanFacts& s) { return s.seen_around; }, seen);
+  figures.range_m = spread([](const ScanFacts& s) { return s.middle; }, seen);
+  figures.range_m.least = spread([](const ScanFacts& s) { return s.nearest; }, seen).least;
+  figures.range_m.greatest = spread([](const ScanFacts& s) { return s.farthest; }, seen).greatest;
+  figures.rings = usual_rings(scans);
+  add_stamps(scans, figures);
+  return figures;
+}
+
+std::vector<Finding> findings_of(const std::vector<ScanFacts>& scans, const Figures& figures,
+                                 const io::CaptureCounts& counts) {
+  return Inspection(scans, figures).execute(counts);
+}
+
+}  // namespace surefoot::checks

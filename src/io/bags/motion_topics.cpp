@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/motion_topics.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "io/bags/bag_files.hpp"
+#include "io/messages/message_reader.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::array<std::string_view, 5> kPoseTypes = {
+    "nav_msgs/Odometry", "geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped",
+    "geometry_msgs/TransformStamped", "geometry_msgs/PointStamped"};
+// Gaps of a gyroscope that are still bridged [s].
+constexpr double kLongestStep = 0.1;
+// Messages logged so much later than stamped are still looked at [ns].
+constexpr std::int64_t kLate = 2'000'000'000;
+
+Eigen::Vector3d vector_of(MessageReader& reader, const char* what) {
+  const double x = reader.number<double>(what), y = reader.number<double>(what);
+  return {x, y, reader.number<double>(what)};
+}
+
+Eigen::Quaterniond rotation_of(MessageReader& reader) {
+  const double x = reader.number<double>("rotation"), y = reader.number<double>("rotation");
+  const double z = reader.number<double>("rotation"), w = reader.number<double>("rotation");
+  const Eigen::Quaterniond rotation(w, x, y, z);
+  const double norm = rotation.norm();
+  if (norm == 0.0) return Eigen::Quaterniond::Identity();  // how some say that they do not know
+  if (!(norm > 0.5 && norm < 2.0)) throw ReadError("a rotation that is no unit quaternion");
+  return rotation.normalized();
+}
+
+StampedPose read_pose(const Message& message) {
+  MessageReader reader(message.topic->encoding, message.bytes);
+  reader.begin_structure();
+  StampedPose pose;
+  pose.stamp_ns = read_header(reader).stamp_ns;
+  const std::string& type = message.topic->type;
+  if (type == "nav_msgs/Odometry" || type == "geometry_msgs/TransformStamped") {
+    (void)reader.string("child frame");
+  }
+  pose.pose.translation = vector_of(reader, "position");
+  if (!pose.pose.translation.allFinite()) throw ReadError("a position that is not finite");
+  if (type != "geometry_msgs/PointStamped") pose.pose.rotation = rotation_of(reader);
+  return pose;
+}
+
+// Names of the topics with poses, in the order they appear; all of the bag is read.
+std::vector<std::string> pose_topics(const std::filesystem::path& bag) {
+  std::vector<std::string> names;
+  const auto source = open_bag(bag_files(bag));
+  while (const std::optional<Message> message = source->next()) {
+    const Topic& topic = *message->topic;
+    const bool known = std::find(names.begin(), names.end(), topic.name) != names.end();
+    if (!known && is_pose_type(topic.type)) names.push_back(topic.name);
+  }
+  return names;
+}
+
+std::string only_pose_topic(const std::filesystem::path& bag) {
+  const std::vector<std::string> names = pose_topics(bag);
+  if (names.size() == 1) return names.front();
+  std::string text = bag.string() + ": " + std::to_string(names.size()) + " topics with poses";
+  for (const std::string& name : names) text += "\n  " + name;
+  throw ReadError(text + (names.empty() ? "" : "\nname one"));
+}
+
+struct Turning {
+  std::int64_t stamp_ns = 0;
+  Eigen::Vector3d rate;  // [rad/s]
+};
+
+Turning read_imu(const Message& message) {
+  MessageReader reader(message.topic->encoding, message.bytes);
+  reader.begin_structure();
+  Turning turning;
+  turning.stamp_ns = read_header(reader).stamp_ns;
+  for (int i = 0; i < 13; ++i) (void)reader.number<double>("orientation and its covariance");
+  turning.rate = vector_of(reader, "angular velocity");
+  return turning;
+}
+
+void go_on(Trajectory& turning, const Turning& next) {
+  if (turning.empty()) {
+    turning.push_back({next.stamp_ns, {}});
+    return;
+  }
+  const double step = 1e-9 * static_cast<double>(next.stamp_ns - turning.back().stamp_ns);
+  if (!(step > 0.0)) return;  // out of order, or twice
+  StampedPose pose = turning.back();
+  pose.stamp_ns = next.stamp_ns;
+  pose.pose.rotation =
+      (pose.pose.rotation * so3_exp(next.rate * std::min(step, kLongestStep))).normalized();
+  turning.push_back(pose);
+}
+
+}  // namespace
+
+bool is_pose_type(const std::string& type) {
+  return std::find(kPoseTypes.begin(), kPoseTypes.end(), type) != kPoseTypes.end();
+}
+
+Trajectory read_pose_topic(const std::filesystem::path& bag, const std::string& topic) {
+  const std::string name = topic.empty() ? only_pose_topic(bag) : topic;
+  const auto source = open_bag(bag_files(bag));
+  source->want(name);
+  Trajectory trajectory;
+  while (const std::optional<Message> message = source->next()) {
+    if (message->topic->name != name) continue;
+    if (!is_pose_type(message->topic->type)) {
+      throw ReadError(bag.string() + ": " + name + " is of type " + message->topic->type +
+                      "; expected poses: Odometry, PoseStamped, TransformStamped or PointStamped");
+    }
+    try {
+      const StampedPose pose = read_pose(*message);
+      const bool later = trajectory.empty() || pose.stamp_ns > trajectory.back().stamp_ns;
+      if (later) trajectory.push_back(pose);
+    } catch (const ReadError&) {
+      continue;  // one bad message is no reason to lose the others
+    }
+  }
+  if (trajectory.empty()) throw ReadError(bag.string() + ": no pose on topic '" + name + "'");
+  return trajectory;
+}
+
+Gyroscope read_gyroscope(const std::filesystem::path& bag, std::int64_t begin_ns,
+                         std::int64_t end_ns) {
+  Gyroscope gyroscope;
+  const auto source = open_bag(bag_files(bag));
+  while (const std::optional<Message> message = source->next()) {
+    if (message->logged_ns - kLate > end_ns) break;
+    const Topic& topic = *message->topic;
+    if (topic.type != "sensor_msgs/Imu") continue;
+    if (gyroscope.topic.empty()) {
+      gyroscope.topic = topic.name;
+      source->want(topic.name);
+    }
+    if (topic.name != gyroscope.topic) continue;
+    try {
+      const Turning turning = read_imu(*message);
+      const bool inside = turning.stamp_ns >= begin_ns && turning.stamp_ns <= end_ns;
+      if (inside && turning.rate.allFinite()) go_on(gyroscope.turning, turning);
+    } catch (const ReadError&) {
+      continue;
+    }
+  }
+  return gyroscope;
+}
+
+}  // namespace surefoot::io

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What is told of a recording's scans, and what a run is said to suffer of.
+#include "checks/findings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace surefoot::checks {
+namespace {
+
+constexpr std::int64_t kPeriod = 100'000'000;
+
+/// Sound scans, ten a second.
+std::vector<ScanFacts> sound(std::size_t count) {
+  std::vector<ScanFacts> scans(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ScanFacts& scan = scans[i];
+    scan.name = "scan " + std::to_string(i);
+    scan.stamp_ns = kPeriod * static_cast<std::int64_t>(i);
+    scan.points = scan.returns = 10'000;
+    scan.times = io::PointTimes::kThere;
+    scan.last_s = 0.099;
+    scan.nearest = 1.0;
+    scan.middle = 5.0;
+    scan.farthest = 50.0;
+    scan.seen_around = 1.0;
+    scan.rings = {0, 1, 2, 3};
+  }
+  return scans;
+}
+
+std::vector<Finding> all_of(const std::vector<ScanFacts>& scans,
+                            const io::CaptureCounts& counts = {}) {
+  return findings_of(scans, figures_of(scans), counts);
+}
+
+/// The one finding that begins so; fails where there is none.
+Finding found(const std::vector<Finding>& findings, const std::string& begin) {
+  const auto it = std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) {
+    return finding.what.starts_with(begin);
+  });
+  EXPECT_NE(it, findings.end()) << begin;
+  return it == findings.end() ? Finding{} : *it;
+}
+
+TEST(Findings, NothingIsOddAboutASoundRecording) {
+  const std::vector<ScanFacts> scans = sound(30);
+  EXPECT_TRUE(all_of(scans).empty());
+  const Figures figures = figures_of(scans);
+  EXPECT_NEAR(figures.rate_hz(), 10.0, 1e-9);
+  EXPECT_EQ(figures.rings.size(), 4U);
+  EXPECT_EQ(figures.scans, 30U);
+}
+
+TEST(Findings, AShortGapIsOddAndALongOneHurts) {
+  std::vector<ScanFacts> scans = sound(50);
+  for (std::size_t i = 20; i < scans.size(); ++i) scans[i].stamp_ns += 2 * kPeriod;
+  Finding gap = found(all_of(scans), "gaps");
+  EXPECT_FALSE(gap.suffers);
+  EXPECT_EQ(gap.scans, 1U);
+  EXPECT_EQ(gap.first, "scan 20");
+  EXPECT_NE(gap.detail.find("0.300 s"), std::string::npos) << gap.detail;
+  for (std::size_t i = 20; i < scans.size(); ++i) scans[i].stamp_ns += 10 * kPeriod;
+  EXPECT_TRUE(found(all_of(scans), "gaps").suffers);
+}
+
+TEST(Findings, OneStampThatGoesBackIsAMishapManyHurt) {
+  std::vector<ScanFacts> scans = sound(50);
+  scans[10].stamp_ns = scans[8].stamp_ns;
+  Finding back = found(all_of(scans), "stamps that go back");
+  EXPECT_FALSE(back.suffers);
+  EXPECT_EQ(back.first, "scan 10");
+  for (ScanFacts& scan : scans) scan.stamp_ns = 7;
+  const Finding still = found(all_of(scans), "stamps that are the last one's again");
+  EXPECT_TRUE(still.suffers);
+  EXPECT_EQ(still.scans, 49U);
+}
+
+TEST(Findings, UnreadableScansHurtAndAreNamed) {
+  std::vector<ScanFacts> scans = sound(20);
+  scans[3].error = "scan 3: cut short";
+  const Finding finding = found(all_of(scans), "scans that cannot be read");
+  EXPECT_TRUE(finding.suffers);
+  EXPECT_EQ(finding.first, "scan 3: cut short");
+  EXPECT_EQ(figures_of(scans).unreadable, 1U);
+}
+
+TEST(Findings, SweepsThatOverlapTellOfAWrongUnit) {
+  std::vector<ScanFacts> scans = sound(20);
+  for (ScanFacts& scan : scans) scan.last_s = 0.9;
+  const Finding finding = found(all_of(scans), "sweeps that last longer");
+  EXPECT_TRUE(finding.suffers);
+  EXPECT_NE(finding.detail.find("--time-unit"), std::string::npos);
+}
+
+TEST(Findings, PointsWithoutTimesRingsOrReturns) {
+  std::vector<ScanFacts> scans = sound(20);
+  for (ScanFacts& scan : scans) scan.times = io::PointTimes::kNone;
+  EXPECT_TRUE(found(all_of(scans), "no point times").suffers);
+  scans = sound(20);
+  scans[5].returns = 3;
+  EXPECT_TRUE(found(all_of(scans), "scans with hardly a return").suffers);
+  scans = sound(20);
+  scans[5].returns = 3000;
+  scans[6].rings = {2};
+  EXPECT_FALSE(found(all_of(scans), "scans with less than half of the usual").suffers);
+  EXPECT_EQ(found(all_of(scans), "scans with less than half of the rings").first, "scan 6");
+  scans = sound(20);
+  for (ScanFacts& scan : scans) scan.not_finite = 5'000;
+  EXPECT_NE(found(all_of(scans), "points that are NaN").detail.find("50.0 %"), std::string::npos);
+}
+
+TEST(Findings, LostPacketsAreAShareOfAll) {
+  io::CaptureCounts counts;
+  counts.data_packets = 1000;
+  counts.lost = 10;
+  EXPECT_FALSE(found(all_of(sound(20), counts), "lost packets").suffers);
+  counts.lost = 500;
+  EXPECT_TRUE(found(all_of(sound(20), counts), "lost packets").suffers);
+}
+
+TEST(Findings, WhatHurtsComesFirst) {
+  std::vector<ScanFacts> scans = sound(20);
+  scans[2].zero = 5;
+  scans[3].error = "damaged";
+  const std::vector<Finding> findings = all_of(scans);
+  ASSERT_EQ(findings.size(), 3U);  // and the gap where it is missing
+  EXPECT_TRUE(findings[0].suffers);
+  EXPECT_FALSE(findings[1].suffers);
+  EXPECT_FALSE(findings[2].suffers);
+}
+
+}  // namespace
+}  // namespace surefoot::checks

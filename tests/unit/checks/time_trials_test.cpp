@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Recordings written with the right times and with wrong ones: the motion knows.
+#include "checks/time_trials.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/point_time_watch.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot::checks {
+namespace {
+
+constexpr std::int64_t kPeriod = 100'000'000;
+
+/// A sensor that trots through a hall: no two scans are bent alike, as they would be in a steady
+/// turn.
+std::vector<Scan> trot(int count) {
+  const Pose start{Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}};
+  return test::take_scans(test::furnished_hall(), test::trotting(start, 0.6, 1.4), count);
+}
+
+TEST(TimeTrials, RightTimesArePreferred) {
+  const TimeTrials trials = try_times(trot(22), kPeriod, true, 1);
+  ASSERT_EQ(trials.trials.size(), 3U);
+  EXPECT_TRUE(trials.decided);
+  EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::kAsRead);
+  EXPECT_GT(trials.trials[1].middle_blur, 1.1 * trials.trials[0].middle_blur);
+  EXPECT_GT(trials.trials[2].middle_blur, 1.1 * trials.trials[0].middle_blur);
+}
+
+TEST(TimeTrials, TimesThatCountBackAreFoundOut) {
+  std::vector<Scan> scans = trot(22);
+  for (Scan& scan : scans) io::count_backward(scan);
+  const TimeTrials trials = try_times(scans, kPeriod, true, 1);
+  EXPECT_TRUE(trials.decided);
+  EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::kBackward);
+  EXPECT_LT(trials.trials[trials.preferred].chance, 0.001);
+}
+
+TEST(TimeTrials, ChanceIsThatOfAFairCoin) {
+  EXPECT_DOUBLE_EQ(chance_of(5, 5), 1.0);
+  EXPECT_NEAR(chance_of(10, 0), 2.0 / 1024.0, 1e-12);
+  EXPECT_NEAR(chance_of(9, 1), 2.0 * 11.0 / 1024.0, 1e-12);
+  EXPECT_NEAR(chance_of(1, 9), chance_of(9, 1), 1e-15);
+  EXPECT_DOUBLE_EQ(chance_of(0, 0), 1.0);
+}
+
+}  // namespace
+}  // namespace surefoot::checks
