@@ -43,7 +43,7 @@ Moment::Moment()
   for (const Eigen::Vector3d& point : odometry.local_map()) map.insert(point);
 
   prepared = preprocess(scan, config.preprocess);
-  const LastMotion motion{{last.stamp_ns, last.T_map_lidar}, last.twist};
+  const LastMotion motion{{last.stamp_ns, last.T_world_lidar}, last.twist};
   prior = predict_motion(motion, prepared.start_ns, prepared.end_ns,
                          config.motion_prior.max_extrapolation);
   predicted = predict_trajectory(prior, prepared.start_ns, prepared.end_ns, config.deskew);

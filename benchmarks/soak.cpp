@@ -67,7 +67,7 @@ Soak walk_through_town(std::uint64_t scans) {
     const Pose truth = walk.T_map_lidar(estimate.stamp_ns);
     soak.lost += estimate.trusted() ? 0 : 1;
     if (i == 0) {
-      T_start_map = estimate.T_map_lidar.inverse();
+      T_start_map = estimate.T_world_lidar.inverse();
       T_start_scene = truth.inverse();
     } else {
       soak.way += (truth.translation - T_scene_last.translation).norm();
@@ -77,7 +77,7 @@ Soak walk_through_town(std::uint64_t scans) {
     const double megabytes = resident_megabytes();
     const std::size_t points = odometry.local_map().size();
     (i < kSettled ? soak.early : soak.late).raise(megabytes, points);
-    const double error = distance(T_start_map * estimate.T_map_lidar, T_start_scene * truth);
+    const double error = distance(T_start_map * estimate.T_world_lidar, T_start_scene * truth);
     soak.error = std::max(soak.error, error);
     fmt::print("{:6} {:9.0f} {:9.1f} {:11} {:12.2f}\n", i + 1, soak.way, megabytes, points, error);
     std::fflush(stdout);

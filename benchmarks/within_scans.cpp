@@ -85,7 +85,7 @@ WithinScans within_scans(const std::vector<Pair>& pairs) {
     const Estimate& estimate = pairs[n].estimate;
     for (int i = 0; i < kInstants; ++i) {
       const Pose found =
-          estimate.T_map_lidar.inverse() * estimate.pose_at(instant(estimate.trajectory, i));
+          estimate.T_world_lidar.inverse() * estimate.pose_at(instant(estimate.trajectory, i));
       const Pose real = pairs[n].middle().inverse() * pairs[n].truth[static_cast<std::size_t>(i)];
       rotation += so3_log(real.rotation.conjugate() * found.rotation).squaredNorm();
       for (const Eigen::Vector3d& side :
@@ -101,7 +101,7 @@ WithinScans within_scans(const std::vector<Pair>& pairs) {
 
 /// The covariance of a pose in its own axes.
 Matrix6 in_lidar_axes(const Estimate& estimate) {
-  const Eigen::Matrix3d R = estimate.T_map_lidar.rotation.toRotationMatrix().transpose();
+  const Eigen::Matrix3d R = estimate.T_world_lidar.rotation.toRotationMatrix().transpose();
   Matrix6 turn = Matrix6::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R;
   return turn * estimate.covariance * turn.transpose();
@@ -110,7 +110,7 @@ Matrix6 in_lidar_axes(const Estimate& estimate) {
 /// Normalised error squared of the motion between two scans, both poses' errors taken as
 /// independent.
 double normalised_error(const Pair& a, const Pair& b) {
-  const Pose found = a.estimate.T_map_lidar.inverse() * b.estimate.T_map_lidar;
+  const Pose found = a.estimate.T_world_lidar.inverse() * b.estimate.T_world_lidar;
   const Twist error = se3_log((a.middle().inverse() * b.middle()).inverse() * found);
   const Pose back = found.inverse();
   const Eigen::Matrix3d R = back.rotation.toRotationMatrix();

@@ -33,7 +33,7 @@ struct StageReport {
 
 /// A motion that the scan hardly constrains.
 struct DegenerateDirection {
-  Twist direction = Twist::Zero();  ///< unit vector in the map's axes about the sensor; the three
+  Twist direction = Twist::Zero();  ///< unit vector in the world's axes about the sensor; the three
                                     ///< rotations are scaled by the matches' RMS distance [1/m]
   double information = 0.0;         ///< its share of what an evenly built scene would give (1)
   std::string name;                 ///< its largest part, seen along the sensor's heading:
@@ -45,12 +45,12 @@ struct Estimate {
   Status status = Status::rejected;
   std::string message;  ///< what was seen and expected; empty when ok
 
-  std::int64_t stamp_ns = 0;    ///< mid-scan, the instant of `T_map_lidar`
-  Pose T_map_lidar;             ///< pose at mid-scan
+  std::int64_t stamp_ns = 0;    ///< mid-scan, the instant of `T_world_lidar`
+  Pose T_world_lidar;           ///< pose at mid-scan
   ScanTrajectory trajectory;    ///< poses within the scan, as its points were deskewed
   Twist twist = Twist::Zero();  ///< mean velocity of the last motion, LiDAR frame [m/s, rad/s]
   Matrix6 covariance = Matrix6::Zero();  ///< of the pose against the map; [x y z roll pitch yaw]
-                                         ///< in the map's axes about the sensor [m, rad]
+                                         ///< in the world's axes about the sensor [m, rad]
   std::vector<DegenerateDirection> degenerate;
 
   bool converged = false;  ///< the last update was below the method's convergence

@@ -85,8 +85,8 @@ TimeTrial run(const std::vector<Scan>& scans, TimeReading reading, std::int64_t 
       ++trial.untrusted;
       continue;
     }
-    trial.trajectory.push_back({estimate.stamp_ns, estimate.T_map_lidar});
-    const auto blur = map.add(odometry.deskewed_scan().points, estimate.T_map_lidar);
+    trial.trajectory.push_back({estimate.stamp_ns, estimate.T_world_lidar});
+    const auto blur = map.add(odometry.deskewed_scan().points, estimate.T_world_lidar);
     if (!blur) continue;
     trial.blur.back() = *blur;
     known.push_back(*blur);

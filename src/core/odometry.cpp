@@ -89,7 +89,7 @@ Estimate Odometry::State::reject(const PreparedScan& scan, std::string reason) c
 Estimate Odometry::State::in_world(Estimate estimate) const {
   estimate.stamp_ns = estimate.trajectory.mid_ns();
   estimate.trajectory = estimate.trajectory.moved(T_world_map);
-  estimate.T_map_lidar = estimate.trajectory.at(0.5);
+  estimate.T_world_lidar = estimate.trajectory.at(0.5);
   Matrix6 turn = Matrix6::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
       T_world_map.rotation.toRotationMatrix();

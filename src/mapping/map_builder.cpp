@@ -26,14 +26,14 @@ bool MapBuilder::forgotten(std::size_t point) const {
   return found != emptied_.end() && first_seen_[point] < found->second;
 }
 
-void MapBuilder::add(const DeskewedScan& scan, const Pose& T_map_lidar, double seconds) {
-  const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
+void MapBuilder::add(const DeskewedScan& scan, const Pose& T_world_lidar, double seconds) {
+  const Eigen::Matrix3d R = T_world_lidar.rotation.toRotationMatrix();
   if (scan.intensities.empty()) {
     has_intensities_ = false;
     intensities_.clear();
   }
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    const Eigen::Vector3d point = R * scan.points[i].cast<double>() + T_map_lidar.translation;
+    const Eigen::Vector3d point = R * scan.points[i].cast<double>() + T_world_lidar.translation;
     const auto next = static_cast<std::uint32_t>(points_.size());
     const auto [slot, fresh] = taken_.try_emplace(cube_key(point, inverse_voxel_), next);
     if (!fresh && !forgotten(slot->second)) continue;

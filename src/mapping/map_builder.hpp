@@ -18,8 +18,8 @@ class MapBuilder {
   /// `voxel`: side of the cubes [m].
   explicit MapBuilder(double voxel) : inverse_voxel_(1.0 / voxel) {}
 
-  /// Adds a scan whose LiDAR stood at `T_map_lidar` at mid-scan, `seconds` after the first scan.
-  void add(const DeskewedScan& scan, const Pose& T_map_lidar, double seconds);
+  /// Adds a scan whose LiDAR stood at `T_world_lidar` at mid-scan, `seconds` after the first scan.
+  void add(const DeskewedScan& scan, const Pose& T_world_lidar, double seconds);
 
   /// What was seen in these cubes before has moved away.
   void forget(const Cubes& cubes, double seconds);

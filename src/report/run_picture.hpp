@@ -21,7 +21,7 @@ inline constexpr int kPictureHeight = 1500;  // [px]
 /// What is drawn. Poses and points that are not finite, or farther than 1e9 m, are left out.
 struct PictureInput {
   std::string title = {};                            ///< UTF-8, one line
-  Trajectory trajectory = {};                        ///< T_map_lidar, z up
+  Trajectory trajectory = {};                        ///< T_world_lidar, z up
   std::span<const Eigen::Vector3f> map_points = {};  ///< [m], map frame
   Trajectory reference = {};         ///< truth in the map frame, same clock; may be empty
   std::vector<bool> untrusted = {};  ///< one flag a pose of `trajectory`, or empty

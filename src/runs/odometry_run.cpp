@@ -133,7 +133,7 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (estimate.trusted() && !options_.no_map) {
     const double time = seconds(estimate.stamp_ns - first_stamp_ns_);
     map_.forget(odometry_.emptied_cubes(), time);
-    map_.add(odometry_.deskewed_scan(), estimate.T_map_lidar, time);
+    map_.add(odometry_.deskewed_scan(), estimate.T_world_lidar, time);
   }
   tell(item, estimate);
   count(estimate, output.trajectory());

@@ -25,7 +25,7 @@ Eigen::Matrix3d cross(const Eigen::Vector3d& v) {
 /// The pose's covariance for a frame that sits at T_lidar_written: a rotation of the LiDAR moves it
 /// by the lever between the two.
 Matrix6 moved_covariance(const Estimate& estimate, const Pose& T_lidar_written) {
-  const Eigen::Vector3d lever = estimate.T_map_lidar.rotation * T_lidar_written.translation;
+  const Eigen::Vector3d lever = estimate.T_world_lidar.rotation * T_lidar_written.translation;
   Matrix6 change = Matrix6::Identity();
   change.block<3, 3>(0, 3) = -cross(lever);
   return change * estimate.covariance * change.transpose();
@@ -74,7 +74,7 @@ void RunBag::add(const std::string& name, const Estimate& estimate, const Odomet
 
 void RunBag::write_pose(const Estimate& estimate) {
   const std::int64_t stamp = estimate.stamp_ns;
-  io::OdometryMessage message{stamp, kWorld, frame_, estimate.T_map_lidar * T_lidar_written_};
+  io::OdometryMessage message{stamp, kWorld, frame_, estimate.T_world_lidar * T_lidar_written_};
   message.covariance = moved_covariance(estimate, T_lidar_written_);
   message.twist = moved_twist(estimate.twist, T_lidar_written_);
   bag_->write(topics_.odometry, stamp, io::format_odometry(message));

@@ -22,9 +22,9 @@ struct RunFolder {
   std::vector<std::string> notes;  ///< the run's own, and which of its files are missing
   std::vector<report::ReportParameter> parameters;
   report::ScanTable scans;
-  std::vector<std::optional<Pose>> poses;  ///< T_map_lidar (or base), one a scan; none if rejected
-  Trajectory measured;                     ///< trajectory.tum
-  report::MapCloud map;                    ///< in the map frame
+  std::vector<std::optional<Pose>> poses;       ///< one a scan; none if rejected
+  Trajectory measured;                          ///< trajectory.tum
+  report::MapCloud map;                         ///< in the map frame
   std::vector<report::DeskewSample> deskewing;  ///< likewise
 };
 

@@ -25,12 +25,12 @@ RunOutput::RunOutput(const RunOptions& options)
   csv_ << scans_csv_header() << std::flush;  // first: by it the folder is known for a run's
   tum_ = open(kTrajectoryFile);
   kitti_ = open(kKittiTrajectoryFile);
-  tum_ << "# stamp [s] at mid-scan, x y z [m], qx qy qz qw: T_map_" << options.pose_of
+  tum_ << "# stamp [s] at mid-scan, x y z [m], qx qy qz qw: T_world_" << options.pose_of
        << ", measured poses only\n";
   if (options.pose_rate > 0.0) {
     pose_period_ns_ = std::max<std::int64_t>(std::llround(1e9 / options.pose_rate), 1);
     dense_ = open(kDenseTrajectoryFile);
-    dense_ << "# stamp [s], x y z [m], qx qy qz qw: T_map_" << options.pose_of
+    dense_ << "# stamp [s], x y z [m], qx qy qz qw: T_world_" << options.pose_of
            << " within the measured scans\n";
   }
 }
@@ -43,7 +43,7 @@ std::ofstream RunOutput::open(const char* name) {
 
 void RunOutput::add(const std::string& name, const Estimate& estimate, const Pose& T_lidar_written,
                     const StepTimes& times) {
-  const StampedPose pose{estimate.stamp_ns, estimate.T_map_lidar * T_lidar_written};
+  const StampedPose pose{estimate.stamp_ns, estimate.T_world_lidar * T_lidar_written};
   if (estimate.trusted()) tum_ << io::format_tum({pose}) << std::flush;
   if (estimate.trusted() && dense_.is_open()) add_dense(estimate, T_lidar_written);
   if (estimate.status != Status::rejected) {

@@ -90,7 +90,7 @@ TEST_F(Restore, FlagsGoBefore) {
       again({"-o", "second", "--count", "2", "--pose-of", "lidar", "--no-map"});
   ASSERT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(lines_of(path("elsewhere/second/trajectory.tum")), 3U);
-  EXPECT_NE(file_content(path("elsewhere/second/trajectory.tum")).find("T_map_lidar"),
+  EXPECT_NE(file_content(path("elsewhere/second/trajectory.tum")).find("T_world_lidar"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(path("elsewhere/second/map.ply")));
 }

@@ -43,7 +43,7 @@ int main() {
   surefoot::Odometry odometry;
   for (int i = 0; i < 3; ++i) {
     const surefoot::Estimate estimate = odometry.add_scan(scan_room(i * 100'000'000LL));
-    const double moved = estimate.T_map_lidar.translation.norm();
+    const double moved = estimate.T_world_lidar.translation.norm();
     std::printf("scan %d: %s, %.6f m from the start\n", i,
                 surefoot::to_string(estimate.status).data(), moved);
     if (!estimate.trusted() || moved > kMaxError) return 1;

@@ -94,15 +94,15 @@ Error error_against(const std::vector<Estimate>& estimates, const MotionFunction
   };
   Error error;
   if (estimates.empty()) return error;
-  const Pose T_map_world = estimates.front().T_map_lidar * truth(estimates.front()).inverse();
+  const Pose T_map_world = estimates.front().T_world_lidar * truth(estimates.front()).inverse();
   for (const Estimate& estimate : estimates) {
     const Pose expected = T_map_world * truth(estimate);
-    const Eigen::Vector3d miss = estimate.T_map_lidar.translation - expected.translation;
+    const Eigen::Vector3d miss = estimate.T_world_lidar.translation - expected.translation;
     error.final_translation = miss.norm();
     error.translation = std::max(error.translation, miss.norm());
     error.vertical = std::max(error.vertical, std::abs(miss.z()));
     error.rotation_deg = std::max(
-        error.rotation_deg, angle_between_deg(estimate.T_map_lidar.rotation, expected.rotation));
+        error.rotation_deg, angle_between_deg(estimate.T_world_lidar.rotation, expected.rotation));
   }
   return error;
 }
@@ -119,7 +119,7 @@ bool same_bits(const Estimate& a, const Estimate& b) {
     trajectories = same(a.trajectory.boundary(k), b.trajectory.boundary(k));
   }
   return trajectories && a.status == b.status && a.message == b.message &&
-         a.stamp_ns == b.stamp_ns && same(a.T_map_lidar, b.T_map_lidar) && a.twist == b.twist &&
+         a.stamp_ns == b.stamp_ns && same(a.T_world_lidar, b.T_world_lidar) && a.twist == b.twist &&
          a.covariance == b.covariance && a.converged == b.converged &&
          same(a.horizontal, b.horizontal) && same(a.vertical, b.vertical) && a.points == b.points &&
          a.registered_points == b.registered_points && a.degenerate.size() == b.degenerate.size();

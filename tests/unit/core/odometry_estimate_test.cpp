@@ -34,7 +34,7 @@ TEST_P(OdometryEstimate, PoseAtAnyInstantPutsPointsOntoTheScene) {
       ASSERT_LT(next, deskewed.size());
       const Pose T = estimate.pose_at(scan.stamp_ns + scan.times_ns[i]);
       const Eigen::Vector3d raw = T * scan.points[i].cast<double>();
-      const Eigen::Vector3d in_map = estimate.T_map_lidar * deskewed[next++].cast<double>();
+      const Eigen::Vector3d in_map = estimate.T_world_lidar * deskewed[next++].cast<double>();
       ASSERT_LT((raw - in_map).norm(), 2e-5);  // floats at up to 30 m
     }
     EXPECT_EQ(next, deskewed.size());
@@ -50,7 +50,7 @@ TEST_P(OdometryEstimate, StampIsMidScanAndTwistIsTheVelocity) {
     const std::int64_t last = *std::max_element(scan.times_ns.begin(), scan.times_ns.end());
     EXPECT_EQ(estimate.stamp_ns, scan.stamp_ns + last / 2);
     const Pose mid = estimate.pose_at(estimate.stamp_ns);
-    EXPECT_LT((mid.matrix() - estimate.T_map_lidar.matrix()).norm(), 1e-6);
+    EXPECT_LT((mid.matrix() - estimate.T_world_lidar.matrix()).norm(), 1e-6);
     if (&scan != &scans.back()) continue;
     // A step's error of some 18 mm over 0.1 s; measured: 0.18.
     EXPECT_LT((estimate.twist - velocity).head<3>().norm(), 0.3);

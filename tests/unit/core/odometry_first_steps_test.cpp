@@ -38,7 +38,7 @@ Walk walk(const std::string& name, const Scene& scene, const MotionFunction& mot
   const auto estimates = add_scans(odometry, take_scans(scene, motion, scans));
   Walk result{error_against(estimates, motion)};
   result.first_step =
-      (estimates[1].T_map_lidar.translation - estimates[0].T_map_lidar.translation).norm();
+      (estimates[1].T_world_lidar.translation - estimates[0].T_world_lidar.translation).norm();
   for (const Estimate& estimate : estimates) result.trusted &= estimate.trusted();
   EXPECT_TRUE(result.trusted) << name << ": " << statuses(estimates);
   std::printf("%-32s first step %.4f m, error %.4f m (z %.4f), %.3f deg\n", name.c_str(),

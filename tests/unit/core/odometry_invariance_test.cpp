@@ -52,8 +52,8 @@ TEST_P(OdometryInvariance, TheWorldMayLieAnywhereAndBeTurned) {
     const auto there = run(walk(), 1, T_world_start);
     ASSERT_EQ(there.size(), walked().size());
     for (std::size_t i = 0; i < there.size(); ++i) {
-      const Pose back = T_world_start.inverse() * there[i].T_map_lidar;
-      const Pose& here = walked()[i].T_map_lidar;
+      const Pose back = T_world_start.inverse() * there[i].T_world_lidar;
+      const Pose& here = walked()[i].T_world_lidar;
       EXPECT_LT((back.translation - here.translation).norm(), 1e-6);
       EXPECT_LT(so3_log(back.rotation * here.rotation.conjugate()).norm(), 1e-6);
       EXPECT_EQ(there[i].status, walked()[i].status);
@@ -103,7 +103,7 @@ TEST_P(OdometryInvariance, TheEpochOfTheStampsOnlyMovesTheStamps) {
     const auto estimates = run(later);
     for (std::size_t i = 0; i < estimates.size(); ++i) {
       EXPECT_EQ(estimates[i].stamp_ns, walked()[i].stamp_ns + epoch);
-      EXPECT_EQ(estimates[i].T_map_lidar.translation, walked()[i].T_map_lidar.translation);
+      EXPECT_EQ(estimates[i].T_world_lidar.translation, walked()[i].T_world_lidar.translation);
     }
   }
 }

@@ -82,7 +82,7 @@ TEST_P(OdometryStatus, ARejectedScanSaysWhyAndLeavesNoTrace) {
           EXPECT_EQ(rejected.status, Status::rejected) << name;
           EXPECT_FALSE(rejected.message.empty()) << name;
           EXPECT_FALSE(rejected.trusted());
-          EXPECT_TRUE(rejected.T_map_lidar.translation.allFinite());
+          EXPECT_TRUE(rejected.T_world_lidar.translation.allFinite());
           EXPECT_GT(rejected.covariance(0, 0), 0.0);
           EXPECT_EQ(odometry.deskewed_scan().points, deskewed) << name;
         }
@@ -177,7 +177,7 @@ TEST_P(OdometryStatus, ACorrectionBeyondTheLimitIsDiverged) {
   const auto estimates = add_scans(odometry, {walk()[0], walk()[1]});
   EXPECT_EQ(estimates[1].status, Status::diverged);
   EXPECT_NE(estimates[1].message.find("0.01"), std::string::npos) << estimates[1].message;
-  EXPECT_EQ(estimates[1].T_map_lidar.translation, estimates[0].T_map_lidar.translation);
+  EXPECT_EQ(estimates[1].T_world_lidar.translation, estimates[0].T_world_lidar.translation);
 }
 
 TEST_P(OdometryStatus, AGapIsBridgedByTheLastVelocity) {

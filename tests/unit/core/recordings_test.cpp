@@ -87,7 +87,7 @@ double absolute_error(const std::vector<Estimate>& estimates, const Trajectory& 
   Eigen::Matrix3Xd ours(3, count), theirs(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Estimate& estimate = estimates[static_cast<std::size_t>(i)];
-    ours.col(i) = estimate.T_map_lidar.translation;
+    ours.col(i) = estimate.T_world_lidar.translation;
     theirs.col(i) = position_at(truth, estimate.stamp_ns);
   }
   const Eigen::Matrix4d T = Eigen::umeyama(ours, theirs, false);
@@ -127,7 +127,8 @@ TEST_P(Recordings, ACarsStepsAreAsLongAsItsInertialSystemSays) {
   ASSERT_EQ(estimates.size(), 16U);
   for (const Estimate& estimate : estimates) EXPECT_TRUE(estimate.trusted()) << estimate.message;
   const auto step = [&](std::size_t i) {
-    return (estimates[i + 1].T_map_lidar.translation - estimates[i].T_map_lidar.translation).norm();
+    return (estimates[i + 1].T_world_lidar.translation - estimates[i].T_world_lidar.translation)
+        .norm();
   };
   std::printf("kitti_raw_0926_0048: first step %.4f m, last %.4f m\n", step(0), step(14));
   // Measured: 0.769 .. 0.803, although both scans came with the skew of a motion not known yet.
@@ -141,7 +142,7 @@ TEST_P(Recordings, AStandingCarStands) {
   double farthest = 0.0, turned = 0.0;
   for (const Estimate& estimate : estimates) {
     EXPECT_TRUE(estimate.trusted()) << estimate.message;
-    const Pose from_first = estimates.front().T_map_lidar.inverse() * estimate.T_map_lidar;
+    const Pose from_first = estimates.front().T_world_lidar.inverse() * estimate.T_world_lidar;
     farthest = std::max(farthest, from_first.translation.norm());
     turned = std::max(turned, so3_log(from_first.rotation).norm());
   }
@@ -162,7 +163,7 @@ TEST_P(Recordings, AStandingVlp16Stands) {
     if (!item->scan || !item->remark.empty()) continue;  // partial revolutions at the ends
     const Estimate estimate = odometry.add_scan(*item->scan);
     EXPECT_TRUE(estimate.trusted()) << estimate.message;
-    const double moved = estimate.T_map_lidar.translation.norm();
+    const double moved = estimate.T_world_lidar.translation.norm();
     std::printf("vlp16_pcap: %.4f m, %s\n", moved, std::string(to_string(estimate.status)).c_str());
     EXPECT_LT(moved, 0.05);  // measured: 0.028 and 0.033
     ++whole;

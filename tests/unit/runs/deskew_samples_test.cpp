@@ -31,7 +31,7 @@ Estimate moving(std::int64_t stamp_ns, double way) {
   middle.translation = {10.0, 0, 0};
   last.translation = {10.0 + way / 2, 0, 0};
   estimate.trajectory = ScanTrajectory({first, last}, stamp_ns, stamp_ns + kSweep);
-  estimate.T_map_lidar = middle;
+  estimate.T_world_lidar = middle;
   return estimate;
 }
 

@@ -38,7 +38,7 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
   estimate.status = Status::degenerate;
   estimate.stamp_ns = 1'700'000'000'123'456'789;
   estimate.message = "weak, \"very\"\nweak";
-  estimate.T_map_lidar.translation = {1.5, -2.5, 3.5};
+  estimate.T_world_lidar.translation = {1.5, -2.5, 3.5};
   estimate.points = 4;
   estimate.registered_points = 5;
   estimate.converged = true;

@@ -56,12 +56,12 @@ RunError root_mean_square(const std::vector<Estimate>& estimates, const MotionFu
   Eigen::Matrix3Xd ours(3, count), theirs(3, count);
   double squares = 0.0;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
-    ours.col(static_cast<Eigen::Index>(i)) = estimates[i].T_map_lidar.translation;
+    ours.col(static_cast<Eigen::Index>(i)) = estimates[i].T_world_lidar.translation;
     theirs.col(static_cast<Eigen::Index>(i)) = truth(i).translation;
     if (i < 2) continue;
-    const auto& before = estimates[i - 1].T_map_lidar.rotation;
+    const auto& before = estimates[i - 1].T_world_lidar.rotation;
     const double turn_error =
-        angle_between_deg(before.conjugate() * estimates[i].T_map_lidar.rotation,
+        angle_between_deg(before.conjugate() * estimates[i].T_world_lidar.rotation,
                           truth(i - 1).rotation.conjugate() * truth(i).rotation);
     squares += turn_error * turn_error;
   }
@@ -210,7 +210,7 @@ TEST(KnotRuns, AnUntimedScanAtTheLastInstantDoesNoHarm) {
   Odometry odometry;
   const auto estimates = add_scans(odometry, scans);
   for (const Estimate& estimate : estimates) {
-    ASSERT_TRUE(estimate.T_map_lidar.translation.allFinite()) << statuses(estimates);
+    ASSERT_TRUE(estimate.T_world_lidar.translation.allFinite()) << statuses(estimates);
   }
   EXPECT_TRUE(estimates.back().trusted()) << statuses(estimates);
   EXPECT_LT(error_against({estimates.begin() + 11, estimates.end()}, motion).translation, 0.05);
@@ -253,7 +253,7 @@ TEST(KnotRuns, AfterAGapThePlaceIsKnownTheLessTheLongerItWas) {
 
 /// The covariance of a pose in its own axes.
 Matrix6 in_lidar_axes(const Estimate& estimate) {
-  const Eigen::Matrix3d R = estimate.T_map_lidar.rotation.toRotationMatrix().transpose();
+  const Eigen::Matrix3d R = estimate.T_world_lidar.rotation.toRotationMatrix().transpose();
   Matrix6 turn = Matrix6::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R;
   return turn * estimate.covariance * turn.transpose();
@@ -263,7 +263,7 @@ Matrix6 in_lidar_axes(const Estimate& estimate) {
 /// independent.
 double normalised_error(const Estimate& a, const Estimate& b, const MotionFunction& motion) {
   const auto truth = [&](const Estimate& e) { return motion(1e-9 * double(e.stamp_ns)); };
-  const Pose found = a.T_map_lidar.inverse() * b.T_map_lidar;
+  const Pose found = a.T_world_lidar.inverse() * b.T_world_lidar;
   const Twist error = se3_log((truth(a).inverse() * truth(b)).inverse() * found);
   const Pose inverse = found.inverse();
   const Eigen::Matrix3d R = inverse.rotation.toRotationMatrix();
@@ -343,7 +343,7 @@ TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
     };
     for (int eighth = 0; eighth <= 8; ++eighth) {
       const std::int64_t at = scan.start_ns() + (scan.end_ns() - scan.start_ns()) * eighth / 8;
-      const Pose moved = estimate.T_map_lidar.inverse() * estimate.pose_at(at);
+      const Pose moved = estimate.T_world_lidar.inverse() * estimate.pose_at(at);
       const Pose expected = truth(estimate.stamp_ns).inverse() * truth(at);
       translation += (moved.translation - expected.translation).squaredNorm();
       rotation += so3_log(moved.rotation.conjugate() * expected.rotation).squaredNorm();

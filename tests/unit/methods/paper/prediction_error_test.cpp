@@ -48,14 +48,14 @@ double normalised_error_squared(const MotionFunction& motion) {
   int count = 0;
   for (std::size_t i = 10; i < estimates.size(); ++i) {
     const Estimate &a = estimates[i - 1], &b = estimates[i];
-    const Pose step = a.T_map_lidar.inverse() * b.T_map_lidar;
+    const Pose step = a.T_world_lidar.inverse() * b.T_world_lidar;
     const Pose truth = motion(seconds(a)).inverse() * motion(seconds(b));
     // Both poses' covariances, in the LiDAR's axes.
     Matrix6 C = Matrix6::Zero();
     for (const Estimate* e : {&a, &b}) {
       Matrix6 turn = Matrix6::Zero();
       turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
-          e->T_map_lidar.rotation.toRotationMatrix().transpose();
+          e->T_world_lidar.rotation.toRotationMatrix().transpose();
       C += turn * e->covariance * turn.transpose();
     }
     const Twist error = se3_log(truth.inverse() * step);

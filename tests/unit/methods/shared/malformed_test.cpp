@@ -82,8 +82,8 @@ std::vector<Scan> short_walk() {
 }
 
 void expect_numbers(const Estimate& estimate, const char* name) {
-  EXPECT_TRUE(estimate.T_map_lidar.translation.allFinite()) << name;
-  EXPECT_TRUE(estimate.T_map_lidar.rotation.coeffs().allFinite()) << name;
+  EXPECT_TRUE(estimate.T_world_lidar.translation.allFinite()) << name;
+  EXPECT_TRUE(estimate.T_world_lidar.rotation.coeffs().allFinite()) << name;
   EXPECT_TRUE(estimate.covariance.allFinite()) << name;
   if (!estimate.trusted()) {
     EXPECT_FALSE(estimate.message.empty()) << name;

@@ -138,8 +138,8 @@ TEST(Baselines, TheMountIsTheFirstPose) {
     config.level.mount_z = 0.3;
     const auto estimates = run(config, {walk().begin(), walk().begin() + 2});
     const Pose expected = mount_pose(config.level);
-    EXPECT_LT(angle_between_deg(estimates[0].T_map_lidar.rotation, expected.rotation), 1e-6);
-    EXPECT_LT(angle_between_deg(estimates[1].T_map_lidar.rotation, expected.rotation), 2.0);
+    EXPECT_LT(angle_between_deg(estimates[0].T_world_lidar.rotation, expected.rotation), 1e-6);
+    EXPECT_LT(angle_between_deg(estimates[1].T_world_lidar.rotation, expected.rotation), 2.0);
   }
 }
 
