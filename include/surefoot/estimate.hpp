@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,10 +27,32 @@ enum class Status {
 
 /// What one stage of the registration did.
 struct StageReport {
+  std::string_view name;       ///< "registration" where a method has no other; lives for ever
   int iterations = 0;          ///< updates that were solved and applied
   int matches = 0;             ///< correspondences in the last of them
   double residual = 0.0;       ///< [m] weighted RMS over these
-  double observability = 0.0;  ///< vertical stage: mean of Omega_i, eq. (30), over these
+  double observability = 0.0;  ///< method paper's vertical stage: mean of Omega_i, eq. (30)
+};
+
+/// The stages of a registration in their order; none of a scan that was not registered.
+class StageReports {
+ public:
+  static constexpr std::size_t kMost = 2;  ///< of any method
+
+  StageReports() = default;
+  StageReports(const StageReport& only) : reports_{only}, size_(1) {}
+  StageReports(const StageReport& first, const StageReport& second)
+      : reports_{first, second}, size_(2) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const StageReport& operator[](std::size_t place) const { return reports_[place]; }
+  [[nodiscard]] const StageReport* begin() const { return reports_.data(); }
+  [[nodiscard]] const StageReport* end() const { return reports_.data() + size_; }
+
+ private:
+  std::array<StageReport, kMost> reports_;
+  std::size_t size_ = 0;
 };
 
 /// A motion that the scan hardly constrains.
@@ -53,9 +77,8 @@ struct Estimate {
                                          ///< in the world's axes about the sensor [m, rad]
   std::vector<DegenerateDirection> degenerate;
 
-  bool converged = false;  ///< the last update was below the method's convergence
-  StageReport horizontal;  ///< of a method with one stage: that one
-  StageReport vertical;
+  bool converged = false;     ///< the last update was below the method's convergence
+  StageReports stages;        ///< of the registration, named as the method names them
   int points = 0;             ///< valid points of the scan
   int registered_points = 0;  ///< of these, after thinning, registered
 

@@ -13,18 +13,17 @@
 
 namespace surefoot {
 
-/// The steps of one scan, for whoever measures their time.
+/// The steps of one scan, for whoever measures their time. A method need not take all of them,
+/// takes them in its own order, and search and solve by turns.
 enum class Step {
-  preprocess,
-  deskew,
-  downsample,
-  search,
-  horizontal,
-  vertical,
-  solve,
-  assess,
-  map,
-  idle
+  preprocess,  ///< checks, range limits, times
+  deskew,      ///< points to one instant
+  downsample,  ///< which points are registered, which enter the map
+  search,      ///< what of the map a point lies on
+  solve,       ///< the pose, in all stages of the registration
+  assess,      ///< whether it is plausible, its covariance
+  map,         ///< what the next scan is registered to
+  idle         ///< the scan is finished
 };
 /// Told when a step begins.
 using StepObserver = std::function<void(Step)>;

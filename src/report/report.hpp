@@ -28,7 +28,7 @@ struct ReportParameter {
 
 /// A number for every scan; NaN where a scan has none.
 struct ScanColumn {
-  std::string name;  ///< as in scans.csv, such as "horizontal_iterations" or "ms_search"
+  std::string name;  ///< as in scans.csv, such as "stage1_iterations" or "ms_search"
   std::vector<float> values;
 };
 
@@ -38,6 +38,8 @@ struct ScanTable {
   std::vector<std::string> statuses;    ///< "ok", "degenerate", ...
   std::vector<std::string> messages;    ///< why it is not "ok"
   std::vector<std::string> degenerate;  ///< names of the weak directions, between blanks
+  std::vector<std::string> stages;      ///< of the run's registration; columns "stage1_..." tell of
+                                        ///< the first
   std::vector<ScanColumn> columns;
 
   [[nodiscard]] std::size_t size() const { return stamps_ns.size(); }

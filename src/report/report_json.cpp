@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 void expect_length(const char* what, std::size_t seen, std::size_t expected) {
@@ -104,6 +104,7 @@ Json scans_json(const ScanTable& scans, std::int64_t start_ns) {
                {"status", shared_texts(scans.statuses)},
                {"degenerate", shared_texts(scans.degenerate)},
                {"messages", messages_json(scans.messages)},
+               {"stages", scans.stages},
                {"columns", Json::object()}};
   for (const ScanColumn& column : scans.columns) {
     expect_length(column.name.c_str(), column.values.size(), scans.size());

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "io/messages/point_cloud2_writer.hpp"
 #include "io/messages/pose_messages.hpp"
 
@@ -114,15 +116,17 @@ void RunBag::write_diagnosis(const std::string& name, const Estimate& estimate) 
   diagnostic.name = "surefoot: odometry";
   diagnostic.message = std::string(to_string(estimate.status));
   if (!estimate.message.empty()) diagnostic.message += ": " + estimate.message;
-  const auto add = [&](const char* key, const auto& value) {
-    diagnostic.values.emplace_back(key, fmt::format("{}", value));
+  const auto add = [&](std::string key, const auto& value) {
+    diagnostic.values.emplace_back(std::move(key), fmt::format("{}", value));
   };
   add("scan", name);
   add("points", estimate.points);
   add("registered points", estimate.registered_points);
-  add("matches", estimate.horizontal.matches);
-  add("iterations", estimate.horizontal.iterations);
-  add("residual [m]", estimate.horizontal.residual);
+  for (const StageReport& stage : estimate.stages) {
+    add(fmt::format("{} matches", stage.name), stage.matches);
+    add(fmt::format("{} iterations", stage.name), stage.iterations);
+    add(fmt::format("{} residual [m]", stage.name), stage.residual);
+  }
   std::string weak;
   for (const DegenerateDirection& direction : estimate.degenerate) {
     weak += (weak.empty() ? "" : " ") + direction.name;

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <sstream>
 
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
@@ -24,6 +26,7 @@ constexpr const char* kStamp = "stamp";
 constexpr const char* kStatus = "status";
 constexpr const char* kMessage = "message";
 constexpr const char* kDegenerate = "degenerate";
+constexpr const char* kStages = "stages";
 constexpr const char* kTotalTime = "ms_total";
 
 struct Column {
@@ -47,10 +50,13 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string names_of(const std::vector<DegenerateDirection>& directions) {
+/// Of weak directions or stages, between blanks.
+template <typename Named>
+std::string names_of(const Named& all) {
   std::string names;
-  for (const DegenerateDirection& weak : directions) {
-    names += (names.empty() ? "" : " ") + weak.name;
+  for (const auto& one : all) {
+    if (!names.empty()) names += ' ';
+    names += one.name;
   }
   return names;
 }
@@ -66,17 +72,20 @@ Column real(std::string name, std::function<double(const Estimate&)> value) {
           }};
 }
 
-void add_stage(const std::string& name, StageReport Estimate::*stage,
-               std::vector<Column>& columns) {
-  const auto add = [&](const char* part, int StageReport::*member) {
-    columns.push_back({name + part, Column::Kind::number, [stage, member](const ScanRow& row) {
-                         return std::to_string(row.estimate.*stage.*member);
+/// The columns of the stage at this place of Estimate::stages, empty where a scan has none there.
+void add_stage(std::size_t place, std::vector<Column>& columns) {
+  const auto add = [&](const char* part, std::string (*value)(const StageReport&)) {
+    columns.push_back({fmt::format("stage{}_{}", place + 1, part), Column::Kind::number,
+                       [place, value](const ScanRow& row) {
+                         const StageReports& stages = row.estimate.stages;
+                         return place < stages.size() ? value(stages[place]) : std::string();
                        }});
   };
-  add("_iterations", &StageReport::iterations);
-  add("_matches", &StageReport::matches);
-  columns.push_back(
-      real(name + "_residual_m", [stage](const Estimate& e) { return (e.*stage).residual; }));
+  add("iterations", [](const StageReport& stage) { return std::to_string(stage.iterations); });
+  add("matches", [](const StageReport& stage) { return std::to_string(stage.matches); });
+  add("residual_m", [](const StageReport& stage) { return fmt::format("{:.6f}", stage.residual); });
+  add("observability",
+      [](const StageReport& stage) { return fmt::format("{:.6f}", stage.observability); });
 }
 
 void add_sigmas(std::vector<Column>& columns) {
@@ -117,10 +126,9 @@ std::vector<Column> make_columns() {
       whole("registered_points", &Estimate::registered_points),
       {"converged", Kind::number,
        [](const ScanRow& row) { return std::string(row.estimate.converged ? "1" : "0"); }}};
-  add_stage("horizontal", &Estimate::horizontal, columns);
-  add_stage("vertical", &Estimate::vertical, columns);
-  columns.push_back(
-      real("vertical_observability", [](const Estimate& e) { return e.vertical.observability; }));
+  columns.push_back({kStages, Column::Kind::text,
+                     [](const ScanRow& row) { return names_of(row.estimate.stages); }});
+  for (std::size_t place = 0; place < StageReports::kMost; ++place) add_stage(place, columns);
   columns.push_back({kDegenerate, Kind::text,
                      [](const ScanRow& row) { return names_of(row.estimate.degenerate); }});
   columns.push_back(real("least_information", [](const Estimate& e) {
@@ -150,6 +158,17 @@ std::vector<std::string> texts_of(const CsvTable& table, std::string_view name) 
   const auto column = static_cast<std::size_t>(found - table.names.begin());
   for (std::size_t row = 0; row < texts.size(); ++row) texts[row] = table.rows[row][column];
   return texts;
+}
+
+/// A run has one method: the stages of whichever scan went through most of them.
+std::vector<std::string> stages_of(const CsvTable& table) {
+  std::vector<std::string> longest;
+  for (const std::string& names : texts_of(table, kStages)) {
+    std::istringstream words(names);
+    std::vector<std::string> stages{std::istream_iterator<std::string>(words), {}};
+    if (stages.size() > longest.size()) longest = std::move(stages);
+  }
+  return longest;
 }
 
 [[noreturn]] void refuse(const CsvTable& table, std::size_t row, std::string_view column,
@@ -202,6 +221,7 @@ report::ScanTable read_scans_csv(const std::filesystem::path& file) {
   scans.statuses = texts_of(table, kStatus);
   scans.messages = texts_of(table, kMessage);
   scans.degenerate = texts_of(table, kDegenerate);
+  scans.stages = stages_of(table);
   for (std::size_t column = 0; column < table.names.size(); ++column) {
     if (!is_text(table.names[column])) scans.columns.push_back(numbers_of(table, column));
   }

@@ -9,9 +9,8 @@
 
 namespace surefoot::runs {
 
-inline constexpr std::array<const char*, 9> kStepNames = {"preprocess", "deskew",     "downsample",
-                                                          "search",     "horizontal", "vertical",
-                                                          "solve",      "assess",     "map"};
+inline constexpr std::array<const char*, 7> kStepNames = {
+    "preprocess", "deskew", "downsample", "search", "solve", "assess", "map"};
 
 /// Milliseconds that each step of one scan took; the clock that the library does not read.
 class StepTimes {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/synthetic_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -28,8 +29,13 @@ double smooth_height(double x, double slope_deg) {
 }
 
 bool same(const StageReport& a, const StageReport& b) {
-  return a.iterations == b.iterations && a.matches == b.matches && a.residual == b.residual &&
-         a.observability == b.observability;
+  return a.name == b.name && a.iterations == b.iterations && a.matches == b.matches &&
+         a.residual == b.residual && a.observability == b.observability;
+}
+
+bool same(const StageReports& a, const StageReports& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const StageReport& c, const StageReport& d) { return same(c, d); });
 }
 
 bool same(const Pose& a, const Pose& b) {
@@ -120,9 +126,9 @@ bool same_bits(const Estimate& a, const Estimate& b) {
   }
   return trajectories && a.status == b.status && a.message == b.message &&
          a.stamp_ns == b.stamp_ns && same(a.T_world_lidar, b.T_world_lidar) && a.twist == b.twist &&
-         a.covariance == b.covariance && a.converged == b.converged &&
-         same(a.horizontal, b.horizontal) && same(a.vertical, b.vertical) && a.points == b.points &&
-         a.registered_points == b.registered_points && a.degenerate.size() == b.degenerate.size();
+         a.covariance == b.covariance && a.converged == b.converged && same(a.stages, b.stages) &&
+         a.points == b.points && a.registered_points == b.registered_points &&
+         a.degenerate.size() == b.degenerate.size();
 }
 
 bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {

@@ -68,12 +68,12 @@ function columnLines(context, columns) {
     });
 }
 
-/** One line a stage of the registration: every column that ends like this. */
-function stageLines(context, ending) {
-  const names = Object.keys(context.run().scans.columns).filter((name) => name.endsWith(ending));
+/** One line a stage of the registration. */
+function stageLines(context, part) {
+  const { stages } = context.run().scans;
   return columnLines(
     context,
-    names.map((name) => [name.slice(0, -ending.length).replaceAll("_", " "), name]),
+    stages.map((stage, place) => [stage, `stage${place + 1}_${part}`]),
   );
 }
 
@@ -125,7 +125,7 @@ function stepLines(context) {
 
 /** The weakest direction is told only where it counts as degenerate; the others are points. */
 function observabilityLines(context) {
-  const lines = stageLines(context, "_observability");
+  const lines = stageLines(context, "observability");
   const { scans } = context.run();
   const least = scans.columns.least_information;
   if (!least || !scans.degenerate.some(Boolean)) return lines;
@@ -207,21 +207,21 @@ export const kCharts = [
     title: "Iterations",
     unit: "iterations [1]",
     fromZero: true,
-    lines: (c) => stageLines(c, "_iterations"),
+    lines: (c) => stageLines(c, "iterations"),
   },
   {
     group: "Registration, scan by scan",
     title: "Matches",
     unit: "matches [1]",
     fromZero: true,
-    lines: (c) => stageLines(c, "_matches"),
+    lines: (c) => stageLines(c, "matches"),
   },
   {
     group: "Registration, scan by scan",
     title: "Residuals",
     unit: "residual [m]",
     fromZero: true,
-    lines: (c) => stageLines(c, "_residual_m"),
+    lines: (c) => stageLines(c, "residual_m"),
   },
 ];
 

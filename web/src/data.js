@@ -106,7 +106,7 @@ function decodeRecording(recording) {
 
 export function readReport(text) {
   const report = JSON.parse(text);
-  if (report.format !== 1) throw new Error(`data of format ${report.format}; this page reads 1`);
+  if (report.format !== 2) throw new Error(`data of format ${report.format}; this page reads 2`);
   return {
     ...report,
     recordings: report.recordings.map(decodeRecording),

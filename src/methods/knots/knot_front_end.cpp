@@ -93,7 +93,7 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
                                 const Pose& T_0, std::size_t points) const {
   Estimate estimate;
   estimate.converged = found.converged;
-  estimate.horizontal = {found.iterations, found.matches, found.rigid.rms(), 0.0};
+  estimate.stages = StageReport{"registration", found.iterations, found.matches, found.rigid.rms()};
   estimate.registered_points = static_cast<int>(points);
   const Pose T_map_lidar = trajectory.at(0.5);
   Judgement judgement = judge_registration({T_0, T_map_lidar, found.matches, points},

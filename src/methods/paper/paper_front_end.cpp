@@ -79,8 +79,7 @@ Estimate PaperFrontEnd::conclude(const Registration& registration, const Pose& T
                                  Source& source) const {
   Estimate estimate;
   estimate.converged = registration.converged;
-  estimate.horizontal = registration.horizontal;
-  estimate.vertical = registration.vertical;
+  estimate.stages = registration.stages(config_.registration.mode);
   estimate.registered_points = static_cast<int>(source.points.size());
   Judgement judgement = judge_registration(
       {T_0, registration.T_map_lidar, registration.matches, source.points.size()},

@@ -101,14 +101,13 @@ void report(const NormalEquations<Size>& equations, StageReport& stage) {
 Twist update_decoupled(Source& source, const LocalMap& map, const Config& config,
                        const Workers& workers, const StepObserver& begin_step,
                        Registration& result) {
-  begin_step(Step::horizontal);
+  begin_step(Step::solve);
   const NormalEquations<3> horizontal =
       horizontal_equations(source, result.T_map_lidar, config.horizontal, workers);
   Twist whole = full_horizontal_update(horizontal.solve());
   result.T_map_lidar = apply_update(result.T_map_lidar, whole);
   report(horizontal, result.horizontal);
 
-  begin_step(Step::vertical);
   for (int u = 0; u < config.vertical.sub_iterations; ++u) {
     const VerticalEquations vertical =
         vertical_equations(source, map, result.T_map_lidar, config.vertical, workers);
@@ -123,15 +122,15 @@ Twist update_decoupled(Source& source, const LocalMap& map, const Config& config
   return whole;
 }
 
-/// The coupled problem, to compare with: one 6-DoF update, reported as the horizontal stage.
+/// The coupled problem, to compare with: one 6-DoF update.
 Twist update_coupled(Source& source, const LocalMap& map, const Config& config,
                      const Workers& workers, const StepObserver& begin_step, Registration& result) {
-  begin_step(Step::horizontal);
+  begin_step(Step::solve);
   const NormalEquations<6> equations =
       coupled_equations(source, map, result.T_map_lidar, config, workers);
   const Twist delta = equations.solve();
   result.T_map_lidar = apply_update(result.T_map_lidar, delta);
-  report(equations, result.horizontal);
+  report(equations, result.coupled);
   return delta;
 }
 

@@ -15,8 +15,15 @@ struct Registration {
   Pose T_map_lidar;        ///< at mid-scan
   bool converged = false;  ///< the last update was below registration.convergence
   int matches = 0;         ///< correspondences of the last search
-  StageReport horizontal;
-  StageReport vertical;
+  StageReport horizontal{"horizontal"};
+  StageReport vertical{"vertical"};
+  StageReport coupled{"registration"};
+
+  /// Those that this way of solving has.
+  [[nodiscard]] StageReports stages(RegistrationMode mode) const {
+    if (mode == RegistrationMode::coupled) return coupled;
+    return {horizontal, vertical};
+  }
 };
 
 /// The largest radius in which register_scan searches the map [m].

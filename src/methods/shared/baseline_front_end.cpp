@@ -38,8 +38,8 @@ Estimate BaselineFrontEnd::report(const Alignment& alignment, const ScanTrajecto
   Estimate estimate;
   estimate.converged = alignment.converged;
   estimate.registered_points = alignment.points;
-  estimate.horizontal = {alignment.iterations, alignment.equations.count, alignment.equations.rms(),
-                         0.0};
+  estimate.stages = StageReport{"registration", alignment.iterations, alignment.equations.count,
+                                alignment.equations.rms()};
   judge(alignment, estimate);
   const StampedPose pose{trajectory.mid_ns(), trajectory.at(0.5)};
   estimate.covariance = estimate.trusted() ? covariance(alignment, pose.pose)

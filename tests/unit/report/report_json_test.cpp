@@ -52,6 +52,7 @@ ReportRun three_scans() {
   run.scans.stamps_ns = {kStart, kStart + kStep, kStart + 2 * kStep};
   run.scans.statuses = {"first_scan", "ok", "rejected"};
   run.scans.messages = {"", "", "</script><b>no points"};
+  run.scans.stages = {"horizontal", "vertical"};
   run.scans.degenerate = {"", "z", ""};
   run.scans.columns = {{"ms_total", {1.5F, 2.5F, std::nanf("")}}};
   const Pose turned{from_roll_pitch_yaw({0.1, -0.2, 0.3}), {1, 2, 3}};
@@ -111,6 +112,7 @@ TEST(ReportJson, ScansKeepTheirWords) {
   EXPECT_EQ(scans["status"]["texts"][status.at(2)], "rejected");
   EXPECT_EQ(scans["degenerate"]["texts"][numbers<std::uint32_t>(scans["degenerate"]["numbers"])[1]],
             "z");
+  EXPECT_EQ(scans["stages"], (json{"horizontal", "vertical"}));
   EXPECT_EQ(scans["messages"].size(), 1U);
   EXPECT_EQ(scans["messages"]["2"], "</script><b>no points");
   EXPECT_TRUE(std::isnan(numbers<float>(scans["columns"]["ms_total"])[2]));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runs/scans_csv.hpp"
 
+#include <cmath>
+
 #include "runs/csv_table.hpp"
 #include "support/scratch.hpp"
 
@@ -42,6 +44,7 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
   estimate.points = 4;
   estimate.registered_points = 5;
   estimate.converged = true;
+  estimate.stages = {{"horizontal", 11, 12, 13.0, 14.0}, {"vertical", 21, 22, 23.0, 24.0}};
   estimate.covariance.diagonal() << 1.0, 4.0, 9.0, 16.0, 25.0, 36.0;
   estimate.degenerate = {{Twist::Zero(), 0.25, "forward"}, {Twist::Zero(), 0.5, "up"}};
   const StepTimes times;
@@ -53,6 +56,7 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(scans.statuses.front(), "degenerate");
   EXPECT_EQ(scans.messages.front(), "weak, \"very\"\\x0aweak");
   EXPECT_EQ(scans.degenerate.front(), "forward up");
+  EXPECT_EQ(scans.stages, (std::vector<std::string>{"horizontal", "vertical"}));
   std::map<std::string, float> numbers;
   for (const report::ScanColumn& column : scans.columns) {
     numbers[column.name] = column.values.front();
@@ -64,6 +68,14 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
                                                  {"points", 4.0F},
                                                  {"registered_points", 5.0F},
                                                  {"converged", 1.0F},
+                                                 {"stage1_iterations", 11.0F},
+                                                 {"stage1_matches", 12.0F},
+                                                 {"stage1_residual_m", 13.0F},
+                                                 {"stage1_observability", 14.0F},
+                                                 {"stage2_iterations", 21.0F},
+                                                 {"stage2_matches", 22.0F},
+                                                 {"stage2_residual_m", 23.0F},
+                                                 {"stage2_observability", 24.0F},
                                                  {"sigma_x_m", 1.0F},
                                                  {"sigma_yaw_rad", 6.0F},
                                                  {"ms_total", 0.0F},
@@ -73,6 +85,24 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
     EXPECT_EQ(numbers[name], value) << name;
   }
   EXPECT_TRUE(scans_csv_header().starts_with(scans_csv_beginning()));
+}
+
+/// A run's first scan is not registered; its stages are those of the scans that were.
+TEST_F(ScansCsv, AScanWithoutStagesHasNoNumbersOfThem) {
+  Estimate first, second;
+  second.stages = StageReport{"registration", 3, 4, 5.0};
+  const StepTimes times;
+  const auto file = write("scans.csv", scans_csv_header() + scans_csv_line({0, "a", first, times}) +
+                                           scans_csv_line({1, "b", second, times}));
+  const report::ScanTable scans = read_scans_csv(file);
+  EXPECT_EQ(scans.stages, std::vector<std::string>{"registration"});
+  for (const report::ScanColumn& column : scans.columns) {
+    if (column.name == "stage1_matches") {
+      EXPECT_TRUE(std::isnan(column.values[0]));
+      EXPECT_EQ(column.values[1], 4.0F);
+    }
+    if (column.name == "stage2_matches") EXPECT_TRUE(std::isnan(column.values[1]));
+  }
 }
 
 TEST_F(ScansCsv, WhatIsWrongIsNamed) {

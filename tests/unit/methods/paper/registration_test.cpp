@@ -137,7 +137,7 @@ TEST(Registration, StepsFollowTheOrderOfAlgorithm1) {
   std::vector<Step> steps;
   const auto note = [&](Step step) { steps.push_back(step); };
   (void)register_scan(scene.source, scene.map, scene.T_0, scene.config, Workers(1), note);
-  const std::vector<Step> once = {Step::search, Step::horizontal, Step::vertical};
+  const std::vector<Step> once = {Step::search, Step::solve};
   std::vector<Step> expected = once;
   expected.insert(expected.end(), once.begin(), once.end());
   EXPECT_EQ(steps, expected);
