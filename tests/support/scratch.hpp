@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,12 +11,13 @@
 
 namespace surefoot::test {
 
-/// A folder for one test, empty at its start and removed after it.
+/// A folder for one test of one process, empty at its start and removed after it.
 class Scratch : public testing::Test {
  protected:
   Scratch()
       : folder_(std::filesystem::path(testing::TempDir()) /
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+                (testing::UnitTest::GetInstance()->current_test_info()->name() + std::string(".") +
+                 std::to_string(getpid()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
