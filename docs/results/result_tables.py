@@ -55,6 +55,50 @@ def link(kept, root="results"):
     return f"[{kept.name}.csv]({root}/{kept.name}.csv)"
 
 
+def reliability():
+    """A fault a row, over all walks."""
+    kept = Kept("reliability")
+    columns = {name: i for i, name in enumerate(kept.rows[0])}
+    faults = {}
+    for row in kept.rows[1:]:
+        faults.setdefault(row[columns["fault"]], []).append(row)
+
+    def total(rows, name):
+        return sum(int(row[columns[name]]) for row in rows)
+
+    def again(rows):
+        seconds = [row[columns["right_again_s"]] for row in rows]
+        known = [float(one) for one in seconds if one != "–"]
+        return f"{statistics.median(known):.1f} s, {len(known)} of {len(rows)}" if known else "never"
+
+    lines = [[fault, *(str(total(rows, name)) for name in
+                       ("scans", "ok", "false_ok", "degenerate", "untrusted")), again(rows)]
+             for fault, rows in faults.items()]
+    everything = [row for rows in faults.values() for row in rows]
+    lines.append(["all", *(str(total(everything, name)) for name in
+                           ("scans", "ok", "false_ok", "degenerate", "untrusted")), ""])
+    head = ["fault", "scans", "ok", "false ok", "degenerate", "untrusted", "right again"]
+    about = f"Kept in {link(kept)}: commit {kept.about['commit']}, `{kept.about['command']}`."
+    return f"{markdown(head, lines)}\n\n{about}"
+
+
+def reliability_bins():
+    """How often poses of which a probability is told are wrong, wrong ones as one in a hundred."""
+    kept = Kept("reliability_bins")
+    rows = [[row[0], int(row[1]), float(row[2]), int(row[3])] for row in kept.rows[1:]]
+    wrong = sum(row[3] for row in rows)
+    right = sum(row[1] - row[3] for row in rows)
+    weight = 0.01 / 0.99 * right / wrong
+    lines = []
+    for end, scans, told, bad in rows:
+        weighed = weight * bad
+        share = weighed / (scans - bad + weighed) if scans else 0.0
+        lines.append([end, str(scans), f"{told:.4f}", str(bad), f"{share:.4f}"])
+    head = ["told, up to", "scans", "told on average", "wrong", "share of wrong ones"]
+    about = f"Kept in {link(kept)}: commit {kept.about['commit']}, `{kept.about['command']}`."
+    return f"{markdown(head, lines)}\n\n{about}"
+
+
 def as_kept(name):
     """A file as it is, and what made it."""
     kept = Kept(name)
@@ -199,6 +243,8 @@ TABLES = {
     "before-relative": before_relative,
     "before-count": before_count,
     "readme": readme,
+    "reliability": reliability,
+    "reliability-bins": reliability_bins,
 }
 
 

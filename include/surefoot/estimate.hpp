@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,7 @@ enum class Status {
   degenerate,       ///< registered, but the directions named in `degenerate` rest on little
   too_few_matches,  ///< not registered: the pose is the prediction, the map is unchanged
   diverged,         ///< registration ended somewhere implausible: likewise
+  lost,             ///< it does not know where it is and searches: the pose is a guess, likewise
   rejected          ///< the scan could not be used, `message` says why; nothing changed
 };
 [[nodiscard]] std::string_view to_string(Status status);
@@ -64,9 +66,42 @@ struct DegenerateDirection {
                                     ///< forward, lateral, up, roll, pitch or yaw
 };
 
+/// What speaks against a registered pose, in figures that do not depend on the scene: 0 where
+/// nothing does. docs/method.md, "Is it right?".
+struct Evidence {
+  // Logarithms of ratios to what is usual for this run; 0: usual or less.
+  double misfit = 0.0;         ///< of the points to what the map has seen
+  double unseen = 0.0;         ///< share of the points where the map has nothing
+  double contradiction = 0.0;  ///< share that scans went through of each other
+  double motion = 0.0;         ///< against the velocity model
+  // Others.
+  double uncertainty = 0.0;  ///< logarithm of the standard deviation over 1 cm
+  double gap = 0.0;          ///< of the time since the last trusted scan over 0.1 s
+  double unconverged = 0.0;  ///< 1: the last update was not small yet
+  double frozen = 0.0;       ///< up to 1: the same scan again, byte by byte, of who walked
+};
+
+struct EvidenceField {
+  const char* name;
+  double Evidence::*member;
+};
+inline constexpr std::array<EvidenceField, 8> kEvidenceFields = {{
+    {"misfit", &Evidence::misfit},
+    {"unseen", &Evidence::unseen},
+    {"contradiction", &Evidence::contradiction},
+    {"motion", &Evidence::motion},
+    {"uncertainty", &Evidence::uncertainty},
+    {"gap", &Evidence::gap},
+    {"unconverged", &Evidence::unconverged},
+    {"frozen", &Evidence::frozen},
+}};
+
 /// The answer to one scan.
 struct Estimate {
   Status status = Status::rejected;
+  /// Poses of one segment are in one frame. Where it lost itself and did not find itself again, the
+  /// next segment begins: how they lie to each other is not known.
+  int segment = 0;
   std::string message;  ///< what was seen and expected; empty when ok
 
   std::int64_t stamp_ns = 0;    ///< mid-scan, the instant of `T_world_lidar`
@@ -76,6 +111,12 @@ struct Estimate {
   Matrix6 covariance = Matrix6::Zero();  ///< of the pose against the map; [x y z roll pitch yaw]
                                          ///< in the world's axes about the sensor [m, rad]
   std::vector<DegenerateDirection> degenerate;
+
+  /// Of a registered scan; the default method alone tells.
+  Evidence evidence;
+  /// That the pose is wrong by more than 0.2 m or 3 degrees against that of ten scans before; NaN
+  /// where that is not told: by other methods, and of scans that were not registered.
+  double wrong_probability = std::numeric_limits<double>::quiet_NaN();
 
   bool converged = false;     ///< the last update was below the method's convergence
   StageReports stages;        ///< of the registration, named as the method names them

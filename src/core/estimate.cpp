@@ -16,6 +16,8 @@ std::string_view to_string(Status status) {
       return "too_few_matches";
     case Status::diverged:
       return "diverged";
+    case Status::lost:
+      return "lost";
     case Status::rejected:
       return "rejected";
   }

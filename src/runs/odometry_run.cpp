@@ -190,7 +190,7 @@ RunDescription OdometryRun::description() const {
   run.options = options_.given;
   run.scans = std::to_string(outcome_.scans());
   run.untrusted = std::to_string(untrusted(Status::too_few_matches) + untrusted(Status::diverged) +
-                                 untrusted(Status::rejected));
+                                 untrusted(Status::lost) + untrusted(Status::rejected));
   run.interrupted = outcome_.interrupted ? "true" : "false";
   run.level = odometry_.level().message;
   run.pose_of = options_.pose_of;

@@ -98,6 +98,21 @@ void add_sigmas(std::vector<Column>& columns) {
   }
 }
 
+/// Empty where nothing is told.
+std::string probability_of(const ScanRow& row) {
+  const double probability = row.estimate.wrong_probability;
+  return std::isnan(probability) ? "" : fmt::format("{:.6f}", probability);
+}
+
+void add_evidence(std::vector<Column>& columns) {
+  columns.push_back({"wrong_probability", Column::Kind::number, probability_of});
+  for (const EvidenceField& field : kEvidenceFields) {
+    columns.push_back(
+        real(std::string("evidence_") + field.name,
+             [member = field.member](const Estimate& e) { return e.evidence.*member; }));
+  }
+}
+
 void add_times(std::vector<Column>& columns) {
   for (std::size_t step = 0; step < kStepNames.size(); ++step) {
     columns.push_back(
@@ -118,6 +133,8 @@ std::vector<Column> make_columns() {
        [](const ScanRow& row) { return io::format_seconds(row.estimate.stamp_ns); }},
       {kStatus, Kind::text,
        [](const ScanRow& row) { return std::string(to_string(row.estimate.status)); }},
+      {"segment", Kind::number,
+       [](const ScanRow& row) { return std::to_string(row.estimate.segment); }},
       {kMessage, Kind::text, [](const ScanRow& row) { return quoted(row.estimate.message); }},
       real("x", [](const Estimate& e) { return e.T_world_lidar.translation.x(); }),
       real("y", [](const Estimate& e) { return e.T_world_lidar.translation.y(); }),
@@ -135,6 +152,7 @@ std::vector<Column> make_columns() {
     return e.degenerate.empty() ? 1.0 : e.degenerate.front().information;
   }));
   add_sigmas(columns);
+  add_evidence(columns);
   add_times(columns);
   return columns;
 }

@@ -162,6 +162,13 @@ export const kCharts = [
   },
   {
     group: "What it says of itself",
+    title: "Probability of a wrong pose",
+    unit: "probability [1]",
+    fromZero: true,
+    lines: (c) => columnLines(c, [["wrong_probability", "wrong_probability", 1]]),
+  },
+  {
+    group: "What it says of itself",
     title: "Standard deviation of the position",
     unit: "sigma [m]",
     fromZero: true,

@@ -3,7 +3,7 @@
 //
 // Which scans are not to be taken for granted.
 
-const kUntrusted = new Set(["too_few_matches", "diverged", "rejected"]);
+const kUntrusted = new Set(["too_few_matches", "diverged", "lost", "rejected"]);
 
 /** "ok", "degenerate" or "untrusted"; the first scan of a run is as it should be. */
 export function gradeOf(run, index) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 
@@ -96,23 +97,45 @@ Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& 
   find_clear();
 }
 
+Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& ends)
+    : sensor_(sensor) {
+  std::vector<Eigen::Vector3d> rays;
+  std::vector<double> ranges;
+  rays.reserve(ends.size());
+  ranges.reserve(ends.size());
+  for (const Eigen::Vector3d& end : ends) {
+    const Eigen::Vector3d ray = end - sensor;
+    ranges.push_back(ray.norm());
+    rays.emplace_back(ray / ranges.back());
+  }
+  *this = Beams(sensor, rays, ranges);
+}
+
 void Beams::find_clear() {
+  constexpr float kNone = std::numeric_limits<float>::max();
   std::vector<float> clear(std::size_t{kColumns} * kRows, 0.0F);
+  std::vector<float> free(clear.size(), kNone);
   for (std::size_t cell = 0; cell < clear.size(); ++cell) {
     for (std::uint32_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
-      clear[cell] = std::max(clear[cell], static_cast<float>(beams_[i].clear));
+      const auto of_beam = static_cast<float>(std::max(beams_[i].clear, 0.0));
+      clear[cell] = std::max(clear[cell], of_beam);
+      free[cell] = std::min(free[cell], of_beam);
     }
   }
   clear2_.resize(clear.size());
+  free2_.resize(clear.size());
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
       float& farthest = clear2_[cell_at(column, row)];
+      float nearest = kNone;
       const Direction middle{static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F};
       any_about(middle, 1.0F, 1.0F, [&](int cell) {
         farthest = std::max(farthest, clear[cell]);
+        nearest = std::min(nearest, free[cell]);
         return false;
       });
       farthest *= farthest;
+      free2_[cell_at(column, row)] = nearest == kNone ? 0.0F : nearest * nearest;
     }
   }
 }
@@ -122,6 +145,17 @@ bool Beams::may_pass(const Eigen::Vector3f& place) const {
   const float squared = d.squaredNorm();
   if (squared < kNear * kNear || squared > kFar * kFar) return false;
   return clear2_[cell_of(direction_of(d))] > squared;
+}
+
+Beams::Answer Beams::at(const Eigen::Vector3d& place) const {
+  const Eigen::Vector3f d = (place - sensor_).cast<float>();
+  const float squared = d.squaredNorm();
+  if (squared < kNear * kNear || squared > kFar * kFar) return Answer::none;
+  const int cell = cell_of(direction_of(d));
+  const auto end =
+      static_cast<float>(std::sqrt(clear2_[cell]) * (1.0 + kBehindShare) + 2.0 * kBehind);
+  if (clear2_[cell] <= 0.0F || squared > end * end) return Answer::none;
+  return squared < free2_[cell] ? Answer::free : Answer::open;
 }
 
 bool Beams::pass(const Surfel& surfel) const {

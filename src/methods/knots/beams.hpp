@@ -16,12 +16,22 @@ class Beams {
   /// `rays`: unit vectors from the sensor [map frame], and how far each went [m].
   Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& rays,
         const std::vector<double>& ranges);
+  /// By where they ended [m, map frame].
+  Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& ends);
 
   /// A quick answer for a place [m, map frame]: false only where no beam that points about there
   /// ends well behind it.
   [[nodiscard]] bool may_pass(const Eigen::Vector3f& place) const;
   /// Whether a beam went through the middle of a surfel, and ended well behind it.
   [[nodiscard]] bool pass(const Surfel& surfel) const;
+
+  /// What the beams that point about a place [m, map frame] tell of it.
+  enum class Answer {
+    none,  ///< none points there, or they ended before
+    open,  ///< one ended about there
+    free   ///< all ended well behind it
+  };
+  [[nodiscard]] Answer at(const Eigen::Vector3d& place) const;
 
  private:
   struct Beam {
@@ -35,6 +45,7 @@ class Beams {
   std::vector<std::uint32_t> begins_;  // of each cell's beams
   std::vector<Beam> beams_;            // cell by cell
   std::vector<float> clear2_;          // [m^2] farthest of the beams in each cell and around it
+  std::vector<float> free2_;           // [m^2] nearest of them; 0: none
 };
 
 }  // namespace surefoot

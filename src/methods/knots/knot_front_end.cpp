@@ -6,6 +6,8 @@
 #include "methods/knots/knot_front_end.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <utility>
 
 #include "core/deskew.hpp"
@@ -38,6 +40,20 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
   return found.rigid.weighted_squares / (config.independence * std::max(found.rigid.count, 1));
 }
 
+// What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
+constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
+
+/// By which a scan that was seen before is known again, byte by byte.
+std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
+  std::uint64_t hash = points.size();
+  for (const Eigen::Vector3f& p : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      hash = (hash ^ std::bit_cast<std::uint32_t>(p[axis])) * 0x100000001b3ULL;
+    }
+  }
+  return hash;
+}
+
 }  // namespace
 
 KnotFrontEnd::KnotFrontEnd(const Session& session)
@@ -51,6 +67,8 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   emptied_.centres.clear();
+  const std::uint64_t print = fingerprint(scan.points);
+  seen_again_ = print == std::exchange(last_print_, print);
   session_.begin_step(Step::downsample);
   const auto thinned = map_choice_.choose(scan, session_.workers);
   if (map_.empty()) return begin_map(scan, thinned);
@@ -66,17 +84,42 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
   if (!estimate.trusted()) return lose(scan, thinned, predicted, begin, std::move(estimate));
 
+  View view = look(scan, thinned, trajectory);
+  judge(scan, found, begin, view, estimate);
   learn(found, begin);
   session_.begin_step(Step::map);
-  if (first_scan_) map_first_scan(found.window.mean_velocity());
+  if (first_scan_) {
+    const DeskewedScan this_scan = std::exchange(last_scan_, {});
+    map_first_scan(found.window.mean_velocity());
+    last_scan_ = this_scan;
+  }
   first_scan_.reset();
-  integrate(scan, thinned, trajectory);
+  integrate(std::move(view));
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   return publish(trajectory, std::move(estimate));
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
   return {map_, begin.prior, model_, config_.knots, session_.workers, session_.begin_step};
+}
+
+/// What speaks against a registration, and how probably it is wrong.
+void KnotFrontEnd::judge(const PreparedScan& scan, const KnotRegistration& found,
+                         const KnotEnd& begin, const View& view, Estimate& estimate) {
+  const Signs signs{found.misfit_of_seen(), found.unseen, views_.contradiction(view),
+                    begin.prior.surprise(found.window)};
+  Evidence& evidence = estimate.evidence = usual_signs_.compare(signs);
+  const double sigma = std::sqrt(estimate.covariance.diagonal().head<3>().maxCoeff());
+  evidence.uncertainty = strength(sigma / kKnown);
+  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  evidence.gap = strength(seconds(mid_ns - last_pose_->stamp_ns) / kUsualPeriod);
+  evidence.unconverged = found.converged ? 0.0 : 1.0;
+  const double speed = model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
+  evidence.frozen = seen_again_ ? std::min(speed / kWalks, 1.0) : 0.0;
+
+  const double hazard_now = hazard(evidence);
+  estimate.wrong_probability = verdict_.add(hazard_now);
+  usual_signs_.learn(signs, 1.0 - hazard_now, config_.knots.usual_rate);
 }
 
 /// What a trusted registration tells for the next scan.
@@ -131,6 +174,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   const Pose T_map_lidar =
       last_pose_ ? end_.prior.means[1] : level_pose(scan.points, config_.level, level_);
   estimate.message = last_pose_ ? "the map begins anew at the predicted pose" : level_.message;
+  if (last_pose_) ++segment_;
   if (last_pose_) estimate.covariance = unregistered_covariance(config_.health);
   const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
   const double duration = seconds(scan.end_ns - scan.start_ns);
@@ -141,7 +185,10 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   lost_in_a_row_ = 0;
   first_scan_ = FirstScan{scan, thinned};
   usual_ = {};
-  integrate(scan, thinned, trajectory);
+  views_.clear();
+  usual_signs_ = {};
+  verdict_.clear();
+  integrate(look(scan, thinned, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
   return publish(trajectory, std::move(estimate));
 }
@@ -192,7 +239,8 @@ void KnotFrontEnd::map_first_scan(const Twist& velocity) {
       {displaced(last_pose_->pose, -half * velocity), displaced(last_pose_->pose, half * velocity)},
       first.start_ns, first.end_ns);
   map_.clear();
-  integrate(first, thinned, moving);
+  views_.clear();
+  integrate(look(first, thinned, moving));
 }
 
 /// A scan that could not be registered: the pose is the prediction and the map stays, until too
@@ -220,23 +268,30 @@ void KnotFrontEnd::finish(const KnotWindow& window, const Matrix12& information)
   velocity_ = rotated(window.knots[last].rotation.conjugate(), window.mean_velocity());
 }
 
-void KnotFrontEnd::integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                             const ScanTrajectory& trajectory) {
+/// Deskews a scan, and puts what it saw into the map's frame.
+View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                        const ScanTrajectory& trajectory) {
   const Pose middle = trajectory.at(0.5);
   last_scan_ = {deskew(scan, trajectory, session_.workers), scan.intensities};
-  map_.remove_far(middle.translation);
   std::vector<Eigen::Vector3d> points;
   points.reserve(thinned.size());
   for (const std::uint32_t i : thinned) {
     points.push_back(middle * last_scan_.points[i].cast<double>());
   }
+  return {middle.translation, std::move(points)};
+}
+
+void KnotFrontEnd::integrate(View view) {
+  map_.remove_far(view.sensor);
   emptied_ = {config_.knots.finest_voxel,
-              map_.insert(points, middle.translation, session_.workers)};
+              map_.insert(view.points, view.sensor, session_.workers, &view.beams)};
+  views_.add(std::move(view));
 }
 
 Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {
   estimate.trajectory = trajectory;
   estimate.twist = velocity_;
+  estimate.segment = segment_;
   return estimate;
 }
 

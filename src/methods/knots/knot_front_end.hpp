@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/front_end.hpp"
+#include "methods/knots/evidence.hpp"
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/surfel_map.hpp"
@@ -44,8 +45,11 @@ class KnotFrontEnd : public FrontEnd {
   void map_first_scan(const Twist& velocity);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& thinned);
-  void integrate(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                 const ScanTrajectory& trajectory);
+  [[nodiscard]] View look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                          const ScanTrajectory& trajectory);
+  void integrate(View view);
+  void judge(const PreparedScan& scan, const KnotRegistration& found, const KnotEnd& begin,
+             const View& view, Estimate& estimate);
   void finish(const KnotWindow& window, const Matrix12& information);
   [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
 
@@ -62,11 +66,17 @@ class KnotFrontEnd : public FrontEnd {
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
   double dependence_;
+  LastViews views_;
+  UsualSigns usual_signs_;
+  Verdict verdict_;
+  std::uint64_t last_print_ = 0;         // of the last scan's points
+  bool seen_again_ = false;              // this scan's are the same
   std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;
   Cubes emptied_;  // by the last scan
   int lost_in_a_row_ = 0;
+  int segment_ = 0;  // how often the map began anew
 };
 
 }  // namespace surefoot

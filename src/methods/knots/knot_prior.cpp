@@ -24,6 +24,12 @@ void KnotPrior::add_to(BandedSystem& system, const KnotWindow& window) const {
   system.add(1, gradient.tail<6>());
 }
 
+double KnotPrior::surprise(const KnotWindow& window) const {
+  Eigen::Matrix<double, 12, 1> e;
+  e << difference(window.knots[0], means[0]), difference(window.knots[1], means[1]);
+  return e.dot(information * e) / 12.0;
+}
+
 KnotPrior at_rest(const Pose& pose, double step, double since) {
   KnotPrior prior{{pose, pose}, {}};
   const Matrix6 velocity = (kUnknownVelocity * step).cwiseAbs2().cwiseInverse().asDiagonal();

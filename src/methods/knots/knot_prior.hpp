@@ -19,6 +19,8 @@ struct KnotPrior {
 
   /// Adds the terms that hold the window's first two knots to the means.
   void add_to(BandedSystem& system, const KnotWindow& window) const;
+  /// How far they are from them: mean of the twelve squares, in standard deviations.
+  [[nodiscard]] double surprise(const KnotWindow& window) const;
 };
 
 /// Two knots at one pose, `step` [s] apart, of a sensor that may be walking already. The pose

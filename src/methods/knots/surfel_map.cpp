@@ -191,11 +191,15 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
 
 std::vector<Eigen::Vector3d> SurfelMap::insert(const std::vector<Eigen::Vector3d>& points,
                                                const Eigen::Vector3d& sensor,
-                                               const Workers& workers) {
+                                               const Workers& workers, const Beams* beams) {
   ++scan_;
   const Sweep sweep(points, sensor);
-  std::optional<Beams> beams;
-  if (config_.gone_after > 0) beams.emplace(sensor, sweep.rays, sweep.ranges);
+  std::optional<Beams> own;
+  if (config_.gone_after == 0) {
+    beams = nullptr;
+  } else if (beams == nullptr) {
+    beams = &own.emplace(sensor, sweep.rays, sweep.ranges);
+  }
   std::vector<Eigen::Vector3d> emptied;
   workers.for_each(grids_.size(), [&](std::size_t level) {
     Grid& grid = grids_[level];

@@ -49,11 +49,12 @@ class SurfelMap {
                                    int finest, Place& last) const;
 
   /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
-  /// and empties those that the beams went through. Returns the centres [m] of the finest grid's
-  /// emptied ones (both sides).
+  /// and empties those that the beams went through: `beams`, or if null the points' own. Returns
+  /// the centres [m] of the finest grid's emptied ones (both sides).
   std::vector<Eigen::Vector3d> insert(const std::vector<Eigen::Vector3d>& points,
                                       const Eigen::Vector3d& sensor,
-                                      const Workers& workers = Workers(1));
+                                      const Workers& workers = Workers(1),
+                                      const Beams* beams = nullptr);
   /// Drops the voxels that lie farther than the radius from the sensor.
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();

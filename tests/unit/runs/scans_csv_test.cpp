@@ -45,6 +45,10 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
   estimate.registered_points = 5;
   estimate.converged = true;
   estimate.stages = {{"horizontal", 11, 12, 13.0, 14.0}, {"vertical", 21, 22, 23.0, 24.0}};
+  estimate.segment = 6;
+  estimate.wrong_probability = 0.125;
+  estimate.evidence.misfit = 0.5;
+  estimate.evidence.frozen = 0.75;
   estimate.covariance.diagonal() << 1.0, 4.0, 9.0, 16.0, 25.0, 36.0;
   estimate.degenerate = {{Twist::Zero(), 0.25, "forward"}, {Twist::Zero(), 0.5, "up"}};
   const StepTimes times;
@@ -79,6 +83,10 @@ TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
                                                  {"sigma_x_m", 1.0F},
                                                  {"sigma_yaw_rad", 6.0F},
                                                  {"ms_total", 0.0F},
+                                                 {"segment", 6.0F},
+                                                 {"wrong_probability", 0.125F},
+                                                 {"evidence_misfit", 0.5F},
+                                                 {"evidence_frozen", 0.75F},
                                                  {"least_information", 0.25F}};
   for (const auto& [name, value] : expected) {
     ASSERT_TRUE(numbers.count(name)) << name;

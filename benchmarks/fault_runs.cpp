@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "fault_runs.hpp"
+
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "simulation/body_motion.hpp"
+#include "simulation/gait.hpp"
+#include "simulation/lidar_model.hpp"
+#include "surefoot/odometry.hpp"
+
+namespace surefoot::benchmarks {
+
+namespace {
+
+const Pose kMount{Eigen::Quaterniond::Identity(), {0.10, 0.0, 0.16}};  // T_body_lidar
+
+/// A pose with what it should be.
+struct Pair {
+  Pose estimate, truth;
+  int place = 0;
+  int segment = 0;
+};
+
+MotionError error_between(const Pair& from, const Pair& to) {
+  if (from.place != to.place) return {1e3, 180.0};
+  const Pose off =
+      (from.truth.inverse() * to.truth).inverse() * (from.estimate.inverse() * to.estimate);
+  return {off.translation.norm(), so3_log(off.rotation).norm() * 180.0 / std::numbers::pi};
+}
+
+/// What the last pose is held against.
+const Pair* reference(const std::vector<std::optional<Pair>>& trusted) {
+  const int segment = trusted.back()->segment;
+  const Pair* first = nullptr;  // of the segment
+  const Pair* best = nullptr;   // at least ten scans old
+  for (std::size_t n = 0; n + 1 < trusted.size(); ++n) {
+    if (!trusted[n] || trusted[n]->segment != segment) continue;
+    if (first == nullptr) first = &*trusted[n];
+    if (n + kWrongScans < trusted.size()) best = &*trusted[n];
+  }
+  return best != nullptr ? best : first;
+}
+
+}  // namespace
+
+WalkSpec WalkSpec::parse(const std::string& text) {
+  const std::size_t seed = text.find(':');
+  const std::size_t robot = seed == std::string::npos ? seed : text.find(':', seed + 1);
+  try {
+    return {text.substr(0, seed), std::stoull(text.substr(seed + 1)),
+            robot == std::string::npos ? "" : text.substr(robot + 1)};
+  } catch (const std::exception&) {
+    throw std::invalid_argument("'" + text + "': expected SCENE:SEED or SCENE:SEED:ROBOT");
+  }
+}
+
+std::string WalkSpec::name() const {
+  return scene + (robot.empty() ? "" : "-" + robot) + "-" + std::to_string(seed);
+}
+
+FaultWalk::FaultWalk(const WalkSpec& spec)
+    : spec_(spec), scene_(simulation::build_scene(spec.scene, spec.seed)), rays_(scene_) {
+  const simulation::LidarModel lidar = simulation::lidar_model("vlp16");
+  const simulation::GaitModel gait =
+      simulation::gait_model(spec.robot.empty() ? scene_.robot : spec.robot);
+  const double duration = 1e-9 * lidar.turn_ns * static_cast<double>(simulation::kFaultReach + 2);
+  simulation::ScannerOptions options;
+  options.seed = spec.seed;
+  options.footprint = false;  // faster
+  scanner_ = std::make_unique<simulation::Scanner>(
+      rays_, lidar, simulation::make_motion(scene_, rays_, gait, duration, spec.seed, kMount),
+      options);
+  source_.scan = [this](std::uint64_t index) {
+    const auto found = made_.find(index);
+    if (found != made_.end()) return found->second;
+    return made_.emplace(index, scanner_->scan(index).scan).first->second;
+  };
+  source_.T_map_lidar = [this](std::int64_t instant_ns) {
+    const std::int64_t since_start_ns = instant_ns - scanner_->options().start_ns;
+    return scanner_->motion().T_map_lidar(1e-9 * static_cast<double>(since_start_ns));
+  };
+}
+
+std::vector<JudgedScan> run_fault(const FaultWalk& walk, const FaultWalk& elsewhere,
+                                  const simulation::Fault& fault, std::uint64_t scans,
+                                  const Config& config) {
+  Odometry odometry(config);
+  std::vector<JudgedScan> judged;
+  std::vector<std::optional<Pair>> trusted;  // one a scan
+  std::optional<Pair> before;                // the fault
+  for (std::uint64_t n = 0; n < scans; ++n) {
+    const simulation::FaultyScan shown = fault.scan(n, walk.source(), elsewhere.source());
+    JudgedScan scan{odometry.add_scan(shown.scan), {}, {}};
+    const Estimate& estimate = scan.estimate;
+    const Pair pair{estimate.T_world_lidar, shown.T_map_lidar, shown.place, estimate.segment};
+    trusted.push_back(estimate.trusted() ? std::optional(pair) : std::nullopt);
+    if (trusted.back() && n < simulation::kFaultBegins) before = pair;
+    if (trusted.back()) {
+      if (const Pair* const from = reference(trusted)) scan.over_ten = error_between(*from, pair);
+    }
+    if (before && before->segment == pair.segment) scan.since_fault = error_between(*before, pair);
+    judged.push_back(std::move(scan));
+  }
+  return judged;
+}
+
+}  // namespace surefoot::benchmarks

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/evidence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "methods/knots/verdict_weights.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kEvery = 5;           // scans between two views that are kept
+constexpr std::size_t kKept = 2;    // so that one is at least so old
+constexpr std::size_t kStride = 3;  // of a view's points so many are asked for
+
+// Scans that the values to begin with count as.
+constexpr double kBegin = 3.0;
+
+// What is smaller than these is nothing, so that the ratio of two such is no evidence.
+constexpr Signs kNothing{.misfit = 0.01, .unseen = 0.02, .contradiction = 0.01, .motion = 0.1};
+
+constexpr std::array<double Signs::*, 4> kSigns = {&Signs::misfit, &Signs::unseen,
+                                                   &Signs::contradiction, &Signs::motion};
+
+constexpr double kMost = 4.0;
+
+constexpr std::size_t kScans = 10;
+
+/// Counts what beams answer about points.
+struct Answers {
+  int given = 0;
+  int free = 0;
+
+  void ask(const std::vector<Eigen::Vector3d>& points, const Beams& beams) {
+    for (std::size_t i = 0; i < points.size(); i += kStride) {
+      const Beams::Answer answer = beams.at(points[i]);
+      given += answer == Beams::Answer::none ? 0 : 1;
+      free += answer == Beams::Answer::free ? 1 : 0;
+    }
+  }
+};
+
+}  // namespace
+
+void LastViews::add(View view) {
+  if (!views_.empty() && ++since_ < kEvery) return;
+  since_ = 0;
+  views_.push_back(std::move(view));
+  if (views_.size() > kKept) views_.pop_front();
+}
+
+double LastViews::contradiction(const View& view) const {
+  Answers answers;
+  for (const View& last : views_) {
+    answers.ask(view.points, last.beams);
+    answers.ask(last.points, view.beams);
+  }
+  return answers.given > 0 ? static_cast<double>(answers.free) / answers.given : 0.0;  // [K25]
+}
+
+double strength(double ratio) { return std::clamp(std::log(ratio), 0.0, kMost); }
+
+Evidence UsualSigns::compare(const Signs& signs) const {
+  const auto ratio = [&](double Signs::*sign) {
+    const double now = std::max(signs.*sign, 0.0) + kNothing.*sign;
+    return strength(now / (mean_.*sign + kNothing.*sign));  // [K26]
+  };
+  Evidence evidence;
+  evidence.misfit = ratio(&Signs::misfit);
+  evidence.unseen = ratio(&Signs::unseen);
+  evidence.contradiction = ratio(&Signs::contradiction);
+  evidence.motion = ratio(&Signs::motion);
+  return evidence;
+}
+
+void UsualSigns::learn(const Signs& signs, double right, double rate) {
+  ++learnt_;
+  const double weight = right * std::max(rate, 1.0 / (kBegin + learnt_));
+  for (double Signs::*sign : kSigns) mean_.*sign += weight * (signs.*sign - mean_.*sign);
+}
+
+double hazard(const Evidence& evidence) {
+  double sum = kVerdictOffset;
+  for (const EvidenceField& field : kEvidenceFields) {
+    sum += kVerdictWeights.*field.member * evidence.*field.member;
+  }
+  return 1.0 / (1.0 + std::exp(-sum));  // [K27]
+}
+
+double Verdict::add(double hazard) {
+  right_.push_back(1.0 - hazard);
+  if (right_.size() > kScans) right_.pop_front();
+  double all = 1.0;
+  for (const double right : right_) all *= right;
+  return 1.0 - all;  // [K28]
+}
+
+}  // namespace surefoot

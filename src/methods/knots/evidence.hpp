@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What speaks against the pose that a registration found. Nothing here depends on how much of a
+// scene is flat or how dense it is: a figure is held against its own usual, or counted only where
+// an answer is possible at all. docs/method.md, "Is it right?".
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "methods/knots/beams.hpp"
+#include "surefoot/estimate.hpp"
+
+namespace surefoot {
+
+/// What a scan saw, from where it is taken to be [m, map frame].
+struct View {
+  View(const Eigen::Vector3d& from, std::vector<Eigen::Vector3d> seen)
+      : sensor(from), points(std::move(seen)), beams(sensor, points) {}
+
+  Eigen::Vector3d sensor;
+  std::vector<Eigen::Vector3d> points;
+  Beams beams;
+};
+
+/// The views of some of the last second's scans, which a new one is held against.
+class LastViews {
+ public:
+  /// Of a trusted scan; some are kept.
+  void add(View view);
+  void clear() { views_.clear(); }
+  /// Of what a view and these can tell of each other, the share where they contradict: points of
+  /// the one that the other's beams went through. 0 if there is nothing to tell.
+  [[nodiscard]] double contradiction(const View& view) const;
+
+ private:
+  std::deque<View> views_;
+  int since_ = 0;  // scans since one was kept
+};
+
+/// Figures of a registration that are held against what they usually are.
+struct Signs {
+  double misfit = 0.0;         ///< KnotRegistration::misfit_of_seen()
+  double unseen = 0.0;         ///< KnotRegistration::unseen
+  double contradiction = 0.0;  ///< LastViews::contradiction()
+  double motion = 0.0;         ///< KnotPrior::surprise()
+};
+
+/// The logarithm of a ratio, 0 if it is below 1 and 4 at most: no evidence is stronger.
+[[nodiscard]] double strength(double ratio);
+
+/// What right registrations of this run usually show: fading means.
+class UsualSigns {
+ public:
+  /// The first four of the evidence.
+  [[nodiscard]] Evidence compare(const Signs& signs) const;
+  /// `right`: how probably this registration is right; a wrong one must not become usual.
+  void learn(const Signs& signs, double right, double rate);
+
+ private:
+  // Of a walk over the simulated campus, until there is something of the run's own.
+  Signs mean_{.misfit = 0.35, .unseen = 0.3, .contradiction = 0.02, .motion = 1.0};
+  int learnt_ = 0;
+};
+
+/// How probably this scan, by itself, went wrong.
+[[nodiscard]] double hazard(const Evidence& evidence);
+
+/// How probably something went wrong within the last ten scans, the motion over which a pose is
+/// held to.
+class Verdict {
+ public:
+  /// Another scan's hazard; returns the probability.
+  double add(double hazard);
+  void clear() { right_.clear(); }
+
+ private:
+  std::deque<double> right_;  // probabilities of the last scans
+};
+
+}  // namespace surefoot
