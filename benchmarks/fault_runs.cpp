@@ -33,14 +33,14 @@ MotionError error_between(const Pair& from, const Pair& to) {
 }
 
 /// What the last pose is held against.
-const Pair* reference(const std::vector<std::optional<Pair>>& trusted) {
-  const int segment = trusted.back()->segment;
+const Pair* reference(const std::vector<std::optional<Pair>>& ok) {
+  const int segment = ok.back()->segment;
   const Pair* first = nullptr;  // of the segment
   const Pair* best = nullptr;   // at least ten scans old
-  for (std::size_t n = 0; n + 1 < trusted.size(); ++n) {
-    if (!trusted[n] || trusted[n]->segment != segment) continue;
-    if (first == nullptr) first = &*trusted[n];
-    if (n + kWrongScans < trusted.size()) best = &*trusted[n];
+  for (std::size_t n = 0; n + 1 < ok.size(); ++n) {
+    if (!ok[n] || ok[n]->segment != segment) continue;
+    if (first == nullptr) first = &*ok[n];
+    if (n + kWrongScans < ok.size()) best = &*ok[n];
   }
   return best != nullptr ? best : first;
 }
@@ -90,17 +90,18 @@ std::vector<JudgedScan> run_fault(const FaultWalk& walk, const FaultWalk& elsewh
                                   const Config& config) {
   Odometry odometry(config);
   std::vector<JudgedScan> judged;
-  std::vector<std::optional<Pair>> trusted;  // one a scan
-  std::optional<Pair> before;                // the fault
+  std::vector<std::optional<Pair>> ok;  // one a scan
+  std::optional<Pair> before;           // the fault
   for (std::uint64_t n = 0; n < scans; ++n) {
     const simulation::FaultyScan shown = fault.scan(n, walk.source(), elsewhere.source());
     JudgedScan scan{odometry.add_scan(shown.scan), {}, {}};
     const Estimate& estimate = scan.estimate;
     const Pair pair{estimate.T_world_lidar, shown.T_map_lidar, shown.place, estimate.segment};
-    trusted.push_back(estimate.trusted() ? std::optional(pair) : std::nullopt);
-    if (trusted.back() && n < simulation::kFaultBegins) before = pair;
-    if (trusted.back()) {
-      if (const Pair* const from = reference(trusted)) scan.over_ten = error_between(*from, pair);
+    const bool claimed = estimate.status == Status::ok || estimate.status == Status::first_scan;
+    ok.push_back(claimed ? std::optional(pair) : std::nullopt);
+    if (claimed && n < simulation::kFaultBegins) before = pair;
+    if (claimed) {
+      if (const Pair* const from = reference(ok)) scan.over_ten = error_between(*from, pair);
     }
     if (before && before->segment == pair.segment) scan.since_fault = error_between(*before, pair);
     judged.push_back(std::move(scan));

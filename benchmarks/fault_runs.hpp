@@ -63,8 +63,8 @@ struct MotionError {
 /// One scan of a run beside the truth.
 struct JudgedScan {
   Estimate estimate;
-  /// Against the pose of ten scans before, or the last trusted one before that, of the same
-  /// segment; none if there is none, or this one is not trusted.
+  /// Against the pose of ten scans before, or the last one called ok before that, of the same
+  /// segment; none if there is none, or this one is not called ok.
   std::optional<MotionError> over_ten;
   /// Against the last pose before the fault; none in another segment.
   std::optional<MotionError> since_fault;

@@ -55,6 +55,11 @@ def link(kept, root="results"):
     return f"[{kept.name}.csv]({root}/{kept.name}.csv)"
 
 
+def kept_by(kept):
+    note = f" Note: {kept.about['note']}." if "note" in kept.about else ""
+    return f"Kept in {link(kept)}: commit {kept.about['commit']}, `{kept.about['command']}`.{note}"
+
+
 def reliability():
     """A fault a row, over all walks."""
     kept = Kept("reliability")
@@ -78,8 +83,7 @@ def reliability():
     lines.append(["all", *(str(total(everything, name)) for name in
                            ("scans", "ok", "false_ok", "degenerate", "untrusted")), ""])
     head = ["fault", "scans", "ok", "false ok", "degenerate", "untrusted", "right again"]
-    about = f"Kept in {link(kept)}: commit {kept.about['commit']}, `{kept.about['command']}`."
-    return f"{markdown(head, lines)}\n\n{about}"
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
 def reliability_bins():
@@ -95,8 +99,7 @@ def reliability_bins():
         share = weighed / (scans - bad + weighed) if scans else 0.0
         lines.append([end, str(scans), f"{told:.4f}", str(bad), f"{share:.4f}"])
     head = ["told, up to", "scans", "told on average", "wrong", "share of wrong ones"]
-    about = f"Kept in {link(kept)}: commit {kept.about['commit']}, `{kept.about['command']}`."
-    return f"{markdown(head, lines)}\n\n{about}"
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
 def as_kept(name):

@@ -192,6 +192,8 @@ struct Config {
     double swing_kernel;      // [m] of these
     double looser;            // of the last attempts, times the usual fluctuation
     double gone_share;        // of the scans that ever hit a voxel, besides gone_after
+    double lost_probability;  // of a wrong pose, beyond which it is lost; 1: never
+    int search_scans;         // that it searches for itself until a new segment begins
     double covariance_scale;  // variance beyond the residuals'
   } knots;
 

@@ -209,6 +209,13 @@ const ConfigField kFields[] = {
      "the last attempts take the velocity to fluctuate by so many times the usual", kMethod},
     {"knots.gone_share", SLOT(knots.gone_share), "0.25", "", 0.0, 1000.0,
      "see knots.gone_after: share of the scans that ever hit it", kMethod},
+    {"knots.lost_probability", SLOT(knots.lost_probability), "0.1", "", 0.0, 1.0,
+     "it is lost when its pose is wrong with a greater probability: a wrong pose taken for right "
+     "costs nine times what a right one taken for wrong does; 1: never",
+     kMethod},
+    {"knots.search_scans", SLOT(knots.search_scans), "60", "scans", 0, 1e6,
+     "so long a lost one searches for itself, until a new segment with a map of its own begins",
+     kMethod},
     {"knots.covariance_scale", SLOT(knots.covariance_scale), "4", "", 1e-6, 1e6,
      "variance of a pose beyond what its residuals show, since knots and map have taken up most of "
      "what neighbours share; from the errors of 1 m motions",

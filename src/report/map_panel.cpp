@@ -135,8 +135,7 @@ void draw_map_panel(Canvas& canvas, const Rect& rect, const Run& run) {
   const View view = oblique_view(scene, run);
   canvas.image(draw_points(run.map_points, view, run.heights), scene);
   canvas.clip(scene);
-  draw_path(canvas, to_pixels(run.path, view, scene), to_pixels(run.reference, view, scene),
-            run.untrusted);
+  draw_path(canvas, to_pixels(run.path, view, scene), to_pixels(run.reference, view, scene), run);
   canvas.unclip();
   draw_scale_bar(canvas, scene, view);
   if (run.map_points.empty()) return;

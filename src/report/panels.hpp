@@ -31,6 +31,7 @@ inline constexpr std::size_t kSampledPoints = 200'000;
 struct Run {
   Trajectory path;
   std::vector<bool> untrusted;  // as long as `path`
+  std::vector<int> segments;    // likewise
   Trajectory reference;
   std::span<const Eigen::Vector3f> map_points;  // may hold points that cannot be drawn
   Range map_x, map_y;  // where nearly all of the map's points are, empty ([0, 0]) without a map
@@ -46,8 +47,9 @@ void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const R
 /// z, roll and pitch over time.
 void draw_time_panels(Canvas& canvas, const Rect& rect, const Run& run);
 
-/// Path with halo, reference, untrusted stretches, start and end; one pixel and flag a pose.
+/// Path with halo, reference, untrusted stretches, start and end, with a pixel for each of the
+/// run's poses.
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
-               const std::vector<bool>& untrusted);
+               const Run& run);
 
 }  // namespace surefoot::report

@@ -101,6 +101,16 @@ void draw_untrusted(Canvas& canvas, const std::vector<Pixel>& path,
   }
 }
 
+/// A line a segment: how they lie to each other is not known.
+void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<int>& segments,
+                   const Stroke& stroke) {
+  for (std::size_t first = 0, i = 1; i <= path.size(); ++i) {
+    if (i < path.size() && segments[i] == segments[first]) continue;
+    canvas.line(std::span(path).subspan(first, i - first), stroke);
+    first = i;
+  }
+}
+
 /// The path unrolled: height over the way, so that a ramp is a ramp in whichever direction it
 /// leads.
 void draw_height_panel(Canvas& canvas, const Rect& rect, const Run& run) {
@@ -115,7 +125,7 @@ void draw_height_panel(Canvas& canvas, const Rect& rect, const Run& run) {
   }
   draw_grid(canvas, area, labels);
   canvas.clip(rect);
-  draw_path(canvas, path, unrolled_reference(run, distances, area), run.untrusted);
+  draw_path(canvas, path, unrolled_reference(run, distances, area), run);
   canvas.unclip();
   draw_axes(canvas, area, labels);
   const std::string scale =
@@ -128,11 +138,11 @@ void draw_height_panel(Canvas& canvas, const Rect& rect, const Run& run) {
 }  // namespace
 
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
-               const std::vector<bool>& untrusted) {
-  draw_untrusted(canvas, path, untrusted);
-  canvas.line(path, {style::kHalo, 9.0});
+               const Run& run) {
+  draw_untrusted(canvas, path, run.untrusted);
+  draw_segments(canvas, path, run.segments, {style::kHalo, 9.0});
   canvas.line(reference, {style::kReference, style::kReferenceWidth});
-  canvas.line(path, {style::kPath, 3.5});
+  draw_segments(canvas, path, run.segments, {style::kPath, 3.5});
   if (path.empty()) return;
   const Stroke edge{{0.1, 0.1, 0.12}, 2.0};
   canvas.circle(path.front(), style::kMarkerRadius, style::kStart, edge);
@@ -147,8 +157,7 @@ void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const R
   draw_grid(canvas, area, labels);
   canvas.clip(top);
   canvas.image(draw_points(run.map_points, top_view(area), run.heights), top, 0.4);
-  draw_path(canvas, seen_from_above(run.path, area), seen_from_above(run.reference, area),
-            run.untrusted);
+  draw_path(canvas, seen_from_above(run.path, area), seen_from_above(run.reference, area), run);
   canvas.unclip();
   draw_axes(canvas, area, labels);
   draw_heading(canvas, top, "From above");

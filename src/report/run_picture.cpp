@@ -126,11 +126,17 @@ Run prepare_run(const PictureInput& input) {
     throw std::invalid_argument("draw_run_picture: " + std::to_string(input.untrusted.size()) +
                                 " flags for " + std::to_string(input.trajectory.size()) + " poses");
   }
+  if (!input.segments.empty() && input.segments.size() != input.trajectory.size()) {
+    throw std::invalid_argument("draw_run_picture: " + std::to_string(input.segments.size()) +
+                                " segments for " + std::to_string(input.trajectory.size()) +
+                                " poses");
+  }
   Run run;
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
     if (!is_drawable_pose(input.trajectory[i].pose)) continue;
     run.path.push_back(input.trajectory[i]);
     run.untrusted.push_back(!input.untrusted.empty() && input.untrusted[i]);
+    run.segments.push_back(input.segments.empty() ? 0 : input.segments[i]);
   }
   std::copy_if(input.reference.begin(), input.reference.end(), std::back_inserter(run.reference),
                [](const StampedPose& stamped) { return is_drawable_pose(stamped.pose); });

@@ -25,11 +25,12 @@ struct PictureInput {
   std::span<const Eigen::Vector3f> map_points = {};  ///< [m], map frame
   Trajectory reference = {};         ///< truth in the map frame, same clock; may be empty
   std::vector<bool> untrusted = {};  ///< one flag a pose of `trajectory`, or empty
+  std::vector<int> segments = {};    ///< likewise; no line joins poses of different ones
 };
 
 /// Writes the picture as PNG or SVG, by the extension of `path`. The same input gives the same
 /// PNG, byte for byte, on one machine (text needs the machine's fonts).
-/// Throws std::invalid_argument if `untrusted` has another length than `trajectory`, and
+/// Throws std::invalid_argument if flags or segments have another length than `trajectory`, and
 /// std::runtime_error naming the path if the extension is another one or the file cannot be
 /// written.
 void draw_run_picture(const PictureInput& input, const std::filesystem::path& path);

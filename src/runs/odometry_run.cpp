@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "io/decimal_time.hpp"
 #include "process/machine.hpp"
 #include "runs/length_unit.hpp"
 #include "runs/report_maker.hpp"
@@ -20,6 +21,18 @@
 namespace surefoot::runs {
 
 namespace {
+
+/// What segments there are, if several.
+std::vector<std::string> lines_of(const std::map<int, Trajectory>& segments) {
+  std::vector<std::string> lines;
+  if (segments.size() < 2) return lines;
+  for (const auto& [number, poses] : segments) {
+    lines.push_back(fmt::format("segment {}: {} poses from {} to {} s", number, poses.size(),
+                                io::format_seconds(poses.front().stamp_ns),
+                                io::format_seconds(poses.back().stamp_ns)));
+  }
+  return lines;
+}
 
 class OdometryRun {
  public:
@@ -44,7 +57,7 @@ class OdometryRun {
   void tell(const io::ScanItem& item, const Estimate& estimate);
   void count(const Estimate& estimate, const Trajectory& path);
   [[nodiscard]] double progress(std::size_t done) const;
-  [[nodiscard]] RunDescription description() const;
+  [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void open_bags();
   void write_page(const std::filesystem::path& folder) const;
 
@@ -81,7 +94,7 @@ RunOutcome OdometryRun::execute() {
   use_all(std::move(item), output);
   say_new_notes();
   map_.drop_forgotten();
-  const RunDescription run = description();
+  const RunDescription run = description(output);
   output.finish(options_, run, map_);
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
   outcome_.poses = output.trajectory().size();
@@ -175,7 +188,7 @@ double OdometryRun::progress(std::size_t done) const {
   return recording_->progress();
 }
 
-RunDescription OdometryRun::description() const {
+RunDescription OdometryRun::description(const RunOutput& output) const {
   const auto untrusted = [this](Status status) {
     const auto found = outcome_.statuses.find(status);
     return found == outcome_.statuses.end() ? 0 : found->second;
@@ -191,6 +204,7 @@ RunDescription OdometryRun::description() const {
   run.scans = std::to_string(outcome_.scans());
   run.untrusted = std::to_string(untrusted(Status::too_few_matches) + untrusted(Status::diverged) +
                                  untrusted(Status::lost) + untrusted(Status::rejected));
+  run.segments = lines_of(output.segments());
   run.interrupted = outcome_.interrupted ? "true" : "false";
   run.level = odometry_.level().message;
   run.pose_of = options_.pose_of;

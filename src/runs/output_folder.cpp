@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "io/bags/bag_files.hpp"
 #include "io/files/scan_files.hpp"
@@ -99,6 +100,11 @@ fs::path ready_folder(const fs::path& asked, const fs::path& input) {
 /// Whether there were any of an earlier run's.
 bool remove_run_files(const fs::path& folder) {
   bool removed = false;
+  std::vector<fs::path> segments;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with(kSegmentFiles)) segments.push_back(entry);
+  }
+  for (const fs::path& file : segments) removed |= fs::remove(file);
   for (const char* name : kRunFiles) removed |= fs::remove(folder / name);
   return removed;
 }

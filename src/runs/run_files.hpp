@@ -11,6 +11,8 @@ namespace surefoot::runs {
 inline constexpr const char* kTrajectoryFile = "trajectory.tum";
 inline constexpr const char* kDenseTrajectoryFile = "trajectory_dense.tum";
 inline constexpr const char* kKittiTrajectoryFile = "trajectory_kitti.txt";
+/// Then the segment's number and ".tum"; where a run has several.
+inline constexpr const char* kSegmentFiles = "trajectory_segment_";
 inline constexpr const char* kScansFile = "scans.csv";
 inline constexpr const char* kMapFile = "map.ply";
 inline constexpr const char* kDeskewingFile = "deskewing.ply";

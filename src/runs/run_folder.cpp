@@ -59,6 +59,7 @@ void add_description(const RunDescription& description, RunFolder& run) {
   add("Compiler", description.compiler);
   add("Surefoot", description.version);
   if (description.interrupted == "true") run.notes.emplace_back("the run was interrupted");
+  run.notes.insert(run.notes.end(), description.segments.begin(), description.segments.end());
   run.notes.insert(run.notes.end(), description.notes.begin(), description.notes.end());
   run.parameters = parameters_of(description);
 }

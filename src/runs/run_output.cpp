@@ -44,11 +44,16 @@ std::ofstream RunOutput::open(const char* name) {
 void RunOutput::add(const std::string& name, const Estimate& estimate, const Pose& T_lidar_written,
                     const StepTimes& times) {
   const StampedPose pose{estimate.stamp_ns, estimate.T_world_lidar * T_lidar_written};
+  const int segment = segments_.empty() ? 0 : segments_.back();
+  if (estimate.segment != segment) {
+    tum_ << "# segment " << estimate.segment << ": in a frame of its own\n";
+  }
   if (estimate.trusted()) tum_ << io::format_tum({pose}) << std::flush;
   if (estimate.trusted() && dense_.is_open()) add_dense(estimate, T_lidar_written);
   if (estimate.status != Status::rejected) {
     trajectory_.push_back(pose);
     untrusted_.push_back(!estimate.trusted());
+    segments_.push_back(estimate.segment);
   }
   kitti_ << io::format_kitti_poses({pose}) << std::flush;
   csv_ << scans_csv_line({lines_++, name, estimate, times}) << std::flush;
@@ -89,6 +94,23 @@ Trajectory RunOutput::truth_of(const RunOptions& options) const {
   }
 }
 
+std::map<int, Trajectory> RunOutput::segments() const {
+  std::map<int, Trajectory> segments;
+  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
+    if (!untrusted_[i]) segments[segments_[i]].push_back(trajectory_[i]);
+  }
+  return segments;
+}
+
+/// A trajectory a segment, where there are several.
+void RunOutput::write_segments() const {
+  const std::map<int, Trajectory> all = segments();
+  if (all.size() < 2) return;
+  for (const auto& [number, poses] : all) {
+    io::write_tum(folder_.path() / fmt::format("{}{}.tum", kSegmentFiles, number), poses);
+  }
+}
+
 void RunOutput::finish(const RunOptions& options, const RunDescription& description,
                        const mapping::MapBuilder& map) {
   if (!options.no_map) {
@@ -96,6 +118,7 @@ void RunOutput::finish(const RunOptions& options, const RunDescription& descript
                                                 {"first_seen", map.first_seen()}};
     io::write_ply(folder_.path() / kMapFile, map.points(), columns);
   }
+  write_segments();
   const std::vector<report::DeskewSample> sweeps = samples_.samples();
   if (!sweeps.empty()) write_deskew_samples(folder_.path() / kDeskewingFile, sweeps);
 #ifdef SUREFOOT_HAS_PICTURES
@@ -103,8 +126,9 @@ void RunOutput::finish(const RunOptions& options, const RunDescription& descript
     const fs::path input = fs::absolute(options.input).lexically_normal();
     const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
     const std::string title = fmt::format("{}, method {}", name.string(), description.method);
-    report::draw_run_picture({title, trajectory_, map.points(), truth_of(options), untrusted_},
-                             folder_.path() / kPictureFile);
+    report::draw_run_picture(
+        {title, trajectory_, map.points(), truth_of(options), untrusted_, segments_},
+        folder_.path() / kPictureFile);
   }
 #endif
   write_run_yaml(folder_.path() / kDescriptionFile, description);

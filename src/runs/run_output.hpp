@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "mapping/map_builder.hpp"
@@ -37,10 +38,13 @@ class RunOutput {
 
   [[nodiscard]] const OutputFolder& folder() const { return folder_; }
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
+  /// The measured poses of each segment that has some, by its number.
+  [[nodiscard]] std::map<int, Trajectory> segments() const;
 
  private:
   std::ofstream open(const char* name);
   void add_dense(const Estimate& estimate, const Pose& T_lidar_written);
+  void write_segments() const;
   [[nodiscard]] Trajectory truth_of(const RunOptions& options) const;
 
   OutputFolder folder_;
@@ -49,6 +53,7 @@ class RunOutput {
   std::int64_t dense_until_ns_ = std::numeric_limits<std::int64_t>::min() / 2;
   Trajectory trajectory_;
   std::vector<bool> untrusted_;
+  std::vector<int> segments_;  // one a pose of trajectory_
   DeskewSamples samples_;
   std::size_t lines_ = 0;
 };

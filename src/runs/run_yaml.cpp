@@ -24,6 +24,7 @@ void each_entry(Run& run, Visit&& visit) {
   visit("", "options", run.options);
   visit("result", "scans", run.scans);
   visit("result", "untrusted_scans", run.untrusted);
+  visit("result", "segments", run.segments);
   visit("result", "interrupted", run.interrupted);
   visit("result", "level", run.level);
   visit("result", "pose_of", run.pose_of);

@@ -26,6 +26,7 @@ struct RunDescription {
   OptionTexts options;  ///< how it was read and written, where that was not left to the program
   std::string scans;    ///< how many were used
   std::string untrusted;
+  std::vector<std::string> segments;  ///< one line each, where there are several
   std::string interrupted = "false";
   std::string level;
   std::string pose_of;  ///< "lidar" or "base"

@@ -43,6 +43,9 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 
+// So many scans must agree before a map, or a place that was found again, is believed.
+constexpr int kAgree = 3;
+
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
   std::uint64_t hash = points.size();
@@ -72,73 +75,94 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   session_.begin_step(Step::downsample);
   const auto thinned = map_choice_.choose(scan, session_.workers);
   if (map_.empty()) return begin_map(scan, thinned);
+  if (search_) return search(scan, thinned);
 
   if (first_scan_) begin_motion(scan, thinned);
-  const KnotEnd begin = beginning_of(scan, end_, model_, config_);
-  const KnotWindow predicted = predict_knots(scan, begin, model_, config_.knots);
-  KnotPoints points = sort_points(scan, choice_.choose(scan, thinned, session_.workers), predicted);
-  const KnotRegistration found = register_in_attempts(points, problem(begin), predicted, usual_);
-  session_.begin_step(Step::assess);
-  const ScanTrajectory trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
-  const Pose T_0 = predicted.trajectory().at_time(trajectory.mid_ns());
-  Estimate estimate = conclude(found, trajectory, T_0, points.points.size());
-  if (!estimate.trusted()) return lose(scan, thinned, predicted, begin, std::move(estimate));
+  Registered registered = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
+  if (!registered.estimate.trusted()) return lose(scan, thinned, std::move(registered));
+  View view = look(scan, thinned, registered.trajectory);
+  const double hazard_now = judge(scan, view, registered);
+  registered.estimate.wrong_probability = verdict_.add(hazard_now);
+  if (registered.estimate.wrong_probability > config_.knots.lost_probability) {
+    return lose(scan, thinned, std::move(registered));
+  }
+  return accept(hazard_now, std::move(view), std::move(registered));
+}
 
-  View view = look(scan, thinned, trajectory);
-  judge(scan, found, begin, view, estimate);
-  learn(found, begin);
+/// A scan from where it is taken to begin, and what is known of the pose by itself.
+KnotFrontEnd::Registered KnotFrontEnd::register_scan(const PreparedScan& scan,
+                                                     const std::vector<std::uint32_t>& thinned,
+                                                     const KnotEnd& begin) {
+  Registered result{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
+  KnotPoints points =
+      sort_points(scan, choice_.choose(scan, thinned, session_.workers), result.predicted);
+  result.found = register_in_attempts(points, problem(begin), result.predicted, usual_);
+  session_.begin_step(Step::assess);
+  conclude(scan, points.points.size(), result);
+  return result;
+}
+
+/// Takes a pose for right: learns from it and maps what the scan saw.
+Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registered) {
+  learn(registered, 1.0 - hazard_now);
   session_.begin_step(Step::map);
   if (first_scan_) {
-    const DeskewedScan this_scan = std::exchange(last_scan_, {});
-    map_first_scan(found.window.mean_velocity());
-    last_scan_ = this_scan;
+    DeskewedScan this_scan = std::move(last_scan_);
+    map_first_scan(registered.found.window.mean_velocity());
+    last_scan_ = std::move(this_scan);
   }
   first_scan_.reset();
   integrate(std::move(view));
+  const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
-  return publish(trajectory, std::move(estimate));
+  return publish(trajectory, std::move(registered.estimate));
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
   return {map_, begin.prior, model_, config_.knots, session_.workers, session_.begin_step};
 }
 
-/// What speaks against a registration, and how probably it is wrong.
-void KnotFrontEnd::judge(const PreparedScan& scan, const KnotRegistration& found,
-                         const KnotEnd& begin, const View& view, Estimate& estimate) {
-  const Signs signs{found.misfit_of_seen(), found.unseen, views_.contradiction(view),
-                    begin.prior.surprise(found.window)};
-  Evidence& evidence = estimate.evidence = usual_signs_.compare(signs);
-  const double sigma = std::sqrt(estimate.covariance.diagonal().head<3>().maxCoeff());
-  evidence.uncertainty = strength(sigma / kKnown);
+/// What speaks against a registration; returns how probably this scan went wrong.
+double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
+                           Registered& registered) const {
+  const KnotRegistration& found = registered.found;
+  registered.signs = {found.misfit_of_seen(), found.unseen, views_.contradiction(view),
+                      registered.begin.prior.surprise(found.window)};
+  Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
+  const Matrix6& covariance = registered.estimate.covariance;
+  evidence.uncertainty = strength(std::sqrt(covariance.diagonal().head<3>().maxCoeff()) / kKnown);
   const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
   evidence.gap = strength(seconds(mid_ns - last_pose_->stamp_ns) / kUsualPeriod);
   evidence.unconverged = found.converged ? 0.0 : 1.0;
   const double speed = model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
   evidence.frozen = seen_again_ ? std::min(speed / kWalks, 1.0) : 0.0;
-
-  const double hazard_now = hazard(evidence);
-  estimate.wrong_probability = verdict_.add(hazard_now);
-  usual_signs_.learn(signs, 1.0 - hazard_now, config_.knots.usual_rate);
+  return hazard(evidence);
 }
 
 /// What a trusted registration tells for the next scan.
-void KnotFrontEnd::learn(const KnotRegistration& found, const KnotEnd& begin) {
+void KnotFrontEnd::learn(const Registered& registered, double right) {
   const Config::Knots& knots = config_.knots;
+  const KnotRegistration& found = registered.found;
   lost_in_a_row_ = 0;
+  ++agreed_;
+  usual_signs_.learn(registered.signs, right, knots.usual_rate);
   dependence_ += knots.usual_rate * (found.dependence - dependence_);
   usual_.learn(found, first_scan_ ? 1.0 : knots.usual_rate, knots);
-  model_.learn(found.window, found.covariance, begin.prior.means[1].rotation);
+  model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
   finish(found.window, found.last_two);
 }
 
-Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
-                                const Pose& T_0, std::size_t points) const {
-  Estimate estimate;
+void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
+                            Registered& registered) const {
+  const KnotRegistration& found = registered.found;
+  registered.trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
+  const ScanTrajectory& trajectory = registered.trajectory;
+  Estimate& estimate = registered.estimate;
   estimate.converged = found.converged;
   estimate.stages = StageReport{"registration", found.iterations, found.matches, found.rigid.rms()};
   estimate.registered_points = static_cast<int>(points);
   const Pose T_map_lidar = trajectory.at(0.5);
+  const Pose T_0 = registered.predicted.trajectory().at_time(trajectory.mid_ns());
   Judgement judgement = judge_registration({T_0, T_map_lidar, found.matches, points},
                                            config_.knots.min_match_ratio, config_.health);
   if (!found.solved && judgement.status == Status::ok) {
@@ -153,7 +177,7 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
   }
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);
-  if (judgement.status != Status::ok) return estimate;
+  if (judgement.status != Status::ok) return;
   // The weights assumed a share of independent residuals; the covariance goes by the measured one.
   // [K22]
   const double scale = config_.knots.independence * config_.knots.covariance_scale * dependence_ *
@@ -162,7 +186,6 @@ Estimate KnotFrontEnd::conclude(const KnotRegistration& found, const ScanTraject
                                    found.window.mean_velocity(), model_.fluctuation());
   report_weak_directions(found.rigid, found.squared_distance, T_map_lidar, config_.health,
                          estimate);
-  return estimate;
 }
 
 /// The first scan, or the first after too many lost ones: the map begins with it.
@@ -183,6 +206,9 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   end_.prior = at_rest(T_map_lidar, end_.step);
   velocity_ = Twist::Zero();
   lost_in_a_row_ = 0;
+  agreed_ = 1;
+  search_.reset();
+  map_.clear();
   first_scan_ = FirstScan{scan, thinned};
   usual_ = {};
   views_.clear();
@@ -243,29 +269,45 @@ void KnotFrontEnd::map_first_scan(const Twist& velocity) {
   integrate(look(first, thinned, moving));
 }
 
-/// A scan that could not be registered: the pose is the prediction and the map stays, until too
-/// many in a row show that the map is no longer what the sensor sees.
+/// A scan that could not be registered, or whose pose is probably wrong: the pose is the
+/// prediction, and the map stays as it is. What disagrees with the first scans of a map is no
+/// reason to believe these: the map begins anew.
 Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                            const KnotWindow& predicted, const KnotEnd& begin, Estimate estimate) {
-  finish(predicted, begin.prior.information);
-  if (++lost_in_a_row_ > config_.health.restart_after) {
-    map_.clear();
-    return begin_map(scan, thinned);
+                            Registered registered) {
+  finish(registered.predicted, registered.begin.prior.information);
+  Estimate& estimate = registered.estimate;
+  const bool wrong = estimate.trusted();
+  ++lost_in_a_row_;
+  if (agreed_ < kAgree && (wrong || lost_in_a_row_ == kAgree)) return begin_map(scan, thinned);
+  if (wrong) {
+    estimate.status = Status::lost;
+    estimate.message = "the pose is wrong with a probability of " +
+                       std::to_string(estimate.wrong_probability) + "; expected at most " +
+                       std::to_string(config_.knots.lost_probability);
+    estimate.degenerate.clear();
+  }
+  if (wrong || lost_in_a_row_ > config_.health.restart_after) {
+    if (config_.knots.search_scans == 0) return begin_map(scan, thinned);
+    search_ = PoseSearch{};
   }
   estimate.covariance = unregistered_covariance(config_.health);
-  const ScanTrajectory trajectory = predicted.trajectory(scan.start_ns, scan.end_ns);
+  const ScanTrajectory trajectory = registered.predicted.trajectory(scan.start_ns, scan.end_ns);
   last_scan_ = {deskew(scan, trajectory, session_.workers), scan.intensities};
   return publish(trajectory, std::move(estimate));
 }
 
 /// The last two knots are where the next scan begins; not all that is known of them is relied on.
-void KnotFrontEnd::finish(const KnotWindow& window, const Matrix12& information) {
+KnotEnd KnotFrontEnd::end_of(const KnotWindow& window, const Matrix12& information) const {
   const std::size_t last = window.knots.size() - 1;
   // [K9]
-  end_ = {{{window.knots[last - 1], window.knots[last]}, config_.knots.memory * information},
+  return {{{window.knots[last - 1], window.knots[last]}, config_.knots.memory * information},
           window.end_ns,
           window.duration(last - 1)};
-  velocity_ = rotated(window.knots[last].rotation.conjugate(), window.mean_velocity());
+}
+
+void KnotFrontEnd::finish(const KnotWindow& window, const Matrix12& information) {
+  end_ = end_of(window, information);
+  velocity_ = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
 }
 
 /// Deskews a scan, and puts what it saw into the map's frame.

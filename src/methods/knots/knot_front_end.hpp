@@ -34,13 +34,37 @@ class KnotFrontEnd : public FrontEnd {
     std::vector<std::uint32_t> thinned;
   };
 
+  /// A scan's registration.
+  struct Registered {
+    KnotEnd begin;
+    KnotWindow predicted;
+    KnotRegistration found;
+    ScanTrajectory trajectory;
+    Estimate estimate;
+    Signs signs;
+  };
+  /// Since it is lost.
+  struct PoseSearch {
+    int scans = 0;
+    std::optional<KnotEnd> found;  // where it may be: to be confirmed
+    int agreed = 0;                // scans that say so
+  };
+
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotProblem problem(const KnotEnd& begin) const;
-  [[nodiscard]] Estimate conclude(const KnotRegistration& found, const ScanTrajectory& trajectory,
-                                  const Pose& T_0, std::size_t points) const;
+  [[nodiscard]] Registered register_scan(const PreparedScan& scan,
+                                         const std::vector<std::uint32_t>& thinned,
+                                         const KnotEnd& begin);
+  void conclude(const PreparedScan& scan, std::size_t points, Registered& registered) const;
+  [[nodiscard]] double judge(const PreparedScan& scan, const View& view,
+                             Registered& registered) const;
+  Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                const KnotWindow& predicted, const KnotEnd& begin, Estimate estimate);
-  void learn(const KnotRegistration& found, const KnotEnd& begin);
+                Registered registered);
+  Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
+                                                     const std::vector<std::uint32_t>& thinned);
+  void learn(const Registered& registered, double right);
   void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   void map_first_scan(const Twist& velocity);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
@@ -48,8 +72,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] View look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                           const ScanTrajectory& trajectory);
   void integrate(View view);
-  void judge(const PreparedScan& scan, const KnotRegistration& found, const KnotEnd& begin,
-             const View& view, Estimate& estimate);
+  [[nodiscard]] KnotEnd end_of(const KnotWindow& window, const Matrix12& information) const;
   void finish(const KnotWindow& window, const Matrix12& information);
   [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
 
@@ -74,8 +97,10 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;
-  Cubes emptied_;  // by the last scan
-  int lost_in_a_row_ = 0;
+  Cubes emptied_;          // by the last scan
+  int agreed_ = 0;         // trusted scans of this map
+  int lost_in_a_row_ = 0;  // scans that could not be registered
+  std::optional<PoseSearch> search_;
   int segment_ = 0;  // how often the map began anew
 };
 

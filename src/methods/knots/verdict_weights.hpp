@@ -16,6 +16,8 @@ inline constexpr Evidence kVerdictWeights{.misfit = 0.529,
                                           .gap = 0.534,
                                           .unconverged = 2.903,
                                           .frozen = 4.722};
+/// Share of wrong poses in the mix that the probability is for.
+inline constexpr double kVerdictBase = 0.01;
 inline constexpr double kVerdictOffset = -8.396;
 
 }  // namespace surefoot

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What the front-end does while it is lost. docs/method.md, "Lost".
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "core/deskew.hpp"
+#include "core/information.hpp"
+#include "methods/knots/knot_front_end.hpp"
+#include "methods/knots/knot_search.hpp"
+#include "methods/knots/verdict_weights.hpp"
+#include "surefoot/seconds.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kAgree = 3;
+
+// The region grows from so far [m, rad] by so much a second, up to so far.
+constexpr double kNear = 1.0, kSpeed = 4.0, kFar = 20.0;
+constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
+
+// A large region is gone through at every so many-th scan.
+constexpr double kLarge = 6.0;  // [m]
+constexpr int kSeldom = 5;
+
+constexpr std::size_t kPoints = 150;  // to look with, coarsely
+constexpr std::size_t kPlaces = 4;    // to register at
+
+// The second best place must be so many times worse, or it is not known which one it is.
+constexpr double kBetter = 1.15;
+
+/// A scan that begins at a place of which nothing is known but what a coarse look told.
+KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
+  constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
+  const double step = std::max(seconds(scan.end_ns - scan.start_ns) / config.segments, kInstant);
+  return {at_rest(place, step, kSince), std::min(scan.start_ns, scan.end_ns - kInstantNs), step};
+}
+
+std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
+                                     const std::vector<std::uint32_t>& chosen) {
+  std::vector<Eigen::Vector3d> points;
+  const std::size_t stride = std::max<std::size_t>(chosen.size() / kPoints, 1);
+  for (std::size_t i = 0; i < chosen.size(); i += stride) {
+    points.push_back(scan.points[chosen[i]].cast<double>());
+  }
+  return points;
+}
+
+}  // namespace
+
+/// The place of the region that fits best, if there is one that fits clearly best.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
+    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
+  const double since = seconds(scan.end_ns - last_pose_->stamp_ns);
+  // [K30]
+  const SearchRegion region{end_.prior.means[1], std::min(kNear + kSpeed * since, kFar),
+                            std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
+  if (region.radius > kLarge && search_->scans % kSeldom != 0) return std::nullopt;
+  const auto chosen = choice_.choose(scan, thinned, session_.workers);
+  session_.begin_step(Step::search);
+  const auto places = search_places(map_, some_of(scan, chosen), region, kPlaces, session_.workers);
+  const double unseen_weight = config_.knots.unseen_weight;
+  std::vector<Registered> found;
+  for (const PlaceFit& place : places) {
+    const KnotEnd begin = begin_at(place.pose, scan, config_.knots);
+    Registered here{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
+    here.predicted = here.predicted.at_velocity(Twist::Zero());
+    KnotPoints points = sort_points(scan, chosen, here.predicted);
+    here.found =
+        register_knots(points, problem(begin), here.predicted, usual_annealing(config_.knots));
+    if (!here.found.solved) continue;
+    conclude(scan, points.points.size(), here);
+    found.push_back(std::move(here));
+  }
+  const auto misfit = [&](const Registered& r) { return r.found.disagreement(unseen_weight); };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Registered& a, const Registered& b) { return misfit(a) < misfit(b); });
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    if (misfit(found[i]) > kBetter * misfit(found[0])) break;
+    if (!same_place(found[i].trajectory.at(0.5), found[0].trajectory.at(0.5))) return std::nullopt;
+  }
+  if (found.empty()) return std::nullopt;
+  return std::move(found[0]);
+}
+
+/// A scan while it is lost: finds a place, or holds another scan against the one that was found.
+Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
+  const bool confirms = search_->found.has_value();
+  std::optional<Registered> best;
+  if (confirms) {
+    best = register_scan(scan, thinned, beginning_of(scan, *search_->found, model_, config_));
+  } else if (!seen_again_) {
+    best = find_place(scan, thinned);
+  }
+  ++search_->scans;
+  bool right = false;
+  if (best && best->estimate.trusted() && !seen_again_) {
+    View view = look(scan, thinned, best->trajectory);
+    (void)judge(scan, view, *best);
+    Evidence& evidence = best->estimate.evidence;
+    evidence.gap = 0.0;  // that it was lost is known
+    if (!confirms) evidence.motion = 0.0;
+    const double hazard_now = best->estimate.wrong_probability = hazard(evidence);
+    right = hazard_now <= kVerdictBase;
+    if (right && search_->agreed + 1 >= kAgree) {
+      search_.reset();
+      verdict_.clear();
+      best->estimate.message = "found itself again";
+      return accept(hazard_now, std::move(view), std::move(*best));
+    }
+  }
+  search_->agreed = right ? search_->agreed + 1 : 0;
+  search_->found.reset();
+  if (right) search_->found = end_of(best->found.window, best->found.last_two);
+  const bool in_vain = search_->scans > config_.knots.search_scans && !search_->found;
+  if (in_vain && !seen_again_) return begin_map(scan, thinned);
+
+  Estimate estimate;
+  estimate.status = Status::lost;
+  estimate.message = right ? "a place was found, and is to be confirmed" : "searching";
+  estimate.covariance = unregistered_covariance(config_.health);
+  const Pose& last = end_.prior.means[1];
+  const ScanTrajectory guess({last, last}, scan.start_ns, scan.end_ns);
+  last_scan_ = {deskew(scan, guess, session_.workers), scan.intensities};
+  return publish(guess, std::move(estimate));
+}
+
+}  // namespace surefoot

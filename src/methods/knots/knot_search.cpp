@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/knot_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// First as finely as walls at some ten metres allow, then so often twice as finely.
+constexpr double kStep = 1.0, kTurnStep = 12.0 * kDegree;  // [m], [rad]
+constexpr int kRefinements = 2;
+constexpr std::size_t kRefined = 12;  // of all places, the best ones
+
+// Two places are one if they are nearer.
+constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
+
+// What points lie off a surfel that fits [m], at the first step.
+constexpr double kScale = 0.35;
+
+/// How finely to look.
+struct Grain {
+  double step;   // [m]
+  double turn;   // [rad]
+  double scale;  // [m]
+};
+
+double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, const Pose& pose,
+              const Grain& grain) {
+  const int finest = map.level_of(grain.step);
+  const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+  double sum = 0.0;
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3d ray = R * point;
+    const Eigen::Vector3d place = ray + pose.translation;
+    SurfelMap::Place nowhere;
+    const Surfel* const surfel = map.find(place, ray, finest, nowhere);
+    if (surfel == nullptr) continue;
+    double of_point = 0.0;
+    for (int d = 0; d < surfel->directions; ++d) {
+      const double residual = surfel->across[d].dot(place - surfel->mean);
+      const double variance = grain.scale * grain.scale + surfel->variance[d];
+      of_point += 1.0 / (1.0 + residual * residual / variance);  // [K29]
+    }
+    sum += of_point / surfel->directions;
+  }
+  return points.empty() ? 0.0 : sum / static_cast<double>(points.size());
+}
+
+Pose moved(const Pose& pose, double x, double y, double turn) {
+  const Eigen::AngleAxisd yaw(turn, Eigen::Vector3d::UnitZ());
+  return {(Eigen::Quaterniond(yaw) * pose.rotation).normalized(),
+          pose.translation + Eigen::Vector3d(x, y, 0.0)};
+}
+
+std::vector<PlaceFit> grid_of(const SearchRegion& region, const Grain& grain) {
+  std::vector<PlaceFit> places;
+  const int reach = static_cast<int>(region.radius / grain.step);
+  const int turns = static_cast<int>(std::min(region.turn, std::numbers::pi) / grain.turn);
+  for (int x = -reach; x <= reach; ++x) {
+    for (int y = -reach; y <= reach; ++y) {
+      if (std::hypot(x, y) * grain.step > region.radius) continue;
+      for (int turn = -turns; turn <= turns; ++turn) {
+        places.push_back({moved(region.centre, x * grain.step, y * grain.step, turn * grain.turn)});
+      }
+    }
+  }
+  return places;
+}
+
+bool better(const PlaceFit& a, const PlaceFit& b) { return a.fit > b.fit; }
+
+/// The best, no two of them near each other.
+std::vector<PlaceFit> best_apart(std::vector<PlaceFit> places, std::size_t most) {
+  std::stable_sort(places.begin(), places.end(), better);
+  std::vector<PlaceFit> best;
+  for (const PlaceFit& place : places) {
+    if (best.size() == most) break;
+    const bool known = std::any_of(best.begin(), best.end(), [&](const PlaceFit& other) {
+      return same_place(place.pose, other.pose);
+    });
+    if (!known) best.push_back(place);
+  }
+  return best;
+}
+
+}  // namespace
+
+bool same_place(const Pose& a, const Pose& b) {
+  return (a.translation - b.translation).norm() < kApart &&
+         a.rotation.angularDistance(b.rotation) < kTurnApart;
+}
+
+std::vector<PlaceFit> search_places(const SurfelMap& map,
+                                    const std::vector<Eigen::Vector3d>& points,
+                                    const SearchRegion& region, std::size_t most,
+                                    const Workers& workers) {
+  Grain grain{kStep, kTurnStep, kScale};
+  std::vector<PlaceFit> places = grid_of(region, grain);
+  const auto weigh = [&] {
+    workers.for_each(places.size(), [&](std::size_t i) {
+      places[i].fit = fit_of(map, points, places[i].pose, grain);
+    });
+  };
+  weigh();
+  for (int refinement = 0; refinement < kRefinements; ++refinement) {
+    const std::vector<PlaceFit> coarse = best_apart(std::move(places), kRefined);
+    grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
+    places.clear();
+    for (const PlaceFit& place : coarse) {
+      const std::vector<PlaceFit> about =
+          grid_of({place.pose, 1.5 * grain.step, 1.5 * grain.turn}, grain);
+      places.insert(places.end(), about.begin(), about.end());
+    }
+    weigh();
+  }
+  return best_apart(std::move(places), most);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where a sensor that lost itself may be. docs/method.md, "Lost".
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "methods/knots/surfel_map.hpp"
+#include "surefoot/config.hpp"
+#include "surefoot/pose.hpp"
+
+namespace surefoot {
+
+/// Where to look: about a pose, so far away in the plane [m] and turned by so much [rad] about the
+/// vertical.
+struct SearchRegion {
+  Pose centre;
+  double radius = 0.0;
+  double turn = 0.0;
+};
+
+/// How well a scan fits a map, seen coarsely.
+struct PlaceFit {
+  Pose pose;
+  double fit = 0.0;  ///< 0: no point meets anything; 1: every point lies on its surfel
+};
+
+/// Whether two poses are near enough to each other for a registration to go from one to the other.
+[[nodiscard]] bool same_place(const Pose& a, const Pose& b);
+
+/// The poses of a region where some of a scan's points [m, LiDAR frame], as one rigid body, fit
+/// best: best first, no two near each other, `most` at most.
+[[nodiscard]] std::vector<PlaceFit> search_places(const SurfelMap& map,
+                                                  const std::vector<Eigen::Vector3d>& points,
+                                                  const SearchRegion& region, std::size_t most,
+                                                  const Workers& workers);
+
+}  // namespace surefoot

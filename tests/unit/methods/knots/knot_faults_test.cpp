@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// When it loses itself: it says so, finds itself again, or begins a segment of its own.
+// benchmarks/reliability does many more faults, to simulated scenes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <random>
+
+#include "geometry/so3.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scenes and motions of the test support
+
+constexpr int kScans = 45;
+constexpr int kEvent = 20;
+const Pose kStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+
+MotionFunction walk() {
+  return constant_velocity(kStart, (Twist() << 0.5, 0, 0, 0, 0, 0).finished());
+}
+
+const std::vector<Scan>& walk_scans() {
+  static const std::vector<Scan> scans = take_scans(furnished_hall(), walk(), kScans);
+  return scans;
+}
+
+/// The walk, somewhere else from scan kEvent on.
+MotionFunction carried(const Pose& by) {
+  const MotionFunction motion = walk();
+  const Pose before = motion(0.1 * kEvent);
+  return [=](double t) {
+    return t < 0.1 * kEvent ? motion(t) : before * by * before.inverse() * motion(t);
+  };
+}
+
+void make_garbage(Scan& scan) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> range(1.0F, 15.0F);
+  for (Eigen::Vector3f& point : scan.points) point *= range(random) / point.norm();
+}
+
+double distance(const Pose& a, const Pose& b) { return (a.translation - b.translation).norm(); }
+
+/// [m] of an estimate against the first of its segment that the run has.
+double error_of(const std::vector<Estimate>& all, const Estimate& last,
+                const MotionFunction& motion) {
+  const auto first = std::find_if(all.begin(), all.end(), [&](const Estimate& e) {
+    return e.trusted() && e.segment == last.segment;
+  });
+  const auto truth = [&](const Estimate& e) {
+    return motion(1e-9 * static_cast<double>(e.stamp_ns));
+  };
+  return distance(first->T_world_lidar.inverse() * last.T_world_lidar,
+                  truth(*first).inverse() * truth(last));
+}
+
+TEST(KnotFaults, TheVerdictOnlyObserves) {
+  Config unjudged;
+  unjudged.knots.lost_probability = 1.0;
+  Odometry with, without(unjudged);
+  for (const Scan& scan : walk_scans()) {
+    const Estimate a = with.add_scan(scan), b = without.add_scan(scan);
+    ASSERT_TRUE(a.trusted()) << a.message;
+    EXPECT_EQ(a.T_world_lidar.translation, b.T_world_lidar.translation);
+    EXPECT_EQ(a.T_world_lidar.rotation.coeffs(), b.T_world_lidar.rotation.coeffs());
+    EXPECT_EQ(a.covariance, b.covariance);
+    if (a.status == Status::ok) {
+      EXPECT_LT(a.wrong_probability, 0.1);
+    }
+  }
+}
+
+TEST(KnotFaults, CarriedItFindsItselfAgainInItsMap) {
+  for (const Pose& by : {Pose{Eigen::Quaterniond::Identity(), {2.0, 1.5, 0.0}},
+                         Pose{so3_exp({0.0, 0.0, 1.0}), {1.0, -0.5, 0.0}}}) {
+    const MotionFunction motion = carried(by);
+    const std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans);
+    Odometry odometry;
+    std::vector<Estimate> all;
+    int again = -1;
+    for (int i = 0; i < kScans; ++i) {
+      all.push_back(odometry.add_scan(scans[static_cast<std::size_t>(i)]));
+      const Estimate& estimate = all.back();
+      if (estimate.status == Status::ok) {
+        EXPECT_LT(error_of(all, estimate, motion), 0.1) << i;
+      }
+      if (i >= kEvent && again < 0 && estimate.trusted()) again = i;
+    }
+    std::printf("carried: lost at %d, right again at %d: %s\n", kEvent, again,
+                statuses(all).c_str());
+    EXPECT_FALSE(all[kEvent].trusted());
+    EXPECT_EQ(all.back().segment, 0);
+    EXPECT_TRUE(all.back().trusted());
+    EXPECT_LE(again - kEvent, 20);
+  }
+}
+
+TEST(KnotFaults, AGarbageFirstScanIsDropped) {
+  std::vector<Scan> scans = walk_scans();
+  make_garbage(scans.front());
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  EXPECT_TRUE(all[6].trusted()) << statuses(all);
+  EXPECT_GT(all.back().segment, 0);
+  EXPECT_EQ(all.back().segment, all[6].segment) << statuses(all);
+  EXPECT_LT(error_of({all.begin() + 6, all.end()}, all.back(), walk()), 0.05);
+}
+
+TEST(KnotFaults, AFrozenSensorIsLost) {
+  std::vector<Scan> scans = walk_scans();
+  for (int i = kEvent; i < kEvent + 10; ++i) {
+    Scan& scan = scans[static_cast<std::size_t>(i)];
+    const std::int64_t stamp_ns = scan.stamp_ns;
+    scan = scans[kEvent - 1];
+    scan.stamp_ns = stamp_ns;
+  }
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  for (int i = kEvent + 3; i < kEvent + 10; ++i)
+    EXPECT_FALSE(all[static_cast<std::size_t>(i)].trusted());
+  EXPECT_TRUE(all.back().trusted()) << statuses(all);
+  EXPECT_LT(error_of(all, all.back(), walk()), 0.05);
+}
+
+TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {
+  Config config;
+  config.knots.search_scans = 5;
+  Odometry odometry(config);
+  std::vector<Scan> scans = walk_scans();
+  for (int i = kEvent; i < kScans; ++i) {
+    for (Eigen::Vector3f& point : scans[static_cast<std::size_t>(i)].points) {
+      point = Eigen::Vector3f(2.5F * point.x(), 0.4F * point.y(), point.z());
+    }
+  }
+  const auto all = add_scans(odometry, scans);
+  EXPECT_EQ(all[kEvent - 1].segment, 0);
+  EXPECT_EQ(all.back().segment, 1) << statuses(all);
+  EXPECT_TRUE(all.back().trusted()) << statuses(all);
+  for (int i = kEvent; i < kEvent + 5; ++i)
+    EXPECT_FALSE(all[static_cast<std::size_t>(i)].trusted());
+}
+
+}  // namespace
+}  // namespace surefoot

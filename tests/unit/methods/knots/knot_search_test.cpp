@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/knot_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "geometry/so3.hpp"
+#include "support/synthetic_run.hpp"
+
+namespace surefoot {
+namespace {
+
+const Pose kMapped{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+
+std::vector<Eigen::Vector3d> points_from(const Pose& pose) {
+  const std::vector<Scan> scans = test::take_scans(test::furnished_hall(), test::standing(pose), 1);
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3f& point : scans.front().points) points.push_back(point.cast<double>());
+  return points;
+}
+
+SurfelMap map_of_the_hall() {
+  const Config config;
+  SurfelMap map(config.knots, config.map.radius);
+  for (const double x : {-5.0, -3.0, -1.0}) {
+    const Pose pose{Eigen::Quaterniond::Identity(), {x, 0.5, 0.45}};
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3d& point : points_from(pose)) points.push_back(pose * point);
+    map.insert(points, pose.translation);
+  }
+  return map;
+}
+
+std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<Eigen::Vector3d> some;
+  for (std::size_t i = 0; i < points.size(); i += points.size() / 150) some.push_back(points[i]);
+  return some;
+}
+
+TEST(KnotSearch, FindsWhereAScanWasTaken) {
+  const SurfelMap map = map_of_the_hall();
+  const Pose truth{so3_exp({0.0, 0.0, 0.7}), {-2.3, -0.4, 0.45}};
+  const SearchRegion region{kMapped, 4.0, 1.5};
+  for (const int threads : {1, 2}) {
+    const auto places =
+        search_places(map, thinned(points_from(truth)), region, 4, Workers(threads));
+    ASSERT_FALSE(places.empty());
+    EXPECT_TRUE(same_place(places.front().pose, truth))
+        << places.front().pose.translation.transpose() << ", fit " << places.front().fit;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      EXPECT_LE(places[i].fit, places[i - 1].fit);
+      EXPECT_FALSE(same_place(places[i].pose, places[0].pose));
+    }
+  }
+}
+
+TEST(KnotSearch, LooksNoFartherThanItsRegion) {
+  const SurfelMap map = map_of_the_hall();
+  const Pose truth{so3_exp({0.0, 0.0, 0.7}), {-2.3, -0.4, 0.45}};
+  const auto places =
+      search_places(map, thinned(points_from(truth)), {kMapped, 1.0, 0.2}, 4, Workers(1));
+  for (const PlaceFit& place : places) {
+    EXPECT_LT((place.pose.translation - kMapped.translation).norm(), 2.5);
+    EXPECT_LT(place.pose.rotation.angularDistance(kMapped.rotation), 0.5);
+  }
+}
+
+TEST(KnotSearch, PointsOfNowhereFitNowhere) {
+  const SurfelMap map = map_of_the_hall();
+  std::vector<Eigen::Vector3d> far = thinned(points_from(kMapped));
+  for (Eigen::Vector3d& point : far) point *= 50.0;
+  for (const PlaceFit& place : search_places(map, far, {kMapped, 2.0, 0.3}, 4, Workers(1))) {
+    EXPECT_LT(place.fit, 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
