@@ -10,6 +10,7 @@ if(NOT version MATCHES "version 14\\.")
 endif()
 file(GLOB_RECURSE sources
   ${root}/include/*.hpp ${root}/src/*.[ch]pp ${root}/apps/*.[ch]pp
+  ${root}/bindings/*.[ch]pp
   ${root}/benchmarks/*.[ch]pp ${root}/tests/*.[ch]pp)
 execute_process(COMMAND ${CLANG_FORMAT} --dry-run -Werror ${sources} RESULT_VARIABLE failed)
 if(failed)

@@ -87,6 +87,8 @@ TEST(IncludeOrder, ProgramsSeeThePublicHeadersAndTheComponents) {
   for (const Layer& layer : kLayers) allowed.insert(layer.folder);
   for (const char* inside : {"core", "config", "methods"}) allowed.erase(inside);
   expect_only("apps", allowed);
+  allowed.insert("shared");  // by the bindings
+  expect_only("bindings", allowed);
 }
 
 /// The steps of a scan. What else lies in src/core are bricks that any step may use.

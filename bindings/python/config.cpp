@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Parameters by name, as values of Python: whatever the table in config_fields.cpp holds is here.
+#include "config.hpp"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "bindings.hpp"
+#include "runs/config_file.hpp"
+#include "runs/method_parameters.hpp"
+#include "runs/run_options.hpp"
+
+namespace surefoot::python {
+
+namespace {
+
+bool is_whole(const std::string& text) {
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc{} && result.ptr == end;
+}
+
+/// A parameter of whole numbers takes no exponent, one of real numbers does.
+bool takes_reals(const std::string& name) {
+  static const std::set<std::string> names = [] {
+    std::set<std::string> found;
+    const Config defaults;
+    for (const ParameterInfo& info : parameters()) {
+      Config config = defaults;
+      const std::string text = get_parameter(config, info.name);
+      try {
+        set_parameter(config, info.name, is_whole(text) ? text + "e0" : text);
+        found.insert(info.name);
+      } catch (const ConfigError&) {
+      }
+    }
+    return found;
+  }();
+  return names.count(name) > 0;
+}
+
+py::object value_of(const NamedConfig& self, const std::string& name) {
+  const std::string text = get_parameter(self.config, name);
+  if (text == "true" || text == "false") return py::bool_(text == "true");
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  if (result.ec != std::errc{} || result.ptr != end) return py::str(text);
+  if (takes_reals(name)) return py::float_(number);
+  return py::int_(static_cast<long>(number));
+}
+
+/// As `--set` takes it.
+std::string text_of(const py::handle& value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  if (py::hasattr(value, "item")) return text_of(value.attr("item")());  // a number of numpy's
+  return py::str(value);
+}
+
+void set(NamedConfig& self, const std::string& name, const py::handle& value) {
+  runs::require_parameter(self.config.method, name);
+  std::string text = text_of(value);
+  // 3.0 for a parameter of whole numbers is 3.
+  if (py::isinstance<py::float_>(value) && !takes_reals(name)) {
+    const auto number = value.cast<double>();
+    if (number == static_cast<double>(static_cast<int>(number))) {
+      text = std::to_string(static_cast<int>(number));
+    }
+  }
+  set_parameter(self.config, name, text);
+}
+
+std::vector<std::string> names_of(const NamedConfig& self) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& info : parameters()) {
+    if (runs::reads_parameter(self.config.method, info.name)) names.push_back(info.name);
+  }
+  return names;
+}
+
+py::list items_of(const NamedConfig& self) {
+  py::list items;
+  for (const std::string& name : names_of(self)) {
+    items.append(py::make_tuple(name, value_of(self, name)));
+  }
+  return items;
+}
+
+NamedConfig make_config(const std::string& method, const py::dict& values) {
+  NamedConfig result{method, method_config(method)};
+  for (const auto& [name, value] : values) set(result, py::str(name), value);
+  return result;
+}
+
+NamedConfig load_config(const std::filesystem::path& file) {
+  std::string method = runs::method_of_file(file);
+  if (method.empty()) method = runs::kDefaultMethod;
+  NamedConfig result{method, method_config(method)};
+  runs::load_config_file(file, result.config);
+  return result;
+}
+
+std::string text_of_config(const NamedConfig& self) {
+  const Config defaults = method_config(self.method);
+  std::string changes;
+  for (const std::string& name : names_of(self)) {
+    const std::string value = get_parameter(self.config, name);
+    if (value == get_parameter(defaults, name)) continue;
+    changes += (changes.empty() ? ", {'" : ", '") + name + "': '" + value + "'";
+  }
+  return "Config('" + self.method + "'" + changes + (changes.empty() ? ")" : "})");
+}
+
+bool are_equal(const NamedConfig& a, const NamedConfig& b) {
+  if (a.config.method != b.config.method) return false;
+  for (const std::string& name : names_of(a)) {
+    if (get_parameter(a.config, name) != get_parameter(b.config, name)) return false;
+  }
+  return true;
+}
+
+void bind_parameters(py::module_& module) {
+  py::class_<ParameterInfo>(module, "ParameterInfo", "One row of the table of parameters.")
+      .def_readonly("name", &ParameterInfo::name)
+      .def_readonly("default_value", &ParameterInfo::default_value, "As text.")
+      .def_readonly("unit", &ParameterInfo::unit, "Empty where the value has none.")
+      .def_readonly("range", &ParameterInfo::range, "As text: '1 .. 64', or the words it takes.")
+      .def_readonly("help", &ParameterInfo::help)
+      .def_readonly("source", &ParameterInfo::source, "Where the default comes from.")
+      .def("__repr__", [](const ParameterInfo& self) {
+        return "<ParameterInfo " + self.name + " = " + self.default_value + ": " + self.help + ">";
+      });
+  module.def("parameters", &parameters, "The table of parameters, whichever method reads them.");
+  module.def("methods", &methods, "Names of the methods: named sets of parameters.");
+  module.def(
+      "method_config", [](const std::string& method) { return make_config(method, {}); },
+      py::arg("method"), "Parameters of a method; the same as Config(method).");
+}
+
+}  // namespace
+
+void bind_config(py::module_& module) {
+  py::class_<NamedConfig>(module, "Config", R"(Parameters of a method, by name.
+
+>>> config = Config("surefoot", {"knots.points": 1500})
+>>> config["knots.map_voxel"] = 0.2
+>>> dict(config)["knots.points"]
+1500
+
+Numbers are in SI units unless their name ends otherwise; `surefoot config` prints them all with
+unit, range and meaning. A value out of range, an unknown name, or one that the method does not
+read, is a ConfigError. Iterating gives the names that the method reads.)")
+      .def(py::init(&make_config), py::arg("method") = runs::kDefaultMethod,
+           py::arg("values") = py::dict())
+      .def_static("load", &load_config, py::arg("file"),
+                  "Parameters from a YAML file, or from the run.yaml of a run.")
+      .def_readonly("method", &NamedConfig::method, "Name of the method: one of methods().")
+      .def("__getitem__", &value_of, py::arg("name"))
+      .def("__setitem__", &set, py::arg("name"), py::arg("value"))
+      .def(
+          "__contains__",
+          [](const NamedConfig& self, const std::string& name) {
+            return runs::reads_parameter(self.config.method, name) && [&] {
+              const std::vector<std::string> names = names_of(self);
+              return std::find(names.begin(), names.end(), name) != names.end();
+            }();
+          },
+          py::arg("name"))
+      .def("__len__", [](const NamedConfig& self) { return names_of(self).size(); })
+      .def("__iter__", [](const NamedConfig& self) { return py::iter(py::cast(names_of(self))); })
+      .def("keys", &names_of)
+      .def("items", &items_of)
+      .def(
+          "update",
+          [](NamedConfig& self, const py::dict& values) {
+            for (const auto& [name, value] : values) set(self, py::str(name), value);
+          },
+          py::arg("values"), "Sets several parameters.")
+      .def(
+          "validate", [](const NamedConfig& self) { validate(self.config); },
+          "Raises ConfigError where two values contradict each other; Odometry does so, too.")
+      .def("__copy__", [](const NamedConfig& self) { return self; })
+      .def(
+          "__deepcopy__", [](const NamedConfig& self, const py::dict&) { return self; },
+          py::arg("memo"))
+      .def("__eq__", &are_equal, py::is_operator())
+      .def("__repr__", &text_of_config)
+      .def(py::pickle(
+          [](const NamedConfig& self) { return py::make_tuple(self.method, items_of(self)); },
+          [](const py::tuple& state) {
+            return make_config(state[0].cast<std::string>(), py::dict(state[1]));
+          }));
+  bind_parameters(module);
+}
+
+}  // namespace surefoot::python

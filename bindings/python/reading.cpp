@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "reading.hpp"
+
+#include <pybind11/stl/filesystem.h>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "words.hpp"
+
+namespace surefoot::python {
+
+namespace {
+
+template <typename Choice, std::size_t count>
+using Words = std::array<std::pair<std::string_view, Choice>, count>;
+
+constexpr Words<io::TimeUnit, 5> kTimeUnits = {{{"auto", io::TimeUnit::kAuto},
+                                                {"s", io::TimeUnit::kSeconds},
+                                                {"ms", io::TimeUnit::kMilliseconds},
+                                                {"us", io::TimeUnit::kMicroseconds},
+                                                {"ns", io::TimeUnit::kNanoseconds}}};
+constexpr Words<io::TimeReference, 3> kTimeReferences = {
+    {{"auto", io::TimeReference::kAuto},
+     {"relative", io::TimeReference::kRelative},
+     {"absolute", io::TimeReference::kAbsolute}}};
+constexpr Words<io::StampAt, 2> kStampsAt = {
+    {{"start", io::StampAt::kStart}, {"end", io::StampAt::kEnd}}};
+constexpr Words<io::TimeDirection, 3> kDirections = {{{"forward", io::TimeDirection::kForward},
+                                                      {"backward", io::TimeDirection::kBackward},
+                                                      {"none", io::TimeDirection::kNone}}};
+constexpr Words<io::DeriveTimes, 2> kDeriveTimes = {
+    {{"no", io::DeriveTimes::kNo}, {"azimuth", io::DeriveTimes::kAzimuth}}};
+constexpr Words<io::Spin, 2> kSpins = {
+    {{"clockwise", io::Spin::kClockwise}, {"counterclockwise", io::Spin::kCounterclockwise}}};
+constexpr Words<io::ReturnChoice, 3> kReturns = {{{"strongest", io::ReturnChoice::kStrongest},
+                                                  {"last", io::ReturnChoice::kLast},
+                                                  {"both", io::ReturnChoice::kBoth}}};
+
+std::string word(const py::handle& value) { return py::str(value); }
+
+using Setter = void (*)(io::OpenOptions&, const py::handle&);
+struct Option {
+  const char* name;
+  Setter set;
+};
+
+const Option kOptions[] = {
+    {"topic", [](auto& o, const auto& v) { o.topic = word(v); }},
+    {"format", [](auto& o, const auto& v) { o.format = word(v); }},
+    {"time_field", [](auto& o, const auto& v) { o.time_field = word(v); }},
+    {"time_unit", [](auto& o, const auto& v) { o.time_unit = time_unit_named(word(v)); }},
+    {"time_reference",
+     [](auto& o, const auto& v) { o.time_reference = time_reference_named(word(v)); }},
+    {"stamp_at", [](auto& o, const auto& v) { o.stamp_at = stamp_at_named(word(v)); }},
+    {"point_times",
+     [](auto& o, const auto& v) {
+       o.time_direction = choice_of(kDirections, "point_times", word(v));
+     }},
+    {"derive_times",
+     [](auto& o, const auto& v) {
+       o.derive_times = choice_of(kDeriveTimes, "derive_times", word(v));
+     }},
+    {"spin", [](auto& o, const auto& v) { o.spin = choice_of(kSpins, "spin", word(v)); }},
+    {"stamps",
+     [](auto& o, const auto& v) { o.stamps_file = v.template cast<std::filesystem::path>(); }},
+    {"repair_stamps", [](auto& o, const auto& v) { o.repair_stamps = v.template cast<bool>(); }},
+    {"rate", [](auto& o, const auto& v) { o.rate_hz = v.template cast<double>(); }},
+    {"kitti_correction",
+     [](auto& o, const auto& v) { o.kitti_hdl64_correction = v.template cast<bool>(); }},
+    {"udp_port", [](auto& o, const auto& v) { o.udp_port = v.template cast<std::uint16_t>(); }},
+    {"sensor", [](auto& o, const auto& v) { o.sensor = word(v); }},
+    {"calibration",
+     [](auto& o, const auto& v) { o.calibration_file = v.template cast<std::filesystem::path>(); }},
+    {"returns",
+     [](auto& o, const auto& v) { o.dual_return = choice_of(kReturns, "returns", word(v)); }},
+    {"cut", [](auto& o, const auto& v) { o.cut_azimuth_deg = v.template cast<double>(); }},
+    {"vertical_correction",
+     [](auto& o, const auto& v) { o.beam_origins = v.template cast<bool>(); }},
+};
+
+}  // namespace
+
+io::TimeUnit time_unit_named(const std::string& name) {
+  return choice_of(kTimeUnits, "time_unit", name);
+}
+io::TimeReference time_reference_named(const std::string& name) {
+  return choice_of(kTimeReferences, "time_reference", name);
+}
+io::StampAt stamp_at_named(const std::string& name) {
+  return choice_of(kStampsAt, "stamp_at", name);
+}
+
+bool set_reading_option(io::OpenOptions& options, const std::string& name,
+                        const py::handle& value) {
+  for (const Option& option : kOptions) {
+    if (name != option.name) continue;
+    try {
+      option.set(options, value);
+    } catch (const py::cast_error&) {
+      throw py::type_error(name + ": got " + std::string(py::repr(value)));
+    }
+    return true;
+  }
+  return false;
+}
+
+std::vector<std::string> reading_option_names() {
+  std::vector<std::string> names;
+  for (const Option& option : kOptions) names.emplace_back(option.name);
+  return names;
+}
+
+}  // namespace surefoot::python

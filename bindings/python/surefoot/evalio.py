@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The Surefoot authors
+# SPDX-License-Identifier: MIT
+"""Surefoot as a pipeline of evalio (https://github.com/contagon/evalio):
+
+    EVALIO_CUSTOM=surefoot.evalio evalio run -d botanic_garden/1018_00 -p surefoot
+
+Written against evalio's interface as it is published; evalio itself was not at hand when this was
+written, so it has run only against a stand-in of that interface (tests/test_evalio.py). Poses are
+saved at the stamp of each measurement, which in evalio is the start of the scan; the LiDAR's alone
+are used, IMU measurements are passed over.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from evalio.pipelines import Pipeline
+from evalio.types import SE3, SO3, Point
+
+import surefoot
+
+
+def _matrix(pose: Any) -> np.ndarray:
+    """4x4 of an evalio SE3."""
+    result = np.eye(4)
+    result[:3, :3] = np.asarray(pose.rot.toMat())
+    result[:3, 3] = np.asarray(pose.trans).ravel()
+    return result
+
+
+class Surefoot(Pipeline):
+    """Parameters are those of `surefoot config`, by the same names, and `threads`."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._config = surefoot.Config()
+        self._threads = 1
+        self._odometry: Any = None
+        self._T_lidar_imu = np.eye(4)
+        self._pose = np.eye(4)
+
+    @staticmethod
+    def name() -> str:
+        return "surefoot"
+
+    @staticmethod
+    def version() -> str:
+        return surefoot.__version__
+
+    @staticmethod
+    def url() -> str:
+        return "url-not-set"
+
+    @staticmethod
+    def default_params() -> dict[str, Any]:
+        return {"threads": 1, **dict(surefoot.Config().items())}
+
+    def set_params(self, params: dict[str, Any]) -> dict[str, Any]:
+        """Takes the parameters that it knows; gives the others back."""
+        left = dict(params)
+        self._threads = left.pop("threads", self._threads)
+        for name in [name for name in left if name in self._config]:
+            self._config[name] = left.pop(name)
+        return left
+
+    def set_imu_params(self, params: Any) -> None:
+        pass
+
+    def set_lidar_params(self, params: Any) -> None:
+        """Ranges beyond the data set's are no measurements; a narrower setting stays."""
+        nearest, farthest = "preprocess.min_range", "preprocess.max_range"
+        self._config[nearest] = max(self._config[nearest], float(params.min_range))
+        self._config[farthest] = min(self._config[farthest], float(params.max_range))
+
+    def set_imu_T_lidar(self, T: Any) -> None:
+        self._T_lidar_imu = np.linalg.inv(_matrix(T))
+
+    def initialize(self) -> None:
+        self._odometry = surefoot.Odometry(self._config, threads=self._threads)
+
+    def add_imu(self, mm: Any) -> None:
+        pass
+
+    def add_lidar(self, mm: Any) -> list[Any]:
+        stamp_ns = mm.stamp.to_nsec()
+        scan = surefoot.Scan(
+            np.asarray(mm.to_vec_positions(), dtype=np.float32),
+            stamp_ns=stamp_ns,
+            times_ns=np.array([t.to_nsec() for t in mm.to_vec_stamps()], dtype=np.int32),
+            rings=np.array([point.row for point in mm.points], dtype=np.uint16),
+        )
+        estimate = self._odometry.add_scan(scan)
+        self._pose = estimate.pose_at(stamp_ns) @ self._T_lidar_imu
+        if hasattr(self, "save"):  # older versions of evalio ask pose() instead
+            self.save(mm.stamp, self.pose())
+        return []
+
+    def pose(self) -> Any:
+        return SE3(SO3.fromMat(self._pose[:3, :3]), self._pose[:3, 3])
+
+    def map(self) -> Any:
+        points = [Point(x=x, y=y, z=z) for x, y, z in self._odometry.local_map()]
+        return {"map": points} if hasattr(self, "save") else points

@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: 2026 The Surefoot authors
+# SPDX-License-Identifier: MIT
+import signal
+import threading
+import unittest
+
+import numpy as np
+from support import needs_program, needs_simulation, program, scratch, walk
+
+import surefoot
+
+
+@needs_simulation
+class RunTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.simulation, cls.folder = walk()
+        cls.said = []
+        cls.run_made = surefoot.run(
+            cls.folder,
+            scratch("run"),
+            config=surefoot.Config("surefoot", {"knots.points": 1500}),
+            count=10,
+            no_picture=True,
+            no_report=True,
+            say=cls.said.append,
+        )
+
+    def test_it_is_read_back(self):
+        run = self.run_made
+        self.assertEqual(run.method, "surefoot")
+        self.assertEqual(len(run.scans["stamp_ns"]), 10)
+        self.assertEqual(run.scans["status"][0], "first_scan")
+        self.assertEqual(len(run.trajectory), 10)
+        self.assertGreater(len(run.map_points), 1000)
+        self.assertEqual(run.parameters["knots.points"], "1500")
+        self.assertEqual(run.input, self.folder.resolve())
+        np.testing.assert_array_equal(surefoot.read_run(run.folder).map_points, run.map_points)
+        error = surefoot.ape(self.simulation.truth, run.trajectory, align="origin")
+        self.assertLess(error.rmse, 0.02)
+
+    @needs_program
+    def test_the_program_leaves_the_same_files(self):
+        out = scratch("out")
+        options = ("--set", "knots.points=1500", "--count", 10, "--no-report", "--no-picture", "-q")
+        program("run", self.folder, "-o", out, *options)
+        for name in ("trajectory.tum", "trajectory_kitti.txt", "map.ply", "run.yaml"):
+            self.assertEqual(
+                (out / name).read_bytes(), (self.run_made.folder / name).read_bytes(), name
+            )
+
+    @needs_program
+    def test_the_program_repeats_it(self):
+        out = scratch("again")
+        program("run", "--config", self.run_made.folder / "run.yaml", "-o", out, "-q")
+        self.assertEqual(
+            (out / "map.ply").read_bytes(), (self.run_made.folder / "map.ply").read_bytes()
+        )
+
+    @needs_program
+    def test_a_run_of_the_program_is_read(self):
+        out = scratch("theirs")
+        program("run", self.folder, "-o", out, "-q", "--method", "icp")
+        self.assertEqual(surefoot.read_run(out).method, "icp")
+
+    def test_options_are_checked(self):
+        for options, what in (
+            ({"colour": 1}, "run\\(\\) has no option 'colour'"),
+            ({"count": "x"}, "count: got 'x'"),
+            ({"count": 0}, "expected at least 1"),
+            ({"map_voxel": 0.0}, "map_voxel: expected"),
+            ({"extrinsic": [1, 2]}, "extrinsic: expected x y z"),
+            ({"config": "fast"}, "fast"),
+        ):
+            with self.assertRaisesRegex((TypeError, ValueError), what):
+                surefoot.run(self.folder, scratch("none"), **options)
+
+    def test_an_error_of_the_listener_arrives(self):
+        def fail(scans, share):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            surefoot.run(self.folder, scratch("none"), progress=fail, no_report=True)
+
+    def test_ctrl_c_ends_it_with_whole_files(self):
+        out = scratch("stopped")
+
+        def stop(scans, share):
+            if scans == 3:
+                signal.raise_signal(signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt):
+            surefoot.run(self.folder, out, progress=stop, no_report=True)
+        run = surefoot.read_run(out)
+        self.assertEqual(len(run.scans["stamp_ns"]), 3)
+
+    def test_a_plot_is_drawn(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("no matplotlib here")
+        matplotlib.use("Agg")
+        figure = self.run_made.plot(truth=self.simulation.truth)
+        self.assertEqual(len(figure.axes), 2)
+
+
+@needs_simulation
+class EvaluationTest(unittest.TestCase):
+    def trajectory(self, *shifts):
+        path = surefoot.Trajectory()
+        for i, shift in enumerate(shifts):
+            pose = np.eye(4)
+            pose[:3, 3] = [i, 0.1 * i * i + shift, 0]
+            path.append(i * 100_000_000, pose)
+        return path
+
+    def test_errors_are_what_they_are(self):
+        truth = self.trajectory(0, 0, 0, 0, 0)
+        errors = surefoot.ape(truth, self.trajectory(0, 0, 0.3, 0, 0.4), align="none")
+        np.testing.assert_allclose(errors.errors, [0, 0, 0.3, 0, 0.4], atol=1e-12)
+        self.assertAlmostEqual(errors.rmse, np.sqrt(0.25 / 5))
+        self.assertAlmostEqual(errors.max, 0.4)
+        self.assertEqual(errors.unit, "m")
+        self.assertEqual(len(errors.stamps_ns), 5)
+        relative = surefoot.rpe(truth, self.trajectory(0, 0, 0.3, 0.3, 0.3))
+        np.testing.assert_allclose(relative.errors, [0, 0.3, 0, 0], atol=1e-12)
+
+    def test_an_alignment_is_found(self):
+        truth = self.trajectory(0, 0, 0, 0, 0)
+        moved = surefoot.Trajectory(truth.stamps_ns, truth.poses + np.eye(4, k=3) * 5)
+        errors = surefoot.ape(truth, moved)
+        self.assertLess(errors.max, 1e-12)
+        np.testing.assert_allclose(errors.T_reference_estimate[:3, 3], [-5, 0, 0], atol=1e-9)
+
+    @needs_program
+    def test_the_program_says_the_same(self):
+        simulation, folder = walk()
+        run = surefoot.run(folder, scratch("run"), no_report=True, no_map=True)
+        import json
+
+        theirs = json.loads(program("eval", folder, run.folder, "--json"))[0]
+        mine = surefoot.evaluate(surefoot.read_tum(folder / "gt.tum"), run.trajectory)
+        self.assertEqual(theirs.pop("estimate"), "run")
+        self.assertEqual(mine.pop("estimate"), "estimate")
+        self.assertEqual(mine, theirs)
+
+    def test_bad_input_says_what_was_expected(self):
+        truth = self.trajectory(0, 0, 0)
+        with self.assertRaisesRegex(ValueError, "align: got 'best', expected one of: none"):
+            surefoot.ape(truth, truth, align="best")
+        with self.assertRaisesRegex(ValueError, "no poses"):
+            surefoot.ape(truth, surefoot.Trajectory())
+        with self.assertRaisesRegex(ValueError, r"expected \(N,\) and \(N, 4, 4\)"):
+            surefoot.Trajectory([1, 2], np.eye(4))
+        with self.assertRaisesRegex(surefoot.ReadError, "line 1"):
+            file = scratch("bad.tum")
+            file.write_text("1 2 3\n")
+            surefoot.read_tum(file)
+        with self.assertRaises(IndexError):
+            truth[3]
+        self.assertEqual(truth[-1][0], 200_000_000)
+
+
+@needs_simulation
+class SimulationTest(unittest.TestCase):
+    def test_scans_can_be_asked_for_in_any_order(self):
+        simulation, _ = walk()
+        self.assertEqual(len(simulation), 12)
+        np.testing.assert_array_equal(simulation[-1].points, list(simulation)[11].points)
+        with self.assertRaises(IndexError):
+            simulation[12]
+        self.assertIn("corridor", surefoot.scenes())
+        self.assertGreater(len(simulation.truth), 400)
+
+    @needs_program
+    def test_the_program_makes_the_same(self):
+        _, folder = walk()
+        theirs = scratch("theirs")
+        program("simulate", "corridor", "--scans", 3, "--no-footprint", "-o", theirs, "-q")
+        self.assertEqual(
+            (theirs / "000002.pcd").read_bytes(), (folder / "000002.pcd").read_bytes()
+        )
+
+    def test_requests_are_checked(self):
+        with self.assertRaisesRegex(ValueError, "moon"):
+            surefoot.simulate("moon")
+        with self.assertRaisesRegex(ValueError, "scans: got 0, expected 1"):
+            surefoot.simulate("corridor", scans=0)
+        with self.assertRaisesRegex(ValueError, "formats: got 'las', expected one of: pcd"):
+            walk()[0].write(scratch("x"), ["las"])
+
+
+if __name__ == "__main__":
+    unittest.main()
