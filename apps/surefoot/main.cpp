@@ -22,6 +22,9 @@ using surefoot::process::kBadInput;
 void add_commands(CLI::App& app, int& exit_code) {
   using namespace surefoot::app;
   add_run_command(app, exit_code);
+#ifdef SUREFOOT_HAS_PCAP
+  add_live_command(app, exit_code);
+#endif
   add_info_command(app, exit_code);
   add_check_command(app, exit_code);
   add_convert_command(app, exit_code);

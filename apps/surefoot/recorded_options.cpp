@@ -17,9 +17,10 @@ namespace surefoot::app {
 namespace {
 
 /// What is recorded as a parameter, names files, or changes nothing about the results.
-constexpr std::array<const char*, 12> kNotRecorded = {"help",      "config", "method",  "set",
-                                                      "extrinsic", "level",  "output",  "overwrite",
-                                                      "quiet",     "mcap",   "rosbag2", "threads"};
+constexpr std::array kNotRecorded = {"help",    "config",  "method",    "set",     "extrinsic",
+                                     "level",   "output",  "overwrite", "quiet",   "mcap",
+                                     "rosbag2", "threads", "udp",       "address", "queue",
+                                     "record",  "replay",  "speed",     "silence"};
 
 bool is_recorded(const CLI::Option& option) {
   if (option.get_lnames().empty()) return false;  // the recording itself

@@ -9,12 +9,16 @@
 
 #include "commands.hpp"
 #include "evaluation/statistics.hpp"
+#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "recorded_options.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
+#ifdef SUREFOOT_HAS_PCAP
+#include "live/live_log.hpp"
+#endif
 
 namespace surefoot::app {
 
@@ -47,6 +51,9 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
     throw io::ReadError("no input: expected a recording, or a run.yaml as --config that names one");
   }
   options.given = recorded_options(command);
+#ifdef SUREFOOT_HAS_PCAP
+  if (!options.like.empty()) options.only_stamps = live::used_stamps(options.like);
+#endif
 }
 
 int run(CLI::App& command, runs::RunOptions& options) {
@@ -75,7 +82,18 @@ int run(CLI::App& command, runs::RunOptions& options) {
 void add_run_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<runs::RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Turn a recording into a trajectory and a map");
+  command->add_option(
+      "input", options->input,
+      "folder of scans (PCD, PLY, KITTI .bin), a bag (.bag, .db3, .mcap, or its "
+      "folder) or a capture of packets (.pcap, .pcapng); default: that of --config's "
+      "run.yaml");
   add_run_options(*command, *options);
+#ifdef SUREFOOT_HAS_PCAP
+  command
+      ->add_option("--like", options->like,
+                   "a live run's live.log: use only the scans that it used, to repeat it")
+      ->type_name(kFileType);
+#endif
   command->callback([command, options, &exit_code] { exit_code = run(*command, *options); });
 }
 

@@ -14,11 +14,6 @@ namespace surefoot::app {
 
 void add_run_options(CLI::App& command, runs::RunOptions& options) {
   command.add_option(
-      "input", options.input,
-      "folder of scans (PCD, PLY, KITTI .bin), a bag (.bag, .db3, .mcap, or its "
-      "folder) or a capture of packets (.pcap, .pcapng); default: that of --config's "
-      "run.yaml");
-  command.add_option(
       "-o,--output", options.output,
       "folder for the results (default: results/<input>-<time>, linked as results/latest)");
   command.add_flag("--overwrite", options.overwrite,

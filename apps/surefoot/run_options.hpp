@@ -8,7 +8,8 @@
 
 namespace surefoot::app {
 
-/// Adds the flags of `surefoot run`; `options` must live until the command line is parsed.
+/// Adds the flags of whatever runs the odometry, but where its scans come from; `options` must live
+/// until the command line is parsed.
 void add_run_options(CLI::App& command, runs::RunOptions& options);
 
 }  // namespace surefoot::app

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/decimal_time.hpp"
+#include "io/scan_selection.hpp"
 #include "process/machine.hpp"
 #include "runs/length_unit.hpp"
 #include "runs/report_maker.hpp"
@@ -36,11 +37,11 @@ std::vector<std::string> lines_of(const std::map<int, Trajectory>& segments) {
 
 class OdometryRun {
  public:
-  OdometryRun(const RunOptions& options, const RunListener& listener)
+  OdometryRun(const RunOptions& options, const RunListener& listener, io::Recording& recording)
       : options_(options),
         listener_(listener),
         config_(config_of(options)),
-        recording_(io::open_recording(options.input, options.reader)),
+        recording_(&recording),
         odometry_(config_, options.threads),
         T_lidar_written_(written_frame(options, config_)),
         map_(options.map_voxel) {
@@ -64,7 +65,7 @@ class OdometryRun {
   const RunOptions& options_;
   const RunListener& listener_;
   const Config config_;
-  std::unique_ptr<io::Recording> recording_;
+  io::Recording* recording_;
   Odometry odometry_;
   Pose T_lidar_written_;
   mapping::MapBuilder map_;
@@ -90,6 +91,7 @@ RunOutcome OdometryRun::execute() {
     listener_.say(
         fmt::format("note: {}: an earlier run's files are replaced", outcome_.folder.string()));
   }
+  if (listener_.started) listener_.started(outcome_.folder);
   open_bags();
   use_all(std::move(item), output);
   say_new_notes();
@@ -196,7 +198,8 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
   RunDescription run;
   run.version = SUREFOOT_VERSION;
   run.method = method_of(options_);
-  run.input = std::filesystem::absolute(options_.input).string();
+  run.input = options_.is_live ? options_.input.string()
+                               : std::filesystem::absolute(options_.input).string();
   run.content = recording_->description();
   run.notes = notes_;
   run.notes.insert(run.notes.end(), own_notes_.begin(), own_notes_.end());
@@ -240,7 +243,17 @@ void OdometryRun::write_page(const std::filesystem::path& folder) const {
 }  // namespace
 
 RunOutcome run_odometry(const RunOptions& options, const RunListener& listener) {
-  return OdometryRun(options, listener).execute();
+  (void)config_of(options);  // what is wrong with it is told before a long recording is opened
+  std::unique_ptr<io::Recording> recording = io::open_recording(options.input, options.reader);
+  if (!options.only_stamps.empty()) {
+    recording = io::select_scans(std::move(recording), options.only_stamps);
+  }
+  return run_odometry(options, listener, *recording);
+}
+
+RunOutcome run_odometry(const RunOptions& options, const RunListener& listener,
+                        io::Recording& recording) {
+  return OdometryRun(options, listener, recording).execute();
 }
 
 }  // namespace surefoot::runs

@@ -35,10 +35,15 @@ struct RunListener {
   std::function<void(const std::string& text)> say;
   std::function<void(std::size_t scans, double share)> progress;
   std::function<bool()> interrupted;  ///< true ends the run in good order
+  /// The folder is made, nothing is used yet. May be empty.
+  std::function<void(const std::filesystem::path& folder)> started = {};
 };
 
 /// Runs the odometry from the first scan to the last file. Bad input leaves no folder behind.
 /// Throws ConfigError, io::ReadError, std::runtime_error for what cannot be written.
 [[nodiscard]] RunOutcome run_odometry(const RunOptions& options, const RunListener& listener);
+/// The same with scans from elsewhere: of a sensor that is running. `options.input` names them.
+[[nodiscard]] RunOutcome run_odometry(const RunOptions& options, const RunListener& listener,
+                                      io::Recording& recording);
 
 }  // namespace surefoot::runs

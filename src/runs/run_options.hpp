@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -21,6 +22,9 @@ inline constexpr const char* kDefaultMethod = "surefoot";
 struct RunOptions {
   std::filesystem::path input;
   io::OpenOptions reader;
+  bool is_live = false;                   ///< the input is the name of what is running, no file
+  std::filesystem::path like;             ///< a live run's log
+  std::vector<std::int64_t> only_stamps;  ///< of the scans that it used; empty: all are used
 
   std::string method;  ///< empty: the config file's, else kDefaultMethod
   std::filesystem::path config_file;

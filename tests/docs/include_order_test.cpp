@@ -54,6 +54,7 @@ const std::vector<Layer> kLayers = {
     // The components of the program.
     {"sensors", {}},
     {"io", {"geometry", "sensors"}},
+    {"live", {"io"}},
     {"mapping", {"geometry"}},
     {"evaluation", {"geometry"}},
     {"simulation", {"geometry", "sensors"}},

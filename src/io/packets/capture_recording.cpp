@@ -2,45 +2,36 @@
 // SPDX-License-Identifier: MIT
 #include "io/packets/capture_recording.hpp"
 
-#include <map>
-
 #include "io/ascii_values.hpp"
 #include "io/file_reader.hpp"
 #include "io/packets/capture_file.hpp"
-#include "io/packets/packet_scans.hpp"
+#include "io/packets/packet_intake.hpp"
 
 namespace surefoot::io {
 namespace {
-
-constexpr std::size_t kPositionPacketBytes = 512;
-constexpr std::uint16_t kPositionPort = 8308;
 
 class CaptureRecording final : public Recording {
  public:
   CaptureRecording(CaptureFile file, std::string name, std::string metadata,
                    const OpenOptions& options)
-      : file_(std::move(file)),
-        name_(std::move(name)),
-        port_(options.udp_port),
-        scans_(options, std::move(metadata)) {
+      : file_(std::move(file)), name_(std::move(name)), intake_(options, std::move(metadata)) {
     // So that a capture of something else is refused when it is opened.
-    while (!scans_.pending() && read_frame()) {
+    while (!scans().pending() && read_frame()) {
     }
-    if (counts_.data_packets == 0) {
-      throw ReadError(
-          name_ + ": " + std::to_string(counts_.packets) + " packets, no LiDAR's data packet" +
-          (port_ != 0 ? " to UDP port " + std::to_string(port_) : std::string()) + " among them" +
-          traffic_seen() + (file_.cut_short().empty() ? "" : "; cut short: " + file_.cut_short()));
+    if (intake_.counts().data_packets == 0) {
+      throw ReadError(name_ + ": " + std::to_string(packets_) + " packets, no LiDAR's data packet" +
+                      intake_.port_text() + " among them" + intake_.traffic_seen() +
+                      (file_.cut_short().empty() ? "" : "; cut short: " + file_.cut_short()));
     }
   }
 
   std::optional<ScanItem> next() override {
-    std::optional<ScanItem> item = scans_.take();
+    std::optional<ScanItem> item = scans().take();
     while (!item && !ended_) {
       if (!read_frame()) {
         end();
       }
-      item = scans_.take();
+      item = scans().take();
     }
     return item;
   }
@@ -53,30 +44,31 @@ class CaptureRecording final : public Recording {
   }
   double progress() const override { return ended_ ? 1.0 : file_.progress(); }
   const std::vector<std::string>& notes() const override {
-    return ended_ ? notes_ : scans_.notes();
+    return ended_ ? notes_ : scans().notes();
   }
   std::string description() const override {
-    return scans_.sensor() + " capture, return mode " + scans_.return_mode();
+    return scans().sensor() + " capture, return mode " + scans().return_mode();
   }
   CaptureCounts capture_counts() const override {
-    CaptureCounts counts = counts_;
-    counts.lost = scans_.lost();
+    CaptureCounts counts = intake_.counts();
+    counts.packets = packets_;
+    counts.fragments = fragments_seen_;
     return counts;
   }
 
  private:
-  // Where packets come from: the sensor's address, and the port that they go to.
-  using Stream = std::pair<std::uint32_t, std::uint16_t>;
+  PacketScans& scans() { return intake_.scans(); }
+  const PacketScans& scans() const { return intake_.scans(); }
 
   void end() {
     ended_ = true;
-    scans_.finish();
-    notes_ = scans_.notes();
+    scans().finish();
+    notes_ = scans().notes();
     if (!file_.cut_short().empty()) {
       notes_.push_back("the capture is cut short: " + file_.cut_short());
     }
-    if (scans_.lost() > 0) {
-      notes_.push_back("by the sensor's clock " + std::to_string(scans_.lost()) +
+    if (scans().lost() > 0) {
+      notes_.push_back("by the sensor's clock " + std::to_string(scans().lost()) +
                        " data packets are missing");
     }
   }
@@ -87,80 +79,26 @@ class CaptureRecording final : public Recording {
     if (!frame) {
       return false;
     }
-    ++counts_.packets;
+    ++packets_;
     IpFragment fragment;
     UdpDatagram datagram = find_udp(file_.link(), frame->bytes, &fragment);
     if (datagram.content == FrameContent::kFragment) {
       datagram = fragments_.add(fragment);
       if (datagram.content == FrameContent::kFragment) {
-        ++counts_.fragments;
+        ++fragments_seen_;
         return true;
       }
     }
-    const Stream stream = {datagram.source_address, datagram.destination_port};
-    if (datagram.content == FrameContent::kTruncated) {
-      ++counts_.truncated;
-    } else if (datagram.content == FrameContent::kOther) {
-      ++counts_.other;
-    } else if (datagram.destination_port == kPositionPort &&
-               datagram.payload.size() == kPositionPacketBytes) {
-      ++counts_.position_packets;
-    } else if ((port_ != 0 && datagram.destination_port != port_) ||
-               (counts_.data_packets > 0 && stream != stream_)) {
-      ++counts_.other;
-      remember_traffic(datagram);
-    } else {
-      use(datagram, frame->stamp_ns);
-    }
+    intake_.add(frame->stamp_ns, datagram);
     return true;
-  }
-
-  void use(const UdpDatagram& datagram, std::int64_t capture_ns) {
-    switch (scans_.add(capture_ns, datagram.payload)) {
-      case PacketUse::kUsed:
-        // The first sensor's; a second one's would be mixed up with them.
-        stream_ = {datagram.source_address, datagram.destination_port};
-        ++counts_.data_packets;
-        break;
-      case PacketUse::kMalformed:
-        ++counts_.truncated;
-        remember_traffic(datagram);
-        break;
-      case PacketUse::kLate:
-      case PacketUse::kOther:
-        ++counts_.other;
-        remember_traffic(datagram);
-        break;
-    }
-  }
-
-  void remember_traffic(const UdpDatagram& datagram) {
-    constexpr std::size_t kMostKinds = 64;
-    if (counts_.data_packets == 0 && traffic_.size() < kMostKinds) {
-      ++traffic_[{datagram.destination_port, datagram.payload.size()}];
-    }
-  }
-
-  std::string traffic_seen() const {
-    auto most = traffic_.begin();
-    for (auto it = traffic_.begin(); it != traffic_.end(); ++it) {
-      most = it->second > most->second ? it : most;
-    }
-    std::string seen = most == traffic_.end()
-                           ? std::string("; no UDP at all")
-                           : "; most are of " + std::to_string(most->first.second) +
-                                 " bytes to port " + std::to_string(most->first.first);
-    return scans_.reason().empty() ? seen : seen + ": " + scans_.reason();
   }
 
   CaptureFile file_;
   std::string name_;
-  std::uint16_t port_;
-  PacketScans scans_;
-  CaptureCounts counts_;
+  PacketIntake intake_;
   FragmentBuffer fragments_;
-  Stream stream_ = {};
-  std::map<std::pair<std::uint16_t, std::size_t>, std::size_t> traffic_;  ///< by port and size
+  std::size_t packets_ = 0;
+  std::size_t fragments_seen_ = 0;
   std::vector<std::string> notes_;
   bool ended_ = false;
 };

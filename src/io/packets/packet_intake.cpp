@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/packets/packet_intake.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::size_t kPositionPacketBytes = 512;
+constexpr std::uint16_t kPositionPort = 8308;
+
+}  // namespace
+
+void PacketIntake::add(std::int64_t arrival_ns, const UdpDatagram& datagram) {
+  const Stream stream = {datagram.source_address, datagram.destination_port};
+  if (datagram.content == FrameContent::kTruncated) {
+    ++counts_.truncated;
+  } else if (datagram.content == FrameContent::kOther) {
+    ++counts_.other;
+  } else if (datagram.destination_port == kPositionPort &&
+             datagram.payload.size() == kPositionPacketBytes) {
+    ++counts_.position_packets;
+  } else if ((port_ != 0 && datagram.destination_port != port_) ||
+             (counts_.data_packets > 0 && stream != stream_)) {
+    ++counts_.other;
+    remember_traffic(datagram);
+  } else {
+    use(arrival_ns, datagram);
+  }
+}
+
+void PacketIntake::use(std::int64_t arrival_ns, const UdpDatagram& datagram) {
+  switch (scans_.add(arrival_ns, datagram.payload)) {
+    case PacketUse::kUsed:
+      // The first sensor's; a second one's would be mixed up with them.
+      stream_ = {datagram.source_address, datagram.destination_port};
+      ++counts_.data_packets;
+      break;
+    case PacketUse::kMalformed:
+      ++counts_.truncated;
+      remember_traffic(datagram);
+      break;
+    case PacketUse::kLate:
+    case PacketUse::kOther:
+      ++counts_.other;
+      remember_traffic(datagram);
+      break;
+  }
+}
+
+void PacketIntake::remember_traffic(const UdpDatagram& datagram) {
+  constexpr std::size_t kMostKinds = 64;
+  if (counts_.data_packets == 0 && traffic_.size() < kMostKinds) {
+    ++traffic_[{datagram.destination_port, datagram.payload.size()}];
+  }
+}
+
+CaptureCounts PacketIntake::counts() const {
+  CaptureCounts counts = counts_;
+  counts.lost = scans_.lost();
+  return counts;
+}
+
+std::string PacketIntake::traffic_seen() const {
+  auto most = traffic_.begin();
+  for (auto it = traffic_.begin(); it != traffic_.end(); ++it) {
+    most = it->second > most->second ? it : most;
+  }
+  std::string seen = most == traffic_.end()
+                         ? std::string("; no UDP at all")
+                         : "; most are of " + std::to_string(most->first.second) +
+                               " bytes to port " + std::to_string(most->first.first);
+  return scans_.reason().empty() ? seen : seen + ": " + scans_.reason();
+}
+
+std::string PacketIntake::port_text() const {
+  return port_ != 0 ? " to UDP port " + std::to_string(port_) : std::string();
+}
+
+}  // namespace surefoot::io

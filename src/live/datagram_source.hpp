@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where a live run's packets come from: a socket, or a capture played at its own pace.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "io/packets/udp_datagram.hpp"
+
+namespace surefoot::live {
+
+struct Arrival {
+  io::UdpDatagram datagram;     ///< valid until the next is asked for
+  std::int64_t arrival_ns = 0;  ///< by the clock that stamps are made with, since 1970
+  std::chrono::steady_clock::time_point received;  ///< for latencies
+};
+
+enum class Received {
+  kDatagram,
+  kNothing,  ///< for now: ask again
+  kEnd       ///< nothing will come any more
+};
+
+class DatagramSource {
+ public:
+  virtual ~DatagramSource() = default;
+
+  /// Waits a tenth of a second at most.
+  [[nodiscard]] virtual Received receive(Arrival& arrival) = 0;
+  /// Datagrams that came but were lost before they could be received.
+  [[nodiscard]] virtual std::uint64_t overflowed() const { return 0; }
+  /// Whether it waits for a slow receiver instead of losing anything.
+  [[nodiscard]] virtual bool patient() const { return false; }
+  /// "UDP port 2368".
+  [[nodiscard]] virtual std::string name() const = 0;
+};
+
+/// @param address of the interface to listen on; "": all. Port 0: any that is free. Throws
+/// std::runtime_error naming port and reason.
+[[nodiscard]] std::unique_ptr<DatagramSource> listen_udp(const std::string& address,
+                                                         std::uint16_t port);
+
+/// @param speed times the capture's own; 0: as fast as it is taken. Throws io::ReadError.
+[[nodiscard]] std::unique_ptr<DatagramSource> replay_capture(const std::filesystem::path& file,
+                                                             double speed);
+
+}  // namespace surefoot::live

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "live/live_log.hpp"
+
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/file_writer.hpp"
+#include "io/recording.hpp"
+
+namespace surefoot::live {
+namespace {
+
+constexpr std::string_view kHeader = "stamp_ns,scan,fate,latency_ms";
+
+}  // namespace
+
+void LiveLog::used(std::int64_t stamp_ns, const std::string& scan, double latency_ms) {
+  std::string line = std::to_string(stamp_ns) + "," + scan + ",used,";
+  io::append_fixed(line, latency_ms, 3);
+  add(line);
+}
+
+void LiveLog::dropped(std::int64_t stamp_ns, const std::string& scan) {
+  add(std::to_string(stamp_ns) + "," + scan + ",dropped,");
+}
+
+void LiveLog::open(const std::filesystem::path& file) {
+  const std::lock_guard lock(mutex_);
+  file_.open(file);
+  file_ << kHeader << '\n' << kept_ << std::flush;
+  kept_.clear();
+  if (!file_) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+void LiveLog::add(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (file_.is_open()) {
+    file_ << line << '\n' << std::flush;
+  } else {
+    kept_ += line + '\n';
+  }
+}
+
+std::vector<std::int64_t> used_stamps(const std::filesystem::path& log) {
+  std::ifstream file(log);
+  std::string line;
+  if (!std::getline(file, line) || line != kHeader) {
+    throw io::ReadError(log.string() + ": got '" + line.substr(0, 80) +
+                        "', expected the log of a " + "live run, which begins '" +
+                        std::string(kHeader) + "'");
+  }
+  std::vector<std::int64_t> stamps;
+  for (std::size_t number = 2; std::getline(file, line); ++number) {
+    std::int64_t stamp_ns = 0;
+    const char* const end = line.data() + line.size();
+    const auto parsed = std::from_chars(line.data(), end, stamp_ns);
+    if (parsed.ec != std::errc{} || parsed.ptr == end || *parsed.ptr != ',') {
+      if (file.eof()) break;  // a last line that was not finished
+      throw io::ReadError(log.string() + ": line " + std::to_string(number) + ": got '" +
+                          line.substr(0, 80) + "', expected 'stamp,scan,fate,latency'");
+    }
+    if (line.find(",used,") != std::string::npos) stamps.push_back(stamp_ns);
+  }
+  return stamps;
+}
+
+}  // namespace surefoot::live

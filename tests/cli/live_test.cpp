@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot live: packets over loopback, or replayed, against the same packets in a capture.
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "capture.hpp"
+#include "process.hpp"
+
+namespace surefoot::test {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+const std::vector<std::string> kBare = {"--no-report", "--no-picture", "-q"};
+
+std::vector<std::string> with(std::vector<std::string> arguments,
+                              const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+sockaddr_in loopback(std::uint16_t port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+/// Sends datagrams to a port of this machine that nobody else had a moment ago.
+class Sender {
+ public:
+  Sender() : socket_(::socket(AF_INET, SOCK_DGRAM, 0)) {
+    const int other = ::socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in address = loopback(0);
+    socklen_t size = sizeof(address);
+    EXPECT_EQ(::bind(other, reinterpret_cast<sockaddr*>(&address), size), 0);
+    EXPECT_EQ(::getsockname(other, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    port_ = ntohs(address.sin_port);
+    ::close(other);
+  }
+  ~Sender() { ::close(socket_); }
+  Sender(const Sender&) = delete;
+  Sender& operator=(const Sender&) = delete;
+
+  [[nodiscard]] std::string port() const { return std::to_string(port_); }
+  void send(const std::string& payload) const {
+    const sockaddr_in address = loopback(port_);
+    EXPECT_EQ(::sendto(socket_, payload.data(), payload.size(), 0,
+                       reinterpret_cast<const sockaddr*>(&address), sizeof(address)),
+              static_cast<ssize_t>(payload.size()));
+  }
+  /// Until somebody listens there.
+  [[nodiscard]] bool wait_for_listener() const {
+    char wanted[16];
+    std::snprintf(wanted, sizeof(wanted), ":%04X ", port_);
+    for (int i = 0; i < 1000; ++i) {
+      std::ifstream table("/proc/net/udp");
+      const std::string text{std::istreambuf_iterator<char>(table), {}};
+      if (text.find(wanted) != std::string::npos) return true;
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    return false;
+  }
+
+ private:
+  int socket_;
+  std::uint16_t port_ = 0;
+};
+
+/// A walk's packets, and their capture's run.
+class LiveTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    packets_ = vlp16_packets(8);
+    write_content(scratch_.path() / "hall.pcap", pcap_file(packets_));
+    const ProcessResult offline =
+        run_surefoot(with({"run", "hall.pcap", "-o", "offline"}, kBare), scratch_.path());
+    ASSERT_EQ(offline.exit_code, 0) << offline;
+  }
+  [[nodiscard]] std::string content(const std::string& file) const {
+    return file_content(scratch_.path() / file);
+  }
+  void expect_same(const std::string& a, const std::string& b,
+                   const std::vector<std::string>& files) const {
+    for (const std::string& file : files) {
+      EXPECT_FALSE(content(a + "/" + file).empty()) << a << "/" << file;
+      EXPECT_EQ(content(a + "/" + file), content(b + "/" + file)) << file;
+    }
+  }
+  /// What run.yaml of a live run repeats.
+  void expect_repeated(const std::string& folder) const {
+    const ProcessResult again = run_surefoot(
+        {"run", "--config", folder + "/run.yaml", "-o", "again", "-q"}, scratch_.path());
+    EXPECT_EQ(again.exit_code, 0) << again;
+    expect_same(folder, "again", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+  }
+
+  ScratchFolder scratch_;
+  std::vector<std::string> packets_;
+};
+
+TEST_F(LiveTest, AReplayLeavesWhatTheCaptureDoes) {
+  const ProcessResult live =
+      run_surefoot(with({"live", "--replay", "hall.pcap", "--speed", "0", "-o", "live"}, kBare),
+                   scratch_.path());
+  ASSERT_EQ(live.exit_code, 0) << live;
+  expect_same("offline", "live", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+  EXPECT_EQ(content("live/live.log").find("dropped"), std::string::npos);
+}
+
+TEST_F(LiveTest, PacketsOverLoopbackGiveWhatTheCaptureGives) {
+  const Sender sender;
+  const Process process(with({"live", "--udp", sender.port(), "-o", "live", "--record",
+                              "heard.pcap", "--queue", "1000", "--silence", "1.5"},
+                             kBare),
+                        scratch_.path());
+  ASSERT_TRUE(sender.wait_for_listener());
+  for (std::size_t i = 0; i < packets_.size(); ++i) {
+    sender.send(packets_[i]);
+    if (i % 20 == 0) std::this_thread::sleep_for(milliseconds(5));
+  }
+  const ProcessResult live = process.wait();
+  ASSERT_EQ(live.exit_code, 0) << live;
+  // Stamps are of another hour: all else is the same.
+  expect_same("offline", "live", {"trajectory_kitti.txt", "map.ply"});
+  expect_repeated("live");
+}
+
+TEST_F(LiveTest, MalformedDatagramsByTheThousandHaveNoEffect) {
+  const Sender sender;
+  const Process process(
+      with({"live", "--udp", sender.port(), "-o", "live", "--queue", "1000", "--silence", "1.5"},
+           kBare),
+      scratch_.path());
+  ASSERT_TRUE(sender.wait_for_listener());
+  std::mt19937 random(7);
+  const auto junk = [&](std::size_t i) {
+    const std::size_t size = i % 4 == 0 ? 1206 : random() % 1500;
+    std::string bytes(size, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    if (i % 4 == 1) bytes = packets_[i % packets_.size()].substr(0, size % 1206);  // cut short
+    if (i % 4 == 2) bytes.clear();
+    return bytes;
+  };
+  std::size_t sent = 0;
+  for (std::size_t i = 0; i < packets_.size(); ++i) {
+    for (int k = 0; k < 8; ++k) sender.send(junk(sent++));
+    sender.send(packets_[i]);
+    if (i % 3 == 0) std::this_thread::sleep_for(milliseconds(2));
+  }
+  EXPECT_GT(sent, 4000U);
+  const ProcessResult live = process.wait();
+  ASSERT_EQ(live.exit_code, 0) << live;
+  expect_same("offline", "live", {"trajectory_kitti.txt", "map.ply"});
+}
+
+TEST_F(LiveTest, WhatItCannotKeepUpWithIsDroppedToldAndRepeated) {
+  const ProcessResult live =
+      run_surefoot({"live", "--replay", "hall.pcap", "--speed", "1000", "--queue", "1", "-o",
+                    "live", "--no-report", "--no-picture"},
+                   scratch_.path());
+  ASSERT_EQ(live.exit_code, 0) << live;
+  const std::string log = content("live/live.log");
+  ASSERT_NE(log.find(",dropped,"), std::string::npos) << log;
+  EXPECT_EQ(live.output.find(" 0 dropped"), std::string::npos) << live;
+  expect_repeated("live");
+  const ProcessResult like = run_surefoot(
+      with({"run", "hall.pcap", "--like", "live/live.log", "-o", "like"}, kBare), scratch_.path());
+  EXPECT_EQ(like.exit_code, 0) << like;
+  expect_same("live", "like", {"trajectory.tum", "map.ply"});
+}
+
+TEST_F(LiveTest, ASignalLeavesWholeFiles) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Sender sender;
+    const Process process(with({"live", "--udp", sender.port(), "-o", "live"}, kBare),
+                          scratch_.path());
+    ASSERT_TRUE(sender.wait_for_listener());
+    for (std::size_t i = 0; i < packets_.size() / 2; ++i) {
+      sender.send(packets_[i]);
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    process.send(signal);
+    const ProcessResult live = process.wait();
+    EXPECT_EQ(live.exit_code, 0) << live;
+    EXPECT_GE(lines_of(scratch_.path() / "live" / "trajectory_kitti.txt"), 3U);
+    for (const char* file : {"trajectory.tum", "map.ply", "run.yaml", "live.log"}) {
+      EXPECT_FALSE(content(std::string("live/") + file).empty()) << file;
+    }
+  }
+}
+
+TEST_F(LiveTest, BadUsageIsExplained) {
+  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& text) {
+    const ProcessResult result = run_surefoot(arguments, scratch_.path());
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_NE((result.output + result.errors).find(text), std::string::npos) << result;
+  };
+  expect({"live"}, "expected either --udp PORT or --replay CAPTURE");
+  expect({"live", "--udp", "70000"}, "--udp");
+  expect({"live", "--udp", "2368", "--replay", "hall.pcap"}, "excludes");
+  expect({"live", "--udp", "2368", "--address", "here"}, "'here' is no address");
+  expect({"live", "--replay", "none.pcap"}, "none.pcap: ");
+  expect({"live", "--replay", "hall.pcap", "--set", "knots.points=-1"}, "knots.points");
+  write_content(scratch_.path() / "no.log", "stamp\n1\n");
+  expect({"run", "hall.pcap", "--like", "no.log"}, "no.log: got 'stamp', expected the log");
+  const Sender silent;
+  const Process process({"live", "--udp", silent.port()}, scratch_.path());
+  ASSERT_TRUE(silent.wait_for_listener());
+  silent.send("hello");
+  std::this_thread::sleep_for(milliseconds(300));
+  process.send(SIGTERM);
+  const ProcessResult result = process.wait();
+  EXPECT_EQ(result.exit_code, 2) << result;
+  EXPECT_NE(
+      result.errors.find("1 datagrams, no LiDAR's data packet among them; most are of 5 bytes"),
+      std::string::npos)
+      << result;
+}
+
+}  // namespace
+}  // namespace surefoot::test
