@@ -14,6 +14,7 @@ void add_run_command(CLI::App& app, int& exit_code);
 void add_live_command(CLI::App& app, int& exit_code);  // with SUREFOOT_PCAP
 void add_info_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
+void add_datasets_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);
 void add_simulate_command(CLI::App& app, int& exit_code);  // with SUREFOOT_SIMULATION

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -18,7 +20,9 @@
 #include "evaluation/evaluate.hpp"
 #include "evaluation/tables.hpp"
 #include "evaluation_options.hpp"
+#include "io/bags/bag_files.hpp"
 #include "io/trajectory_files.hpp"
+#include "io/truth_files.hpp"
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "runs/run_files.hpp"
@@ -40,6 +44,8 @@ enum class FileFormat { kAuto, kTum, kKitti };
 enum class TableFormat { kText, kJson, kCsv, kLatex };
 
 struct EvalOptions {
+  std::string dataset;
+  std::string truth_topic;
   fs::path reference;
   std::vector<fs::path> estimates;
   FileFormat format = FileFormat::kAuto;
@@ -65,19 +71,44 @@ std::string name_of(const fs::path& path) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-/// By the number of values in the first row: TUM has 8, KITTI 12.
-FileFormat format_of(const fs::path& file) {
+/// The first line that is no comment, or of names; empty where there is none.
+std::string first_row(const fs::path& file) {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return FileFormat::kTum;  // its reader says what it is
+  if (!fs::is_regular_file(file, ignored)) return {};  // its reader says what it is
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
-    std::istringstream words(line);
-    std::size_t count = 0;
-    bool comment = false;
-    for (std::string word; words >> word && !comment; ++count) comment = word.front() == '#';
-    if (count > 0 && !comment) return count == 12 ? FileFormat::kKitti : FileFormat::kTum;
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    const bool comment = begin != std::string::npos && line[begin] == '#';
+    const bool names =
+        begin != std::string::npos && std::isalpha(static_cast<unsigned char>(line[begin]));
+    if (begin != std::string::npos && !comment && !names) return line;
   }
-  return FileFormat::kTum;  // its reader says what is wrong with the file
+  return {};
+}
+
+std::size_t columns_of(const fs::path& file) {
+  std::string row = first_row(file);
+  std::replace(row.begin(), row.end(), ',', ' ');
+  std::istringstream words(row);
+  std::size_t count = 0;
+  for (std::string word; words >> word;) ++count;
+  return count;
+}
+
+bool has_commas(const fs::path& file) { return first_row(file).find(',') != std::string::npos; }
+
+/// By the number of values in the first row: TUM has 8, KITTI 12.
+FileFormat format_of(const fs::path& file) {
+  return columns_of(file) == 12 ? FileFormat::kKitti : FileFormat::kTum;
+}
+
+/// Whether the reference is a bag, or a table that is neither TUM's nor KITTI's.
+bool is_table(const fs::path& file, bool find_format) {
+  std::error_code ignored;
+  if (!find_format || !fs::exists(file, ignored)) return false;
+  if (io::is_bag_file(file) || fs::is_directory(file, ignored)) return true;
+  const std::size_t columns = columns_of(file);
+  return columns == 4 || columns == 9 || columns == 13 || has_commas(file);
 }
 
 /// KITTI's poses have no stamps; they get their row's number, which is never compared.
@@ -135,23 +166,36 @@ void draw_figures([[maybe_unused]] const EvalOptions& options,
 
 /// An estimate that cannot be evaluated is told and left out; the others go on.
 int evaluate_all(EvalOptions options) {
-  options.reference = trajectory_file(options.reference);
+  const io::Dataset* set = options.dataset.empty() ? nullptr : &io::dataset_named(options.dataset);
+  if (set == nullptr || set->truth != io::TruthOf::kOxts) {
+    options.reference = trajectory_file(options.reference);
+  }
   const std::vector<std::string> names = names_of(options.estimates);
   for (fs::path& estimate : options.estimates) estimate = trajectory_file(estimate);
   const bool find_format = options.format == FileFormat::kAuto;
-  const FileFormat format = find_format ? format_of(options.reference) : options.format;
+  FileFormat format = find_format ? format_of(options.reference) : options.format;
+  io::Truth truth;
+  if (set != nullptr || is_table(options.reference, find_format)) {
+    truth = io::read_truth(options.reference, set, options.truth_topic);
+    format = truth.has_stamps ? FileFormat::kTum : FileFormat::kKitti;
+    options.evaluation.positions_only = !truth.has_rotations;
+    fmt::print(stderr, "note: {}: {}\n", options.reference.string(), truth.what);
+  } else {
+    truth.poses = read_trajectory(options.reference, format);
+  }
   if (format == FileFormat::kKitti) {
     options.evaluation.association.method = AssociationMethod::kIndex;
     if (options.evaluation.stretches.unit == DeltaUnit::kSeconds) {
       throw std::runtime_error("--delta-unit s needs stamps, which KITTI's files do not have");
     }
   }
-  const Trajectory reference = read_trajectory(options.reference, format);
+  const Trajectory& reference = truth.poses;
   std::vector<Evaluation> evaluations;
   std::vector<Trajectory> paths;  // aligned
   for (std::size_t i = 0; i < options.estimates.size(); ++i) {
     try {
-      const Trajectory estimate = read_trajectory(options.estimates[i], format);
+      Trajectory estimate = read_trajectory(options.estimates[i], format);
+      for (StampedPose& pose : estimate) pose.pose = pose.pose * truth.T_lidar_truth;
       evaluations.push_back(
           evaluation::evaluate(names[i], reference, estimate, options.evaluation));
       paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
@@ -186,6 +230,14 @@ void add_eval_command(CLI::App& app, int& exit_code) {
                    "One trajectory or more, or folders that surefoot run has written")
       ->required();
   add_format_option(*command, options->format);
+  command
+      ->add_option("--dataset", options->dataset,
+                   "The reference is this data set's: its file, its columns, and where what it "
+                   "tells sits on the LiDAR; 'surefoot datasets' tells of each")
+      ->check(one_of(io::dataset_names()))
+      ->type_name("NAME");
+  command->add_option("--truth-topic", options->truth_topic,
+                      "Topic of the reference, where that is a bag");
   add_pairing_options(*command, options->evaluation.association);
   add_error_options(*command, options->evaluation);
   command

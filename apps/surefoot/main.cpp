@@ -28,6 +28,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_info_command(app, exit_code);
   add_check_command(app, exit_code);
   add_convert_command(app, exit_code);
+  add_datasets_command(app, exit_code);
   add_eval_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_ablate_command(app, exit_code);

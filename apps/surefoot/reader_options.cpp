@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "io/datasets.hpp"
 #include "option_checks.hpp"
 
 namespace surefoot::app {
@@ -75,7 +76,7 @@ void add_format_options(CLI::App& command, OpenOptions& options) {
   command.add_option("--topic", options.topic, "Topic of a bag (the only one with scans)")
       ->group(kGroup);
   command.add_option("--format", options.format, "Kind of scans to read in a mixed folder")
-      ->check(CLI::IsMember({"pcd", "ply", "bin"}))
+      ->check(CLI::IsMember({"pcd", "ply", "bin", "las"}))
       ->group(kGroup);
   command
       .add_flag("--kitti-correction", options.kitti_hdl64_correction,
@@ -116,6 +117,12 @@ void add_format_options(CLI::App& command, OpenOptions& options) {
 }  // namespace
 
 void add_reader_options(CLI::App& command, OpenOptions& options) {
+  command
+      .add_option("--dataset", options.dataset,
+                  "Read as this public data set asks for; 'surefoot datasets' tells of each")
+      ->check(one_of(io::dataset_names()))
+      ->type_name("NAME")
+      ->group(kGroup);
   add_time_options(command, options);
   add_format_options(command, options);
 }

@@ -84,7 +84,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Turn a recording into a trajectory and a map");
   command->add_option(
       "input", options->input,
-      "folder of scans (PCD, PLY, KITTI .bin), a bag (.bag, .db3, .mcap, or its "
+      "folder of scans (PCD, PLY, KITTI .bin, LAS), a bag (.bag, .db3, .mcap, or its "
       "folder) or a capture of packets (.pcap, .pcapng); default: that of --config's "
       "run.yaml");
   add_run_options(*command, *options);

@@ -13,9 +13,14 @@ struct LastMotion {
   Twist velocity = Twist::Zero();  ///< [m/s, rad/s] LiDAR frame
 };
 
-/// The motion after a newly registered pose.
+/// Two poses that are nearer to each other in time tell of no velocity: millimetres of noise would
+/// be metres a second [s].
+inline constexpr double kLeastElapsed = 0.01;
+
+/// The motion after a newly registered pose; the velocity stays where too little time has passed.
 [[nodiscard]] inline LastMotion next_motion(const LastMotion& motion, const StampedPose& pose) {
   const double elapsed = seconds(pose.stamp_ns - motion.last.stamp_ns);
+  if (elapsed < kLeastElapsed) return {pose, motion.velocity};
   return {pose, se3_log(motion.last.pose.inverse() * pose.pose) / elapsed};
 }
 

@@ -3,6 +3,7 @@
 #include "evaluation/evaluate.hpp"
 
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "evaluation/ape.hpp"
@@ -18,9 +19,11 @@ constexpr std::array<std::pair<Relation, const char*>, 4> kRelations = {{
     {Relation::kFull, "full"},
 }};
 
-std::vector<NamedStatistics> absolute_statistics(const AssociatedTrajectories& pairs) {
+std::vector<NamedStatistics> absolute_statistics(const AssociatedTrajectories& pairs,
+                                                 bool positions_only) {
   std::vector<NamedStatistics> result;
   for (const auto& [relation, name] : kRelations) {
+    if (positions_only && relation != Relation::kTranslation) continue;
     result.push_back({std::string("ape_") + name, std::string(unit_of(relation)),
                       statistics_of(absolute_errors(pairs, relation))});
   }
@@ -33,16 +36,19 @@ std::vector<NamedStatistics> absolute_statistics(const AssociatedTrajectories& p
   };
   add("ape_horizontal", "m", &SplitError::horizontal);
   add("ape_vertical", "m", &SplitError::vertical);
+  if (positions_only) return result;
   add("ape_tilt", "deg", &SplitError::tilt);
   add("ape_yaw", "deg", &SplitError::yaw);
   return result;
 }
 
 std::vector<NamedStatistics> relative_statistics(const AssociatedTrajectories& pairs,
-                                                 const std::vector<IndexPair>& stretches) {
+                                                 const std::vector<IndexPair>& stretches,
+                                                 bool positions_only) {
   if (stretches.empty()) return {};
   std::vector<NamedStatistics> result;
   for (const auto& [relation, name] : kRelations) {
+    if (positions_only) break;  // all are seen from the reference's pose
     result.push_back({std::string("rpe_") + name, std::string(unit_of(relation)),
                       statistics_of(relative_errors(pairs, stretches, relation))});
   }
@@ -60,6 +66,31 @@ double share_covered(const Trajectory& reference, const Trajectory& estimate,
   return coverage(reference, estimate, options.offset);
 }
 
+/// Without rotations there is no first pose to lay on another: the way from the first to the last
+/// position, as it is aligned.
+EndDrift drift_of_positions(const AssociatedTrajectories& pairs) {
+  const auto way = [](const Trajectory& trajectory) -> Eigen::Vector3d {
+    return trajectory.back().pose.translation - trajectory.front().pose.translation;
+  };
+  const Eigen::Vector3d error = way(pairs.estimate) - way(pairs.reference);
+  EndDrift drift;
+  drift.path_length = path_lengths(pairs.reference).back();
+  drift.total = error.norm();
+  drift.horizontal = error.head<2>().norm();
+  drift.vertical = error.z();
+  drift.percent = drift.path_length > 0.0 ? 100.0 * drift.total / drift.path_length : 0.0;
+  return drift;
+}
+
+void check_alignment(const EvaluationOptions& options) {
+  const bool by_rotation =
+      options.alignment == AlignmentMethod::kOrigin || options.alignment == AlignmentMethod::kPoses;
+  if (options.positions_only && by_rotation) {
+    throw std::runtime_error(
+        "the reference has positions only, which poses cannot be aligned to; --align se3 can");
+  }
+}
+
 }  // namespace
 
 const Statistics* find_statistics(const Evaluation& evaluation, std::string_view name) {
@@ -73,6 +104,7 @@ const Statistics* find_statistics(const Evaluation& evaluation, std::string_view
 
 Evaluation evaluate(const std::string& name, const Trajectory& reference,
                     const Trajectory& estimate, const EvaluationOptions& options) {
+  check_alignment(options);
   AssociatedTrajectories pairs = associate(reference, estimate, options.association);
   Evaluation result;
   result.name = name;
@@ -81,9 +113,15 @@ Evaluation evaluate(const std::string& name, const Trajectory& reference,
   result.coverage = share_covered(reference, estimate, options.association);
   result.alignment = find_alignment(pairs, options.alignment, options.alignment_poses);
   pairs.estimate = aligned(pairs.estimate, result.alignment);
-  result.absolute = absolute_statistics(pairs);
+  const bool positions_only = options.positions_only;
+  result.absolute = absolute_statistics(pairs, positions_only);
   const Trajectory& measured = options.stretches_from_reference ? pairs.reference : pairs.estimate;
-  result.relative = relative_statistics(pairs, find_pairs(measured, options.stretches));
+  result.relative =
+      relative_statistics(pairs, find_pairs(measured, options.stretches), positions_only);
+  if (positions_only) {
+    result.drift = drift_of_positions(pairs);
+    return result;
+  }
   const double length = path_lengths(pairs.reference).back();
   const bool lengths_given = !options.segment_lengths.empty();
   result.segments =

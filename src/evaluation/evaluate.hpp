@@ -24,6 +24,8 @@ struct EvaluationOptions {
   PairOptions stretches = {};                ///< of the relative pose error
   bool stretches_from_reference = false;     ///< measured along the reference, not the estimate
   std::vector<double> segment_lengths = {};  ///< [m]; empty: by the length of the reference
+  /// The reference has no rotations, as a prism's has none: errors that need them are left out.
+  bool positions_only = false;
 };
 
 /// One kind of error with its statistics.

@@ -76,7 +76,8 @@ class WatchedRecording : public Recording {
 
  private:
   std::optional<ScanItem> take() {
-    if (options_.derive_times == DeriveTimes::kAzimuth && period_ns_ == 0) look_ahead();
+    const bool derived = options_.derive_times == DeriveTimes::kAzimuth || options_.rows > 0;
+    if (derived && period_ns_ == 0) look_ahead();
     if (waiting_.empty()) return recording_->next();
     ScanItem item = std::move(waiting_.front());
     waiting_.pop_front();
@@ -99,11 +100,12 @@ class WatchedRecording : public Recording {
         options_.rate_hz > 0.0 ? 1e9 / options_.rate_hz : spread_of(intervals).median;
     if (!(usual > 0.0 && usual < 2e9)) {
       throw ReadError(
-          "point times by azimuth: the stamps do not tell how long a revolution takes; "
+          "point times that are derived: the stamps do not tell how long a revolution takes; "
           "--rate does");
     }
     period_ns_ = std::llround(usual);
-    own_notes_.push_back("point times: derived from azimuth, a revolution of " +
+    own_notes_.push_back(std::string("point times: derived from ") +
+                         (options_.rows > 0 ? "the columns" : "azimuth") + ", a revolution of " +
                          std::to_string(period_ns_ / 1000) + " us");
   }
 
@@ -113,6 +115,10 @@ class WatchedRecording : public Recording {
       return;
     }
     if (options_.time_direction == TimeDirection::kBackward) count_backward(scan);
+    if (options_.rows > 0 && scan.points.size() == options_.rows * options_.columns) {
+      time_columns(scan, options_.rows, {{}, 0.0, period_ns_, options_.stamp_at});
+      return;
+    }
     if (options_.derive_times == DeriveTimes::kAzimuth) {
       derive_times(scan, {options_.spin, options_.cut_azimuth_deg, period_ns_, options_.stamp_at});
       return;
@@ -202,6 +208,17 @@ void derive_times(Scan& scan, const Sweep& sweep) {
       offset = std::llround((turned - std::floor(turned)) * static_cast<double>(sweep.period_ns));
     }
     scan.times_ns[i] = static_cast<std::int32_t>(first + offset);
+  }
+}
+
+void time_columns(Scan& scan, std::size_t rows, const Sweep& sweep) {
+  const std::int64_t first = sweep.stamp_at == StampAt::kEnd ? -sweep.period_ns : 0;
+  const std::size_t columns = std::max<std::size_t>(1, scan.points.size() / rows);
+  scan.times_ns.resize(scan.points.size());
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const auto column = static_cast<std::int64_t>(i / rows);
+    scan.times_ns[i] = static_cast<std::int32_t>(first + column * sweep.period_ns /
+                                                             static_cast<std::int64_t>(columns));
   }
 }
 

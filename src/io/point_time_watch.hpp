@@ -30,11 +30,13 @@ struct Sweep {
   Spin spin = Spin::kClockwise;
   double cut_deg = 0.0;        ///< direction of the first point, counter-clockwise from x
   std::int64_t period_ns = 0;  ///< of a revolution
-  StampAt stamp_at = StampAt::kStart;
+  StampAt stamp_at = StampAt::kAuto;
 };
 /// Point times from azimuths: the sweep begins at the cut and takes a period.
 void derive_times(Scan& scan, const Sweep& sweep);
 
+/// Point times from the order of the points, which is column by column: `rows` of an instant.
+void time_columns(Scan& scan, std::size_t rows, const Sweep& sweep);
 /// Point times that count back from the stamp, made to count forward.
 void count_backward(Scan& scan);
 

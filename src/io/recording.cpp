@@ -4,6 +4,7 @@
 
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_recording.hpp"
+#include "io/datasets.hpp"
 #include "io/files/folder_listing.hpp"
 #include "io/files/folder_recording.hpp"
 #include "io/files/scan_files.hpp"
@@ -42,15 +43,17 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
                     ": packet captures cannot be read: built without libpcap (SUREFOOT_PCAP=OFF)");
 #endif
   }
-  throw ReadError(path.string() + ": extension '" + path.extension().string() +
-                  "'; expected a folder of scans, or a .pcd, .ply, .bin, .pcap, .pcapng, .bag, "
-                  ".db3 or .mcap file");
+  throw ReadError(
+      path.string() + ": extension '" + path.extension().string() +
+      "'; expected a folder of scans, or a .pcd, .ply, .bin, .las, .pcap, .pcapng, .bag, "
+      ".db3 or .mcap file");
 }
 
 }  // namespace
 
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
-                                          const OpenOptions& options) {
+                                          const OpenOptions& given) {
+  const OpenOptions options = with_dataset(given);
   std::unique_ptr<Recording> recording = watch_point_times(open_any(path, options), options);
   return options.repair_stamps ? repair_stamps(std::move(recording), options)
                                : std::move(recording);

@@ -28,8 +28,9 @@ class ReadError : public std::runtime_error {
 enum class TimeUnit { kAuto, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
 /// What the values of a time field count from: the scan's stamp, or the epoch of the stamps.
 enum class TimeReference { kAuto, kRelative, kAbsolute };
-/// Which instant of a scan its stamp names, where relative point times are all positive.
-enum class StampAt { kStart, kEnd };
+/// Which instant of a scan its stamp names, where relative point times are all positive. kAuto:
+/// what the data set says, else the start.
+enum class StampAt { kAuto, kStart, kEnd };
 /// Whether point times are made up where the recording has none.
 enum class DeriveTimes {
   kNo,
@@ -47,15 +48,23 @@ using sensors::ReturnChoice;
 
 /// How to read. The defaults find everything out from the recording itself.
 struct OpenOptions {
+  /// One of dataset_names() (datasets.hpp): it says what else here is left open; empty: none.
+  std::string dataset;
   /// "pcd", "ply" or "bin" for a folder that holds several kinds; empty: the one kind there is.
   std::string format;
   /// Topic of a bag; empty: the only one that scans can be made of.
   std::string topic;
+  /// Where no topic is asked for: the first of these that the bag has.
+  std::vector<std::string> likely_topics;
   /// Name of the field of point times; empty: the first of the names that drivers use.
   std::string time_field;
   TimeUnit time_unit = TimeUnit::kAuto;
   TimeReference time_reference = TimeReference::kAuto;
-  StampAt stamp_at = StampAt::kStart;
+  StampAt stamp_at = StampAt::kAuto;
+  /// Scans of so many points, stored column by column as the LiDAR turned, get their times from
+  /// that; 0: none do.
+  std::size_t rows = 0;
+  std::size_t columns = 0;
   TimeDirection time_direction = TimeDirection::kForward;
   DeriveTimes derive_times = DeriveTimes::kNo;
   Spin spin = Spin::kClockwise;  ///< of derived times
@@ -65,6 +74,8 @@ struct OpenOptions {
   double rate_hz = 0.0;
   /// File of stamps, one line a scan; empty: looked for beside the scans.
   std::filesystem::path stamps_file;
+  /// Name of such a file that goes before others that are there.
+  std::string stamps_name;
   /// Turn KITTI's HDL-64E points up by 0.205 deg, the known error of its calibration.
   bool kitti_hdl64_correction = false;
   /// Sensor whose packets a capture or bag holds, where they do not say it themselves or say it

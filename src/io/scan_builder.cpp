@@ -43,8 +43,11 @@ const Column* find_one_of(const PointTable& table, std::span<const std::string_v
   return nullptr;
 }
 
-bool is_return(const Eigen::Vector3f& point) {
-  return point.allFinite() && (point.x() != 0.0F || point.y() != 0.0F || point.z() != 0.0F);
+// Once and again for every point. A sum of three floats is finite as a double if they all are.
+[[gnu::always_inline]] inline bool is_return(const Eigen::Vector3f& point) {
+  const double sum = static_cast<double>(point.x()) + static_cast<double>(point.y()) +
+                     static_cast<double>(point.z());
+  return sum - sum == 0.0 && (point.x() != 0.0F || point.y() != 0.0F || point.z() != 0.0F);
 }
 
 std::vector<Eigen::Vector3f> points_of(const PointTable& table, const ScanColumns& columns) {
@@ -110,13 +113,16 @@ FieldTimes field_times(const Column& column, const std::vector<Eigen::Vector3f>&
                        std::int64_t scale) {
   FieldTimes times;
   times.ns.resize(points.size());
-  std::vector<double> of_returns;
-  of_returns.reserve(points.size());
   for_each_value(column, points.size(), [&](std::size_t i, auto value) {
-    const std::optional<std::int64_t> ns = to_nanoseconds(value, scale);
-    times.ns[i] = ns.value_or(kNoTime);
-    if (ns && is_return(points[i])) of_returns.push_back(static_cast<double>(*ns));
+    times.ns[i] = to_nanoseconds(value, scale).value_or(kNoTime);
   });
+  // Every few points tell where nearly all lie.
+  constexpr std::size_t kLookedAt = 8000;
+  std::vector<double> of_returns;
+  for (std::size_t i = 0; i < points.size(); i += points.size() / kLookedAt + 1) {
+    const bool counts = times.ns[i] != kNoTime && is_return(points[i]);
+    if (counts) of_returns.push_back(static_cast<double>(times.ns[i]));
+  }
   constexpr double kUsualScan = 1e8;  // [ns] all of it may lie beside where nearly all returns are
   const UsualValues usual = usual_values(of_returns, 1.0, kUsualScan);
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -53,11 +53,14 @@ class RepairedRecording : public Recording {
       ScanItem item = std::move(waiting_.front());
       waiting_.pop_front();
       if (!item.scan) return item;
-      if (last_ && is_sent_twice(*item.scan)) {
-        note_once(twice_,
-                  "stamps: scans that were sent twice, first " + item.name + ", are left out");
+      const bool again = last_ && is_last_again(*item.scan);
+      // With a new stamp only where the scans differ otherwise: else it may be a made recording.
+      if (again && (item.scan->stamp_ns == given_ns_ || differ_)) {
+        note_once(twice_, "stamps: scans that were sent twice, first " + item.name +
+                              ", are left out: the same points to the last bit");
         continue;
       }
+      differ_ = differ_ || (last_ && !again);
       repair(item);
       return item;
     }
@@ -103,9 +106,9 @@ class RepairedRecording : public Recording {
     return *middle;
   }
 
-  [[nodiscard]] bool is_sent_twice(const Scan& scan) const {
-    return scan.stamp_ns == given_ns_ && scan.points.size() == last_points_.size() &&
-           !last_points_.empty() &&
+  /// The last scan's points again, to the last bit: no sensor measures so.
+  [[nodiscard]] bool is_last_again(const Scan& scan) const {
+    return scan.points.size() == last_points_.size() && !last_points_.empty() &&
            std::equal(scan.points.begin(), scan.points.end(), last_points_.begin(),
                       [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
                         return (a.array() == b.array() || (a.array() != a.array())).all();
@@ -202,6 +205,7 @@ class RepairedRecording : public Recording {
   std::vector<Eigen::Vector3f> last_points_;
   std::int64_t offset_ns_ = 0;
   bool wild_noted_ = false, set_back_noted_ = false, stands_noted_ = false, twice_ = false;
+  bool differ_ = false;  // two scans that follow each other do
   std::vector<std::string> notes_, own_notes_;
   std::size_t taken_ = 0, taken_own_ = 0;
 };

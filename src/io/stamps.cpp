@@ -51,7 +51,26 @@ std::vector<StampLine> stamp_lines(std::string_view text) {
   return lines;
 }
 
+// "cloud_1583836591_182590976": any name, seconds, nanoseconds.
+std::optional<std::int64_t> stamp_of_two_numbers(const std::string& name) {
+  constexpr std::size_t kSecondDigits = 10, kNanosecondDigits = 9;
+  const std::size_t second = name.rfind('_');
+  if (second == std::string::npos || second < kSecondDigits) return std::nullopt;
+  const std::size_t first = second - kSecondDigits;
+  if (first > 0 && name[first - 1] != '_') return std::nullopt;
+  const std::string seconds = name.substr(first, kSecondDigits);
+  const std::string nanoseconds = name.substr(second + 1);
+  const bool whole = is_whole(seconds) && is_whole(nanoseconds);
+  if (!whole || nanoseconds.size() > kNanosecondDigits) return std::nullopt;
+  const std::optional<std::int64_t> whole_seconds = parse_decimal_seconds(seconds);
+  std::int64_t stamp = 0;
+  const bool fits =
+      whole_seconds && !__builtin_add_overflow(*whole_seconds, *parse_whole(nanoseconds), &stamp);
+  return fits ? std::optional(stamp) : std::nullopt;
+}
+
 std::optional<std::int64_t> stamp_of_name(const std::string& name) {
+  if (const auto stamp = stamp_of_two_numbers(name)) return stamp;
   if (name.empty() || name.find_first_not_of("0123456789.") != std::string::npos) {
     return std::nullopt;
   }
@@ -95,11 +114,14 @@ std::vector<std::int64_t> parse_stamps(std::string_view text) {
   return stamps;
 }
 
-std::filesystem::path find_stamps_file(const std::filesystem::path& folder) {
+std::filesystem::path find_stamps_file(const std::filesystem::path& folder,
+                                       const std::string& preferred) {
   const std::filesystem::path above = std::filesystem::absolute(folder / "").parent_path();
   for (const std::filesystem::path& place : {folder, above.parent_path()}) {
-    for (const char* name : {"times.txt", "timestamps.txt", "stamps.txt"}) {
+    for (const std::string& name : {preferred, std::string("times.txt"),
+                                    std::string("timestamps.txt"), std::string("stamps.txt")}) {
       std::error_code ignored;
+      if (name.empty()) continue;
       if (std::filesystem::is_regular_file(place / name, ignored)) {
         return place / name;
       }

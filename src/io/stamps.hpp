@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,11 +18,14 @@ namespace surefoot::io {
 /// ReadError naming the line.
 [[nodiscard]] std::vector<std::int64_t> parse_stamps(std::string_view text);
 
-/// times.txt, timestamps.txt or stamps.txt in the folder, else in the one above; empty: none.
-[[nodiscard]] std::filesystem::path find_stamps_file(const std::filesystem::path& folder);
+/// `preferred`, times.txt, timestamps.txt or stamps.txt in the folder, else in the one above;
+/// empty: none.
+[[nodiscard]] std::filesystem::path find_stamps_file(const std::filesystem::path& folder,
+                                                     const std::string& preferred = {});
 
 /// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, numbers with a decimal
-/// point or of epoch size (1e9 .. 4.2e9) seconds. Nothing where one name is neither: then they are
+/// point or of epoch size (1e9 .. 4.2e9) seconds; "cloud_1583836591_182590976" is seconds and
+/// nanoseconds, as Newer College has them. Nothing where one name is neither: then they are
 /// names or indices.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_from_names(
     const std::vector<std::filesystem::path>& files);

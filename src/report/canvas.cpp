@@ -268,10 +268,17 @@ void Canvas::save(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() +
                              ": cannot draw the picture: " + cairo_status_to_string(status));
   }
-  std::ofstream file(path, std::ios::binary);
+  // Beside it, then renamed: there is the old picture or the whole new one.
+  std::filesystem::path part = path;
+  part += ".part";
+  std::ofstream file(part, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot write the picture");
+  std::error_code error;
+  if (file) std::filesystem::rename(part, path, error);
+  if (file && !error) return;
+  std::filesystem::remove(part, error);
+  throw std::runtime_error(path.string() + ": cannot write the picture");
 }
 
 }  // namespace surefoot::report

@@ -59,6 +59,7 @@ class OdometryRun {
   void count(const Estimate& estimate, const Trajectory& path);
   [[nodiscard]] double progress(std::size_t done) const;
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
+  void check_bags() const;
   void open_bags();
   void write_page(const std::filesystem::path& folder) const;
 
@@ -84,6 +85,7 @@ RunOutcome OdometryRun::execute() {
     throw io::ReadError(
         fmt::format("{}: no scans after the first {}", options_.input.string(), options_.start));
   }
+  check_bags();
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
   RunOutput output(options_);
   outcome_.folder = output.folder().path();
@@ -217,6 +219,21 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
   run.compiler = __VERSION__;
   run.parameters = parameter_texts(config_);
   return run;
+}
+
+/// What is there already stays, unless it may go; the recording itself always does.
+void OdometryRun::check_bags() const {
+  for (const std::filesystem::path& path : {options_.mcap, options_.rosbag2}) {
+    std::error_code ignored;
+    if (path.empty() || !std::filesystem::exists(path, ignored)) continue;
+    if (std::filesystem::equivalent(path, options_.input, ignored)) {
+      throw std::runtime_error(path.string() + ": is the recording itself");
+    }
+    if (!options_.overwrite && !std::filesystem::is_empty(path, ignored)) {
+      throw std::runtime_error(path.string() +
+                               ": is there already; choose another name, or --overwrite");
+    }
+  }
 }
 
 void OdometryRun::open_bags() {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "io/datasets.hpp"
 #include "runs/config_file.hpp"
 
 namespace surefoot::runs {
@@ -20,6 +21,19 @@ void set_mount(const std::vector<double>& extrinsic, Config& config) {
   }
 }
 
+/// What was given, or, where the base's poses are asked for, what the data set says.
+std::vector<double> extrinsic_of(const RunOptions& options) {
+  const std::string& set = options.reader.dataset;
+  if (!options.extrinsic.empty() || options.pose_of != "base" || set.empty()) {
+    return options.extrinsic;
+  }
+  const std::optional<Pose>& pose = io::dataset_named(set).T_base_lidar;
+  if (!pose) return {};
+  const Eigen::Vector3d angles = roll_pitch_yaw(pose->rotation) * (180.0 / EIGEN_PI);
+  const Eigen::Vector3d& at = pose->translation;
+  return {at.x(), at.y(), at.z(), angles.x(), angles.y(), angles.z()};
+}
+
 }  // namespace
 
 std::string method_of(const RunOptions& options) {
@@ -31,7 +45,8 @@ std::string method_of(const RunOptions& options) {
 Config config_of(const RunOptions& options) {
   Config config = method_config(method_of(options));
   if (!options.config_file.empty()) load_config_file(options.config_file, config);
-  if (!options.extrinsic.empty()) set_mount(options.extrinsic, config);
+  const std::vector<double> extrinsic = extrinsic_of(options);
+  if (!extrinsic.empty()) set_mount(extrinsic, config);
   if (!options.level.empty()) set_parameter(config, "level.mode", options.level);
   apply_settings(options.settings, config);
   validate(config);

@@ -31,7 +31,8 @@ namespace surefoot::sensors {
   for (std::size_t i = 1; i < 6; ++i) {
     seconds = seconds * 256 + static_cast<std::int64_t>(value(i));
   }
-  return seconds;
+  constexpr std::int64_t kYear2106 = 4'294'967'296;  // in nanoseconds such are still numbers
+  return seconds < kYear2106 ? std::optional(seconds) : std::nullopt;
 }
 
 }  // namespace surefoot::sensors

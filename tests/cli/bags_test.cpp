@@ -139,6 +139,33 @@ TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
   EXPECT_NE(several.errors.find("--topic /surefoot/local_map"), std::string::npos) << several;
 }
 
+// What is there stays unless it may go, and the recording itself always does.
+TEST(RunBag, DoesNotReplaceWhatIsThere) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  ASSERT_EQ(run_surefoot({"convert", "pcd", "in.mcap"}, folder).exit_code, 0);
+  const std::string before = file_content(folder / "in.mcap");
+  const std::vector<std::string> run = {"run",         "in.mcap",      "-o",     "out",
+                                        "--no-report", "--no-picture", "--mcap", "in.mcap"};
+  std::vector<std::string> forced = run;
+  forced.emplace_back("--overwrite");
+  for (const auto& arguments : {run, forced}) {
+    const ProcessResult result = run_surefoot(arguments, folder);
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_NE(result.errors.find("in.mcap: is the recording itself"), std::string::npos) << result;
+  }
+  EXPECT_EQ(file_content(folder / "in.mcap"), before);
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  write_content(folder / "old.mcap", "precious");
+  std::vector<std::string> other = run;
+  other.back() = "old.mcap";
+  EXPECT_EQ(run_surefoot(other, folder).exit_code, 2);
+  EXPECT_EQ(file_content(folder / "old.mcap"), "precious");
+  other.emplace_back("--overwrite");
+  EXPECT_EQ(run_surefoot(other, folder).exit_code, 0);
+}
+
 TEST(Bags, OneBadMessageIsNamedAndCountedAndTheRunGoesOn) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();

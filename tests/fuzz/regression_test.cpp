@@ -4,6 +4,9 @@
 // The fuzz targets without a fuzzer: every seed whole, cut everywhere, and with bytes changed.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "fuzz/targets.hpp"
@@ -31,6 +34,19 @@ TEST(FuzzRegression, SeedsCutsAndChanges) {
         }
         read(target, changed);
       }
+    }
+  }
+}
+
+// What campaigns have found worth keeping, findings among it.
+TEST(FuzzRegression, KeptCorpora) {
+  namespace fs = std::filesystem;
+  const fs::path kept = fs::path(SUREFOOT_SOURCE_DIR) / "tests" / "fuzz" / "corpus";
+  for (const Target& target : targets()) {
+    std::error_code none;
+    for (const fs::directory_entry& file : fs::directory_iterator(kept / target.name, none)) {
+      std::ifstream stream(file.path(), std::ios::binary);
+      read(target, {std::istreambuf_iterator<char>(stream), {}});
     }
   }
 }

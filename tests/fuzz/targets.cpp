@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "io/ascii_values.hpp"
+#include "io/bags/bag_metadata.hpp"
 #include "io/bags/compression.hpp"
 #include "io/bags/mcap_reader.hpp"
 #include "io/bags/ros1_bag_reader.hpp"
@@ -23,6 +24,7 @@
 #include "io/scan_builder.hpp"
 #include "io/stamps.hpp"
 #include "io/trajectory_files.hpp"
+#include "io/truth_files.hpp"
 #include "sensors/sensor_list.hpp"
 #include "sensors/velodyne/vlp16.hpp"
 #include "unit/io/support.hpp"
@@ -83,6 +85,30 @@ Seeds ply_seeds() {
 
 void read_kitti(Bytes bytes) { read_scan(io::ScanFileKind::kKittiBin, bytes); }
 Seeds kitti_seeds() { return {std::string(64, '\x3f')}; }
+
+void read_las(Bytes bytes) { read_scan(io::ScanFileKind::kLas, bytes); }
+Seeds las_seeds() {
+  Seeds seeds;
+  for (const unsigned format : {0U, 1U, 6U}) {
+    const unsigned minor = format < 6 ? 2 : 4, header = minor == 4 ? 375 : 227;
+    const unsigned record = format == 0 ? 20 : format == 1 ? 28 : 30;
+    std::string file(header + 2 * record, '\0');
+    const auto put = [&file](std::size_t at, auto value) {
+      const std::string bytes = io::test::little(value);
+      file.replace(at, bytes.size(), bytes);
+    };
+    file.replace(0, 4, "LASF");
+    file[24] = 1;
+    file[25] = static_cast<char>(minor);
+    put(96, header);
+    file[104] = static_cast<char>(format);
+    put(105, static_cast<std::uint16_t>(record));
+    put(107, 2U);
+    for (std::size_t axis = 0; axis < 3; ++axis) put(131 + 8 * axis, 0.001);
+    seeds.push_back(file);
+  }
+  return seeds;
+}
 
 std::string packet(unsigned mode, unsigned azimuth, std::uint32_t time) {
   return io::test::vlp16_payload(azimuth, 40, time, mode, [](auto block, auto channel) {
@@ -273,10 +299,21 @@ void read_text(Bytes bytes) {
   attempt(io::parse_tum);
   attempt(io::parse_kitti_poses);
   attempt(io::parse_stamps);
+  attempt(io::parse_truth_table);
+  attempt(io::mercator_scale);
+  attempt([](std::string_view record) { return io::pose_of_oxts(record, 1.0); });
+  attempt(io::parse_bag_metadata);
 }
 Seeds text_seeds() {
   return {"# t x y z\n1630577758.569489956 1 2 3 0 0 0 1\n1e9 0 0 0 0.5 0.5 0.5 0.5\n",
-          "1 0 0 4 0 1 0 5 0 0 1 6\n", "2011-09-26 14:30:14.950485851\n", "1630577758569489956\n"};
+          "1 0 0 4 0 1 0 5 0 0 1 6\n",
+          "#sec,nsec,x\n1583836591,182590976,5.5,-1,0.25,0,0,0.6,0.8\n",
+          "1561000444390857630,1,0,0,3,0,1,0,4,0,0,1,5\n1561000444390857631,1,0,0,3,0,1,0,4,0,0,1,"
+          "5\n",
+          "49.0 8.0 110 0 0 0 9 9\n",
+          "storage_identifier: mcap\nrelative_file_paths:\n  - a_0.mcap\ncompression_mode: FILE\n",
+          "2011-09-26 14:30:14.950485851\n",
+          "1630577758569489956\n"};
 }
 
 // Every message to its end.
@@ -404,6 +441,7 @@ Seeds packet_seeds() {
 constexpr Target kTargets[] = {{"pcd", read_pcd, pcd_seeds},
                                {"ply", read_ply, ply_seeds},
                                {"kitti", read_kitti, kitti_seeds},
+                               {"las", read_las, las_seeds},
                                {"vlp16", read_vlp16, vlp16_seeds},
                                {"velodyne", read_vlp16, velodyne_seeds},
                                {"hesai", read_hesai, hesai_seeds},

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
+#include "io/ascii_values.hpp"
+#include "io/bags/bag_metadata.hpp"
 #include "io/bags/compression.hpp"
 #include "io/bags/mcap_reader.hpp"
 #include "io/bags/ros1_bag_reader.hpp"
 #include "io/bags/sqlite_bag_reader.hpp"
+#include "io/file_reader.hpp"
 #include "io/files/scan_files.hpp"
 #include "io/recording.hpp"
 
@@ -15,6 +18,37 @@ namespace surefoot::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+// What rosbag2 wrote beside its files when it closed the bag; nothing in it where it did not.
+BagMetadata metadata_in(const fs::path& folder) {
+  const fs::path file = folder / "metadata.yaml";
+  std::error_code error;
+  constexpr std::uintmax_t kMostBytes = 64 << 20;
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error || size > kMostBytes) return {};
+  try {
+    std::vector<std::byte> bytes;
+    read_whole_file(file, bytes);
+    return parse_bag_metadata(text_of(bytes));
+  } catch (const ReadError&) {
+    return {};
+  }
+}
+
+// The files that the metadata name, in their order; none where one of them is not there.
+std::vector<fs::path> named_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const std::string& name : metadata_in(folder).files) {
+    const fs::path plain = folder / name;
+    const fs::path compressed = folder / (name + ".zstd");
+    std::error_code ignored;
+    const bool there = fs::is_regular_file(plain, ignored);
+    if (!there && !fs::is_regular_file(compressed, ignored)) return {};
+    files.push_back(there ? plain : compressed);
+  }
+  const bool known = std::all_of(files.begin(), files.end(), is_bag_file);
+  return known ? files : std::vector<fs::path>{};
+}
 
 // ".mcap" of "a.mcap" and "a.mcap.zstd".
 fs::path kind_of(const fs::path& file) {
@@ -94,7 +128,8 @@ bool is_bag_file(const fs::path& file) {
 std::vector<fs::path> bag_files(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
-  std::vector<fs::path> files;
+  std::vector<fs::path> files = named_files(path);
+  if (!files.empty()) return files;
   for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
     std::error_code ignored;
     const fs::path& file = it->path();

@@ -8,12 +8,28 @@
 #include "io/messages/packet_message.hpp"
 
 namespace surefoot::io {
+namespace {
+
+// Empty where the bag has none of them.
+std::string likely_topic(const std::vector<TopicSurvey>& topics,
+                         const std::vector<std::string>& likely) {
+  for (const std::string& name : likely) {
+    for (const TopicSurvey& survey : topics) {
+      if (survey.usable && survey.topic.name == name) return name;
+    }
+  }
+  return {};
+}
+
+}  // namespace
 
 std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,
                                               const OpenOptions& options) {
   TopicRecordingParts parts{path.string(), TopicMessages(bag_files(path)), {}};
   const BagSurvey survey = survey_topics(parts.messages.bag(), options);
-  const Topic topic = choose_topic(survey.topics, options.topic, parts.bag).topic;
+  const std::string asked =
+      options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
+  const Topic topic = choose_topic(survey.topics, asked, parts.bag).topic;
   if (survey.topics.size() > 1) {
     parts.notes.push_back("topic: " + topic.name + ", one of " +
                           std::to_string(survey.topics.size()) + " in the bag");

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
+#include <new>
+
 #include "io/bags/topic_recordings.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/scan_builder.hpp"
@@ -32,6 +34,8 @@ class CloudTopic final : public Recording {
       read_scan(*message, item);
     } catch (const ReadError& error) {
       item.error = where() + ", " + item.name + ": " + error.what();
+    } catch (const std::bad_alloc&) {
+      item.error = where() + ", " + item.name + ": takes more memory than there is";
     }
     return item;
   }

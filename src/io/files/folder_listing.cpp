@@ -10,11 +10,13 @@
 namespace surefoot::io {
 namespace {
 
-constexpr std::array<ScanFileKind, 3> kKinds = {ScanFileKind::kPcd, ScanFileKind::kPly,
-                                                ScanFileKind::kKittiBin};
+constexpr std::array<ScanFileKind, 4> kKinds = {ScanFileKind::kPcd, ScanFileKind::kPly,
+                                                ScanFileKind::kKittiBin, ScanFileKind::kLas};
 
-// Where KITTI's recordings have their scans.
-constexpr std::array<const char*, 2> kBelow = {"velodyne_points/data", "velodyne"};
+// Where KITTI's, MulRan's and Newer College's recordings have their scans.
+constexpr std::array<const char*, 6> kBelow = {
+    "velodyne_points/data",   "velodyne",   "Ouster", "sensor_data/Ouster",
+    "raw_format/ouster_scan", "ouster_scan"};
 
 // The files of one folder by kind, and how many are none of them.
 struct Sorted {
@@ -66,7 +68,7 @@ Sorted sort_folder(const std::filesystem::path& folder) {
 ScanFileKind kind_of_format(const std::string& format) {
   const std::optional<ScanFileKind> kind = scan_file_kind("scan." + format);
   if (!kind) {
-    throw ReadError("format '" + format + "'; expected pcd, ply or bin");
+    throw ReadError("format '" + format + "'; expected pcd, ply, bin or las");
   }
   return *kind;
 }
@@ -101,7 +103,7 @@ FolderListing list_folder(const std::filesystem::path& path, const std::string& 
   }
   if (sorted.kinds() > 1 && format.empty()) {
     throw ReadError(listing.folder.string() + ": " + sorted.counts() +
-                    "; expected scans of one kind, or the format to read: pcd, ply or bin");
+                    "; expected scans of one kind, or the format to read: pcd, ply, bin or las");
   }
   for (const ScanFileKind kind : kKinds) {
     std::vector<std::filesystem::path>& files = sorted.by_kind[static_cast<std::size_t>(kind)];
@@ -114,7 +116,7 @@ FolderListing list_folder(const std::filesystem::path& path, const std::string& 
     throw ReadError(
         path.string() + ": " + counts +
         (format.empty() ? "" : ", but format " + format + " is asked for") +
-        "; expected a folder of PCD, PLY or KITTI .bin files or of a bag, or one capture");
+        "; expected a folder of PCD, PLY, KITTI .bin or LAS files or of a bag, or one capture");
   }
   std::sort(listing.files.begin(), listing.files.end(), [](const auto& a, const auto& b) {
     return natural_less(a.filename().string(), b.filename().string());

@@ -18,9 +18,9 @@ struct FolderListing {
   std::vector<std::filesystem::path> files;
 };
 
-/// Looks into `path`, then into path/velodyne_points/data and path/velodyne. `format` ("pcd",
-/// "ply", "bin" or empty) chooses where there are several kinds. Throws ReadError naming what was
-/// seen.
+/// Looks into `path`, then where KITTI, MulRan and Newer College have their scans below. `format`
+/// ("pcd", "ply", "bin", "las" or empty) chooses where there are several kinds. Throws ReadError
+/// naming what was seen.
 [[nodiscard]] FolderListing list_folder(const std::filesystem::path& path,
                                         const std::string& format);
 

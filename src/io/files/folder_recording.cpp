@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
@@ -39,6 +40,8 @@ class FolderRecording final : public Recording {
       read_scan(index, item);
     } catch (const ReadError& error) {
       item.error = listing_.files[index].string() + ": " + error.what();
+    } catch (const std::bad_alloc&) {
+      item.error = listing_.files[index].string() + ": takes more memory than there is";
     }
     return item;
   }
@@ -58,7 +61,7 @@ class FolderRecording final : public Recording {
  private:
   void read_stamps_file() {
     const std::filesystem::path file = options_.stamps_file.empty() && is_folder_
-                                           ? find_stamps_file(listing_.folder)
+                                           ? find_stamps_file(listing_.folder, options_.stamps_name)
                                            : options_.stamps_file;
     if (file.empty()) {
       return;
@@ -116,6 +119,8 @@ class FolderRecording final : public Recording {
       columns = find_scan_columns(table, options_);
     } catch (const ReadError&) {
       return false;  // said again when it is its turn
+    } catch (const std::bad_alloc&) {
+      return false;  // likewise
     }
     if (columns.time == nullptr) {
       return false;

@@ -13,6 +13,10 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
+// No driver's points have as many fields; a header of millions would take gigabytes.
+constexpr std::size_t kMostFields = 1000;
+constexpr std::size_t kLongestLine = 100'000;
+
 [[noreturn]] void fail(std::size_t line, const std::string& what) {
   throw ReadError("PCD header line " + std::to_string(line) + ": " + what);
 }
@@ -44,6 +48,10 @@ class HeaderLines {
   PcdHeader parse() {
     std::string_view line;
     while (reader_.next(line)) {
+      if (line.size() > kLongestLine) {
+        fail(reader_.line_number(), std::to_string(line.size()) + " characters; expected at most " +
+                                        std::to_string(kLongestLine));
+      }
       Words words = words_of(line);
       if (words.empty() || words[0].front() == '#') {
         continue;
@@ -135,6 +143,10 @@ class HeaderLines {
                               " SIZE, " + std::to_string(types_.size()) + " TYPE and " +
                               std::to_string(counts_.size()) +
                               " COUNT values; expected as many of each, at least one");
+    }
+    if (n > kMostFields) {
+      fail(header_.lines,
+           std::to_string(n) + " FIELDS; expected at most " + std::to_string(kMostFields));
     }
     std::size_t elements = 0;
     for (std::size_t i = 0; i < n; ++i) {

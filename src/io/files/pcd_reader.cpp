@@ -20,8 +20,10 @@ using Bytes = std::span<const std::byte>;
 
 bool is_padding(const PcdField& field) { return field.name == "_"; }
 
-// LZF's longest copy makes 264 bytes of 3, so honest sizes stay below 88 times the data.
-constexpr std::size_t kLzfLargestRatio = 88;
+// Points of a sweep do not compress beyond this (LZF could make 88 bytes of one): clouds that are
+// nearly all NaN come nearest. Small files may, they take little all the same.
+constexpr std::size_t kLargestRatio = 32;
+constexpr std::size_t kSmall = 64 << 20;
 
 void check_room(const PcdHeader& header, std::size_t room, const char* of) {
   if (header.points > room / header.point_step) {
@@ -49,10 +51,15 @@ std::vector<std::byte> decompress(const PcdHeader& header, Bytes data) {
   const auto compressed = load<std::uint32_t>(data.data(), false);
   const auto uncompressed = load<std::uint32_t>(data.data() + 4, false);
   const std::size_t room = data.size() - 8;
-  if (compressed > room || uncompressed / kLzfLargestRatio > compressed) {
+  if (compressed > room) {
     throw ReadError("PCD: compressed size " + std::to_string(compressed) + ", uncompressed size " +
                     std::to_string(uncompressed) + ", but " + std::to_string(room) +
                     " bytes follow");
+  }
+  if (uncompressed > kSmall && uncompressed / kLargestRatio > compressed) {
+    throw ReadError("PCD: " + std::to_string(compressed) + " bytes that become " +
+                    std::to_string(uncompressed) + "; expected at most " +
+                    std::to_string(kLargestRatio) + " times as many");
   }
   check_room(header, uncompressed, "uncompressed data");
   std::vector<std::byte> plain(uncompressed);
@@ -122,10 +129,22 @@ void read_ascii(const PcdHeader& header, Bytes data, PointTable& table) {
   read_binary(header, table.storage, table);
 }
 
+// Coordinates of a byte each are none, and would become twelve times as large here.
+void check_coordinates(const PcdHeader& header) {
+  for (const PcdField& field : header.fields) {
+    const bool coordinate = field.name == "x" || field.name == "y" || field.name == "z";
+    if (coordinate && size_of(field.type) < 2) {
+      throw ReadError("PCD: field " + field.name + " is " + name_of(field.type) +
+                      "; expected coordinates of 2, 4 or 8 bytes");
+    }
+  }
+}
+
 }  // namespace
 
 PointTable parse_pcd(std::span<const std::byte> file) {
   const PcdHeader header = parse_pcd_header(text_of(file));
+  check_coordinates(header);
   const Bytes data = file.subspan(header.data_offset);
   PointTable table;
   table.size = header.points;

@@ -10,6 +10,10 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
+// No driver's points have as many properties; a header of millions would take gigabytes.
+constexpr std::size_t kMostLines = 1000;
+constexpr std::size_t kLongestLine = 100'000;
+
 [[noreturn]] void fail(std::size_t line, const std::string& what) {
   throw ReadError("PLY header line " + std::to_string(line) + ": " + what);
 }
@@ -105,7 +109,13 @@ PlyHeader parse_ply_header(std::string_view file) {
   }
   PlyHeader header;
   bool format_given = false;
+  std::size_t lines = 0;
   while (reader.next(line)) {
+    if (line.size() > kLongestLine || ++lines > kMostLines) {
+      fail(reader.line_number(), "a header of so many lines, or so long ones; expected at most " +
+                                     std::to_string(kMostLines) + " and " +
+                                     std::to_string(kLongestLine) + " characters");
+    }
     const Words words = words_of(line);
     const std::string_view key = words.empty() ? std::string_view{} : words[0];
     if (key == "format") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/files/kitti_bin.hpp"
+#include "io/files/las.hpp"
 #include "io/files/pcd_reader.hpp"
 #include "io/files/ply_reader.hpp"
 #include "io/recording.hpp"
@@ -48,6 +49,9 @@ std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file) {
   if (extension == ".ply") {
     return ScanFileKind::kPly;
   }
+  if (extension == ".las" || extension == ".laz") {
+    return ScanFileKind::kLas;
+  }
   return extension == ".bin" ? std::optional(ScanFileKind::kKittiBin) : std::nullopt;
 }
 
@@ -59,6 +63,8 @@ const char* name_of(ScanFileKind kind) {
       return "PLY";
     case ScanFileKind::kKittiBin:
       return "KITTI .bin";
+    case ScanFileKind::kLas:
+      return "LAS";
   }
   return "";
 }
@@ -74,6 +80,8 @@ PointTable parse_scan_file(ScanFileKind kind, std::span<const std::byte> bytes) 
       return parse_ply(bytes);
     case ScanFileKind::kKittiBin:
       return parse_kitti_bin(bytes);
+    case ScanFileKind::kLas:
+      return parse_las(bytes);
   }
   return {};
 }

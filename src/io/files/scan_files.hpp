@@ -15,13 +15,13 @@
 
 namespace surefoot::io {
 
-enum class ScanFileKind { kPcd, kPly, kKittiBin };
+enum class ScanFileKind { kPcd, kPly, kKittiBin, kLas };
 
 /// By the extension, in any case.
 [[nodiscard]] std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file);
 /// Whether it is a packet capture: .pcap or .pcapng, in any case.
 [[nodiscard]] bool is_capture(const std::filesystem::path& file);
-/// "PCD", "PLY", "KITTI .bin".
+/// "PCD", "PLY", "KITTI .bin", "LAS".
 [[nodiscard]] const char* name_of(ScanFileKind kind);
 
 /// The points in the bytes of a file. The table looks into `bytes`. Throws ReadError.

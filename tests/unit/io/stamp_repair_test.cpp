@@ -122,6 +122,32 @@ TEST(StampRepair, WhatWasSentTwiceIsLeftOut) {
   EXPECT_EQ(recording->notes().size(), 1U);
 }
 
+// A driver that hangs sends the last scan on and on, under new stamps.
+TEST(StampRepair, TheSamePointsUnderNewStampsAreLeftOutWhereScansDiffer) {
+  class Hanging : public Stamped {
+   public:
+    explicit Hanging(float from, float to) : Stamped(regular(10)), from_(from), to_(to) {}
+    std::optional<ScanItem> next() override {
+      std::optional<ScanItem> item = Stamped::next();
+      if (!item) return item;
+      float& number = item->scan->points.front().z();
+      if (number > from_ && number <= to_) number = from_;
+      return item;
+    }
+    float from_, to_;
+  };
+  const auto stamps = [](float from, float to) {
+    const auto recording = repair_stamps(std::make_unique<Hanging>(from, to), {});
+    std::vector<std::int64_t> given;
+    while (const auto item = recording->next()) given.push_back(item->scan->stamp_ns);
+    return given;
+  };
+  std::vector<std::int64_t> without = regular(10);
+  without.erase(without.begin() + 4, without.begin() + 7);
+  EXPECT_EQ(stamps(3.0F, 6.0F), without);
+  EXPECT_EQ(stamps(0.0F, 9.0F), regular(10));  // all alike: a recording that was made so
+}
+
 TEST(StampRepair, AnythingGrows) {
   constexpr auto kFar = std::numeric_limits<std::int64_t>::max() / 8;
   std::vector<std::int64_t> stamps = {kFar, -kFar, 0, 5, -7, -kFar, 3, kFar, 1, 2, 0};

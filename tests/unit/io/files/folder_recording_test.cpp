@@ -255,8 +255,8 @@ TEST(OpenRecording, SaysWhatWasSeenAndExpected) {
   EXPECT_EQ(read_all(folder.path() / "mixed", options).size(), 1U);
   options.format = "bin";
   EXPECT_NE(error_of(folder.path() / "mixed", options).find("bin is asked for"), std::string::npos);
-  options.format = "las";
-  EXPECT_NE(error_of(folder.path() / "mixed", options).find("expected pcd, ply or bin"),
+  options.format = "xyz";
+  EXPECT_NE(error_of(folder.path() / "mixed", options).find("expected pcd, ply, bin or las"),
             std::string::npos);
 }
 

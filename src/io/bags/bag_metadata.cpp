@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/bags/bag_metadata.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/ascii_values.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::size_t kMostFiles = 100'000;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return {};
+  text = text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+  const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
+                      text.back() == text.front();
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+/// What follows "key:"; false where the line has another key.
+bool value_of(std::string_view line, std::string_view key, std::string_view& value) {
+  const std::string_view plain = trimmed(line);
+  if (!plain.starts_with(key) || plain.size() <= key.size() || plain[key.size()] != ':') {
+    return false;
+  }
+  value = trimmed(plain.substr(key.size() + 1));
+  return true;
+}
+
+}  // namespace
+
+BagMetadata parse_bag_metadata(std::string_view text) {
+  BagMetadata metadata;
+  LineReader reader(text);
+  bool in_files = false;
+  for (std::string_view line; reader.next(line);) {
+    std::string_view value;
+    const std::string_view plain = trimmed(line);
+    if (in_files && plain.starts_with("- ") && metadata.files.size() < kMostFiles) {
+      // A name that leads out of the bag's folder leads nowhere.
+      const std::filesystem::path name = std::string(trimmed(plain.substr(2)));
+      if (name.has_filename()) metadata.files.push_back(name.filename().string());
+      continue;
+    }
+    in_files = value_of(line, "relative_file_paths", value);
+    if (value_of(line, "storage_identifier", value)) metadata.storage = value;
+    if (value_of(line, "compression_mode", value)) metadata.compression_mode = value;
+  }
+  return metadata;
+}
+
+}  // namespace surefoot::io

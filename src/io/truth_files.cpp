@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/truth_files.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "io/ascii_values.hpp"
+#include "io/bags/bag_files.hpp"
+#include "io/bags/motion_topics.hpp"
+#include "io/decimal_time.hpp"
+#include "io/file_reader.hpp"
+#include "io/files/scan_files.hpp"
+#include "io/stamps.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string_view>;
+
+constexpr double kEarth = 6378137.0;  // [m], as in KITTI's devkit
+constexpr double kRadian = std::numbers::pi / 180.0;
+
+Words columns_of(std::string_view line) {
+  Words words;
+  std::size_t begin = 0;
+  while (begin < line.size()) {
+    const std::size_t end = std::min(line.find_first_of(", \t\r;", begin), line.size());
+    if (end > begin) words.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+[[noreturn]] void fail(std::size_t line, const std::string& what) {
+  throw ReadError("line " + std::to_string(line) + ": " + what);
+}
+
+double number_of(std::string_view word, std::size_t line) {
+  double value = 0.0;
+  if (!parse_real(word, value) || !std::isfinite(value)) {
+    fail(line, in_quotes(word) + "; expected a finite number");
+  }
+  return value;
+}
+
+bool is_whole(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Of nine digits at most.
+std::int64_t whole_number(std::string_view word, std::size_t line) {
+  return static_cast<std::int64_t>(number_of(word, line));
+}
+
+std::int64_t stamp_of(std::string_view word, std::size_t line) {
+  constexpr std::size_t kNanosecondDigits = 16;
+  const std::optional<std::int64_t> seconds = parse_decimal_seconds(word);
+  if (is_whole(word) && word.size() >= kNanosecondDigits) {
+    const auto nanoseconds = parse_stamps(word);  // whole numbers of that size
+    if (nanoseconds.size() == 1) return nanoseconds.front();
+  }
+  if (!seconds) fail(line, in_quotes(word) + "; expected a time");
+  return *seconds;
+}
+
+Eigen::Vector3d position_of(const Words& words, std::size_t first, std::size_t line) {
+  return {number_of(words[first], line), number_of(words[first + 1], line),
+          number_of(words[first + 2], line)};
+}
+
+/// Nothing for 0 0 0 0.
+std::optional<Eigen::Quaterniond> rotation_of(const Words& words, std::size_t first,
+                                              std::size_t line) {
+  const Eigen::Quaterniond rotation(
+      number_of(words[first + 3], line), number_of(words[first], line),
+      number_of(words[first + 1], line), number_of(words[first + 2], line));
+  if (rotation.norm() == 0.0) return std::nullopt;
+  if (std::abs(rotation.norm() - 1.0) > 0.01) {
+    fail(line, "quaternion of length " + std::to_string(rotation.norm()) +
+                   "; expected 1, or 0 0 0 0 where only the position is known");
+  }
+  return rotation.normalized();
+}
+
+Pose matrix_of(const Words& words, std::size_t first, std::size_t line) {
+  Eigen::Matrix<double, 3, 4> matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      matrix(row, column) =
+          number_of(words[first + static_cast<std::size_t>(4 * row + column)], line);
+    }
+  }
+  const Eigen::Matrix3d given = matrix.leftCols<3>();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
+  if (!((given - rotation).norm() < 0.01) || rotation.determinant() < 0.0) {
+    fail(line, "the 3x3 part is no rotation");
+  }
+  return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
+}
+
+void add_pose(Truth& truth, const Words& words, std::size_t first, std::size_t line,
+              std::int64_t stamp_ns) {
+  StampedPose pose;
+  pose.stamp_ns = stamp_ns;
+  pose.pose.translation = position_of(words, first, line);
+  const bool positions_only = words.size() == first + 3;
+  const auto rotation = positions_only ? std::nullopt : rotation_of(words, first + 3, line);
+  truth.has_rotations = truth.has_rotations && rotation.has_value();
+  pose.pose.rotation = rotation.value_or(Eigen::Quaterniond::Identity());
+  truth.poses.push_back(pose);
+}
+
+void add_row(Truth& truth, const Words& words, std::size_t line) {
+  switch (words.size()) {
+    case 4:
+    case 8:
+      return add_pose(truth, words, 1, line, stamp_of(words[0], line));
+    case 9: {
+      const bool whole = is_whole(words[0]) && is_whole(words[1]) && words[1].size() <= 9;
+      const auto seconds = parse_decimal_seconds(words[0]);
+      std::int64_t stamp = 0;
+      if (!whole || !seconds ||
+          __builtin_add_overflow(*seconds, whole_number(words[1], line), &stamp)) {
+        fail(line, "9 columns that do not begin with seconds and nanoseconds");
+      }
+      return add_pose(truth, words, 2, line, stamp);
+    }
+    case 12:
+      truth.has_stamps = false;
+      truth.poses.push_back(
+          {static_cast<std::int64_t>(truth.poses.size()), matrix_of(words, 0, line)});
+      return;
+    case 13:
+      truth.poses.push_back({stamp_of(words[0], line), matrix_of(words, 1, line)});
+      return;
+    default:
+      fail(line,
+           std::to_string(words.size()) + " columns; expected 4, 8, 9, 12 or 13: times and poses");
+  }
+}
+
+std::string text_in(const fs::path& file) {
+  std::vector<std::byte> bytes;
+  read_whole_file(file, bytes);
+  return std::string(text_of(bytes));
+}
+
+Truth read_table(const fs::path& file) {
+  try {
+    return parse_truth_table(text_in(file));
+  } catch (const ReadError& error) {
+    const std::string what = error.what();
+    throw ReadError(what.starts_with(file.string()) ? what : file.string() + ": " + what);
+  }
+}
+
+fs::path first_there(const std::vector<fs::path>& places) {
+  std::error_code ignored;
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place, ignored)) return place;
+  }
+  std::string text;
+  for (const fs::path& place : places) text += (text.empty() ? "" : ", ") + place.string();
+  throw ReadError("none of these is there: " + text);
+}
+
+/// The numbers behind "NAME:" in one of KITTI's calibration files.
+std::vector<double> calibration(const fs::path& file, std::string_view name, std::size_t count) {
+  const std::string text = text_in(file);
+  LineReader reader(text);
+  for (std::string_view line; reader.next(line);) {
+    const Words words = columns_of(line);
+    if (words.size() != count + 1 || words.front() != name) continue;
+    std::vector<double> values;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      values.push_back(number_of(words[i], reader.line_number()));
+    }
+    return values;
+  }
+  throw ReadError(file.string() + ": no line '" + std::string(name) + "' with " +
+                  std::to_string(count) + " numbers");
+}
+
+Pose pose_of_values(const std::vector<double>& rotation, const std::vector<double>& translation) {
+  Eigen::Matrix3d matrix;
+  for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = rotation[static_cast<std::size_t>(i)];
+  return {Eigen::Quaterniond(matrix).normalized(),
+          {translation[0], translation[1], translation[2]}};
+}
+
+/// Poses of the left camera; the calibration's Tr takes points from the LiDAR to it.
+Truth read_kitti(const fs::path& file) {
+  Truth truth = read_table(file);
+  if (truth.has_stamps) throw ReadError(file.string() + ": has stamps; KITTI's poses have none");
+  const fs::path folder = file.parent_path();
+  const fs::path sequence = folder / ".." / "sequences" / file.stem();
+  const std::vector<double> values =
+      calibration(first_there({folder / "calib.txt", sequence / "calib.txt"}), "Tr:", 12);
+  const std::vector<double> rotation = {values[0], values[1], values[2], values[4], values[5],
+                                        values[6], values[8], values[9], values[10]};
+  truth.T_lidar_truth = pose_of_values(rotation, {values[3], values[7], values[11]}).inverse();
+  for (const fs::path& times : {folder / "times.txt", sequence / "times.txt"}) {
+    std::error_code ignored;
+    if (truth.has_stamps || !fs::is_regular_file(times, ignored)) continue;
+    const std::vector<std::int64_t> stamps = parse_stamps(text_in(times));
+    if (stamps.size() != truth.poses.size()) continue;
+    for (std::size_t i = 0; i < stamps.size(); ++i) truth.poses[i].stamp_ns = stamps[i];
+    truth.has_stamps = true;
+  }
+  return truth;
+}
+
+/// A drive's folder of OXTS records.
+Truth read_oxts(const fs::path& drive) {
+  const fs::path folder = drive / "oxts";
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator it(folder / "data", error), end; !error && it != end;
+       it.increment(error)) {
+    if (it->path().extension() == ".txt") files.push_back(it->path());
+  }
+  if (files.empty()) throw ReadError((folder / "data").string() + ": no OXTS records (.txt)");
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return natural_less(a.filename().string(), b.filename().string());
+  });
+  const std::vector<std::int64_t> stamps = parse_stamps(text_in(folder / "timestamps.txt"));
+  if (stamps.size() != files.size()) {
+    throw ReadError(folder.string() + ": " + std::to_string(stamps.size()) + " stamps for " +
+                    std::to_string(files.size()) + " records; expected as many of both");
+  }
+  Truth truth;
+  truth.what = "OXTS records";
+  const double scale = mercator_scale(text_in(files.front()));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Pose pose = pose_of_oxts(text_in(files[i]), scale);
+    truth.poses.push_back({stamps[i], pose});
+  }
+  const Pose T_first_world = truth.poses.front().pose.inverse();
+  for (StampedPose& pose : truth.poses) pose.pose = T_first_world * pose.pose;
+  const std::string name = "calib_imu_to_velo.txt";
+  const fs::path calib = first_there({drive / name, drive / ".." / name});
+  truth.T_lidar_truth = pose_of_values(calibration(calib, "R:", 9), calibration(calib, "T:", 3));
+  return truth;
+}
+
+bool is_bag(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored) ? !bag_files(path).empty() : is_bag_file(path);
+}
+
+}  // namespace
+
+double mercator_scale(std::string_view text) {
+  const Words words = columns_of(text.substr(0, text.find('\n')));
+  if (words.size() < 6) throw ReadError("an OXTS record of less than 6 numbers");
+  return std::cos(number_of(words[0], 1) * kRadian);
+}
+
+Pose pose_of_oxts(std::string_view text, double scale) {
+  const Words words = columns_of(text.substr(0, text.find('\n')));
+  if (words.size() < 6) throw ReadError("an OXTS record of less than 6 numbers");
+  const double latitude = number_of(words[0], 1), longitude = number_of(words[1], 1);
+  Pose pose;
+  pose.translation = {scale * longitude * kRadian * kEarth,
+                      scale * kEarth * std::log(std::tan((90.0 + latitude) * 0.5 * kRadian)),
+                      number_of(words[2], 1)};
+  pose.rotation =
+      from_roll_pitch_yaw({number_of(words[3], 1), number_of(words[4], 1), number_of(words[5], 1)});
+  return pose;
+}
+
+Truth parse_truth_table(std::string_view text) {
+  Truth truth;
+  LineReader reader(text);
+  std::size_t columns = 0;
+  for (std::string_view line; reader.next(line);) {
+    const Words words = columns_of(line);
+    if (words.empty() || words.front().starts_with('#')) continue;
+    double ignored = 0.0;
+    const bool names = columns == 0 && !parse_real(words.front(), ignored);
+    if (columns == 0) columns = words.size();
+    if (names) continue;
+    if (words.size() != columns) {
+      fail(reader.line_number(), std::to_string(words.size()) + " columns; expected " +
+                                     std::to_string(columns) + " as before");
+    }
+    add_row(truth, words, reader.line_number());
+  }
+  if (truth.poses.empty()) throw ReadError("no poses");
+  truth.what = std::to_string(columns) + " columns" +
+               (truth.has_rotations ? "" : ", positions without rotations");
+  return truth;
+}
+
+Truth read_truth(const fs::path& path, const Dataset* set, const std::string& topic) {
+  Truth truth;
+  if (set != nullptr && set->truth == TruthOf::kOxts) return read_oxts(path);
+  if (set != nullptr && set->truth == TruthOf::kKittiCamera) return read_kitti(path);
+  if (is_bag(path)) {
+    const std::string name = topic.empty() && set != nullptr ? set->truth_topic : topic;
+    truth.poses = read_pose_topic(path, name);
+    truth.what = "topic " + (name.empty() ? std::string("of poses") : name);
+  } else {
+    truth = read_table(path);
+  }
+  if (set == nullptr) return truth;
+  if (set->truth == TruthOf::kPositions) truth.has_rotations = false;
+  truth.T_lidar_truth = set->T_lidar_truth.value_or(Pose{});
+  return truth;
+}
+
+}  // namespace surefoot::io

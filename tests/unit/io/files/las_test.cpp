@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// LAS of every version and point format, and files that say what is not so.
+#include "io/files/las.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "io/recording.hpp"
+
+namespace surefoot::io {
+namespace {
+
+constexpr std::array<std::size_t, 11> kRecord = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+
+template <typename T>
+void put(std::string& bytes, std::size_t at, T value) {
+  std::memcpy(bytes.data() + at, &value, sizeof(value));
+}
+
+/// Two points, written after the specification: (1, -2, 0.5) and (3.25, 4, -1) m, offset 100 0 0.
+std::string las(int minor, unsigned format, double offset_x = 100.0) {
+  const std::size_t header = minor >= 4 ? 375 : minor == 3 ? 235 : 227;
+  const std::size_t record = kRecord[format];
+  std::string bytes(header + 2 * record, '\0');
+  bytes.replace(0, 4, "LASF");
+  bytes[24] = 1;
+  bytes[25] = static_cast<char>(minor);
+  put(bytes, 94, static_cast<std::uint16_t>(header));
+  put(bytes, 96, static_cast<std::uint32_t>(header));
+  bytes[104] = static_cast<char>(format);
+  put(bytes, 105, static_cast<std::uint16_t>(record));
+  if (minor >= 4 && format >= 6) {
+    put(bytes, 247, std::uint64_t{2});
+  } else {
+    put(bytes, 107, std::uint32_t{2});
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) put(bytes, 131 + 8 * axis, 0.001);
+  put(bytes, 155, offset_x);
+  const std::array<std::array<std::int32_t, 3>, 2> points = {
+      {{1000, -2000, 500}, {3250, 4000, -1000}}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t at = header + i * record;
+    for (std::size_t axis = 0; axis < 3; ++axis) put(bytes, at + 4 * axis, points[i][axis]);
+    put(bytes, at + 12, static_cast<std::uint16_t>(7 + i));
+    const bool timed = format != 0 && format != 2;
+    if (timed) put(bytes, at + (format < 6 ? 20 : 22), 0.25 * static_cast<double>(i));
+  }
+  return bytes;
+}
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+std::vector<double> values(const PointTable& table, const char* name) {
+  std::vector<double> result;
+  const Column* column = table.find(name);
+  if (column == nullptr) return result;
+  for_each_value(*column, table.size,
+                 [&](std::size_t, auto value) { result.push_back(static_cast<double>(value)); });
+  return result;
+}
+
+TEST(Las, EveryVersionAndFormatIsRead) {
+  for (int minor = 0; minor <= 4; ++minor) {
+    for (unsigned format = 0; format < (minor < 4 ? 6U : 11U); ++format) {
+      const std::string file = las(minor, format);
+      const PointTable table = parse_las(bytes_of(file));
+      ASSERT_EQ(table.size, 2U) << minor << " " << format;
+      EXPECT_EQ(values(table, "x"), (std::vector<double>{101.0, 103.25}));
+      EXPECT_EQ(values(table, "y"), (std::vector<double>{-2.0, 4.0}));
+      EXPECT_EQ(values(table, "z"), (std::vector<double>{0.5, -1.0}));
+      EXPECT_EQ(values(table, "intensity"), (std::vector<double>{7.0, 8.0}));
+      const bool timed = format != 0 && format != 2;
+      EXPECT_EQ(values(table, "time"),
+                timed ? (std::vector<double>{0.0, 0.25}) : std::vector<double>{});
+    }
+  }
+}
+
+// A map's grid begins far away: floats would hold its points to half a metre.
+TEST(Las, AGridsOffsetIsLeftOutAndSaid) {
+  const std::string file = las(2, 1, 500'000.0);
+  const PointTable table = parse_las(bytes_of(file));
+  EXPECT_EQ(values(table, "x"), (std::vector<double>{1.0, 3.25}));
+  EXPECT_NE(table.format.find("500000"), std::string::npos) << table.format;
+}
+
+std::string error_of(const std::string& file) {
+  try {
+    (void)parse_las(bytes_of(file));
+  } catch (const ReadError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(Las, WhatIsNotSoIsRefusedWithAWord) {
+  std::string file = las(2, 1);
+  file[104] = static_cast<char>(1 | 0x80);
+  EXPECT_NE(error_of(file).find("LAZ"), std::string::npos);
+  file = las(2, 1);
+  put(file, 107, std::uint32_t{0xffffffff});
+  EXPECT_NE(error_of(file).find("4294967295 points"), std::string::npos) << error_of(file);
+  file = las(4, 6);
+  put(file, 247, ~std::uint64_t{0});
+  EXPECT_NE(error_of(file).find("points of 30 bytes"), std::string::npos) << error_of(file);
+  file = las(2, 1);
+  put(file, 105, std::uint16_t{4});
+  EXPECT_NE(error_of(file).find("at least 28"), std::string::npos) << error_of(file);
+  file = las(2, 1);
+  file[25] = 9;
+  EXPECT_NE(error_of(file).find("1.9"), std::string::npos) << error_of(file);
+  EXPECT_NE(error_of("LASF").find("no header"), std::string::npos);
+  file = las(2, 1);
+  put(file, 131, 0.0);
+  EXPECT_NE(error_of(file).find("scale"), std::string::npos);
+  file = las(3, 5);
+  for (std::size_t size = 0; size < file.size(); size += 7) {
+    EXPECT_NE(error_of(file.substr(0, size)), "taken") << size;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::io
