@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/datasets.hpp"
 #include "words.hpp"
 
 namespace surefoot::python {
@@ -41,6 +42,12 @@ constexpr Words<io::ReturnChoice, 3> kReturns = {{{"strongest", io::ReturnChoice
 
 std::string word(const py::handle& value) { return py::str(value); }
 
+std::string dataset_named(const std::string& name) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string& one : io::dataset_names()) names.emplace_back(one, one);
+  return choice_of(names, "dataset", name);
+}
+
 using Setter = void (*)(io::OpenOptions&, const py::handle&);
 struct Option {
   const char* name;
@@ -48,6 +55,7 @@ struct Option {
 };
 
 const Option kOptions[] = {
+    {"dataset", [](auto& o, const auto& v) { o.dataset = dataset_named(word(v)); }},
     {"topic", [](auto& o, const auto& v) { o.topic = word(v); }},
     {"format", [](auto& o, const auto& v) { o.format = word(v); }},
     {"time_field", [](auto& o, const auto& v) { o.time_field = word(v); }},

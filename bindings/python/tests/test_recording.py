@@ -61,7 +61,7 @@ class RecordingTest(unittest.TestCase):
         _, folder = walk()
         with self.assertRaisesRegex(ValueError, "spin: got 'left', expected one of: clockwise"):
             surefoot.open(folder, spin="left")
-        with self.assertRaisesRegex(TypeError, "no option 'colour'; it has: keep_partial, topic"):
+        with self.assertRaisesRegex(TypeError, "no option 'colour'; it has: keep_partial, dataset, topic"):
             surefoot.open(folder, colour="red")
         with self.assertRaisesRegex(TypeError, "udp_port: got 'x'"):
             surefoot.open(folder, udp_port="x")
