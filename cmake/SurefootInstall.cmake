@@ -6,11 +6,11 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/surefoot)
 
 install(TARGETS surefoot EXPORT surefootTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/surefoot
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
-install(EXPORT surefootTargets NAMESPACE surefoot:: DESTINATION ${package_dir})
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT surefootTargets NAMESPACE surefoot:: DESTINATION ${package_dir} COMPONENT dev)
 
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/surefootConfig.cmake.in
@@ -22,6 +22,20 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/package/surefootConfig.cmake
   ${PROJECT_BINARY_DIR}/package/surefootConfigVersion.cmake
-  DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surefoot)
+  DESTINATION ${package_dir} COMPONENT dev)
+set(pc_requires eigen3)
+if(SUREFOOT_TBB)
+  string(APPEND pc_requires ", tbb")
+endif()
+# From where the file lies back to the prefix, wherever that is put.
+file(RELATIVE_PATH pc_up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+foreach(name surefoot surefoot_c)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${PROJECT_BINARY_DIR}/package/${name}.pc @ONLY)
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/package/surefoot.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+if(TARGET surefoot_c)
+  install(FILES ${PROJECT_BINARY_DIR}/package/surefoot_c.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+endif()
+include(SurefootPackages)

@@ -22,6 +22,7 @@ void add_suite_command(CLI::App& app, int& exit_code);     // with SUREFOOT_SIMU
 void add_eval_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_ablate_command(CLI::App& app, int& exit_code);
+void add_manual_command(CLI::App& app, int& exit_code);
 void add_report_command(CLI::App& app, int& exit_code);
 void add_sweep_command(CLI::App& app, int& exit_code);
 

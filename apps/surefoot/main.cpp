@@ -35,6 +35,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_report_command(app, exit_code);
   add_sweep_command(app, exit_code);
   add_config_command(app, exit_code);
+  add_manual_command(app, exit_code);
 #ifdef SUREFOOT_HAS_SIMULATION
   add_simulate_command(app, exit_code);
   add_suite_command(app, exit_code);

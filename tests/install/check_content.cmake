@@ -1,5 +1,9 @@
 # The installed tree holds the public headers and no others, and the package passes on no flags.
 file(GLOB_RECURSE public_headers RELATIVE ${sources}/include ${sources}/include/*.hpp)
+if(with_c)
+  list(APPEND public_headers surefoot/surefoot.h)
+  list(SORT public_headers)
+endif()
 file(GLOB_RECURSE installed_headers RELATIVE ${prefix}/${includedir} ${prefix}/${includedir}/*)
 if(NOT "${public_headers}" STREQUAL "${installed_headers}")
   message(FATAL_ERROR "installed headers:\n  ${installed_headers}\nexpected:\n  ${public_headers}")

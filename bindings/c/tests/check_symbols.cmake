@@ -1,0 +1,17 @@
+# cmake -D nm=... -D library=... -D header=... -P check_symbols.cmake
+execute_process(COMMAND ${nm} --dynamic --defined-only ${library} OUTPUT_VARIABLE listed
+  RESULT_VARIABLE failed)
+string(REGEX MATCHALL "[^ \n]+@@SUREFOOT_0.1" versioned "${listed}")
+string(REGEX REPLACE "@@SUREFOOT_0.1" "" seen "${versioned}")
+list(SORT seen)
+file(READ ${header} text)
+string(REGEX MATCHALL "surefoot_[a-z_]+\\(" named "${text}")
+string(REPLACE "(" "" named "${named}")
+list(REMOVE_DUPLICATES named)
+list(SORT named)
+string(REGEX MATCHALL " [TDBRVW] [^\n]+" all "${listed}")
+list(LENGTH all symbols)
+list(LENGTH seen versions)
+if(failed OR NOT "${seen}" STREQUAL "${named}" OR NOT symbols EQUAL versions)
+  message(FATAL_ERROR "${library} has\n  ${all}\nexpected, of version SUREFOOT_0.1:\n  ${named}")
+endif()

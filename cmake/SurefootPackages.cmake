@@ -1,0 +1,88 @@
+# Debian packages by CPack, one a component: cmake --build build/release --target packages, or cpack
+# in the build folder. Included last: everything that is installed names its component.
+#
+# surefoot          the program, its manual pages and completion
+# libsurefoot-dev   library, headers, what find_package and pkg-config find
+# libsurefoot-c0    the library behind plain C
+# python3-surefoot  the Python module
+set(doc ${CMAKE_INSTALL_DATADIR}/doc)
+
+# Pages are made by the program itself, which has to run on this machine.
+if(SUREFOOT_APP AND NOT CMAKE_CROSSCOMPILING)
+  set(manual ${PROJECT_BINARY_DIR}/manual)
+  add_custom_command(OUTPUT ${manual}/surefoot.1.gz
+    COMMAND ${CMAKE_COMMAND} -D program=$<TARGET_FILE:surefoot_app> -D folder=${manual}
+            -P ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake
+    DEPENDS surefoot_app ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake VERBATIM)
+  add_custom_target(surefoot_manual ALL DEPENDS ${manual}/surefoot.1.gz)
+  install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools
+    FILES_MATCHING PATTERN "*.1.gz")
+  install(FILES ${manual}/surefoot.bash RENAME surefoot COMPONENT tools
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endif()
+
+set(CPACK_COMPONENTS_ALL dev)
+if(SUREFOOT_APP)
+  list(APPEND CPACK_COMPONENTS_ALL tools)
+endif()
+if(TARGET surefoot_c)
+  list(APPEND CPACK_COMPONENTS_ALL c)
+endif()
+if(TARGET surefoot_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_NAME surefoot)
+set(CPACK_PACKAGE_VENDOR "The Surefoot authors")
+set(CPACK_PACKAGE_CONTACT "The Surefoot authors <maintainers@users.noreply.h-seed-b0557e9f.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+function(surefoot_package component name section description)
+  string(TOUPPER ${component} key)
+  set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name} PARENT_SCOPE)
+  set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
+  set(CPACK_COMPONENT_${key}_DESCRIPTION "LiDAR odometry for robots that walk: ${description}" PARENT_SCOPE)
+  set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${ARGN}" PARENT_SCOPE)
+  # What every package of Debian's has: its licence, and what changed.
+  install(FILES ${PROJECT_BINARY_DIR}/package/copyright DESTINATION ${doc}/${name}
+    COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz DESTINATION ${doc}/${name}
+    COMPONENT ${component})
+endfunction()
+surefoot_package(tools surefoot science "the program\n Recordings or a sensor's packets in, trajectory and map out.")
+set(development libeigen3-dev)
+if(SUREFOOT_TBB)
+  set(development "libeigen3-dev, libtbb-dev")
+endif()
+surefoot_package(dev libsurefoot-dev libdevel "the library\n Headers, a static library, and what find_package and pkg-config find."
+  "${development}")
+surefoot_package(c libsurefoot-c0 libs "the library behind plain C\n A dozen functions for other languages; surefoot.h comes with libsurefoot-dev.")
+surefoot_package(python python3-surefoot python "the Python module\n The library, readers, evaluation and simulation, over numpy's arrays."
+  "python3, python3-numpy")
+
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
+file(WRITE ${PROJECT_BINARY_DIR}/package/copyright
+  "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\n"
+  "Upstream-Name: surefoot\n\nFiles: *\nCopyright: 2026 The Surefoot authors\nLicense: Expat\n\n${licence}")
+find_program(GZIP_PROGRAM gzip)
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE ${PROJECT_BINARY_DIR}/package/changelog
+  "surefoot (${PROJECT_VERSION}) unstable; urgency=medium\n\n"
+  "  * What changed stands in the sources' CHANGELOG.md.\n\n"
+  " -- ${CPACK_PACKAGE_CONTACT}  ${now}\n")
+execute_process(COMMAND ${GZIP_PROGRAM} -9nc ${PROJECT_BINARY_DIR}/package/changelog
+  OUTPUT_FILE ${PROJECT_BINARY_DIR}/package/changelog.gz)
+file(WRITE ${PROJECT_BINARY_DIR}/package/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_C_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/package/triggers)
+
+include(CPack)

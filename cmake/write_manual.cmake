@@ -1,0 +1,26 @@
+# Writes manual pages and completion as the program prints them:
+# cmake -D program=... -D folder=... -P write_manual.cmake
+find_program(gzip gzip REQUIRED)
+file(MAKE_DIRECTORY ${folder})
+execute_process(COMMAND ${program} manual --list OUTPUT_VARIABLE commands RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "${program} manual --list failed")
+endif()
+string(REGEX REPLACE "\n$" "" commands "${commands}")
+string(REPLACE "\n" ";" commands "${commands}")
+foreach(command "" ${commands})
+  set(page ${folder}/surefoot)
+  if(command)
+    string(APPEND page "-${command}")
+  endif()
+  execute_process(COMMAND ${program} manual ${command} COMMAND ${gzip} -9n OUTPUT_FILE ${page}.1.gz
+    RESULTS_VARIABLE failed)
+  if(NOT failed STREQUAL "0;0")
+    message(FATAL_ERROR "${program} manual ${command} failed: ${failed}")
+  endif()
+endforeach()
+execute_process(COMMAND ${program} manual --completion OUTPUT_FILE ${folder}/surefoot.bash
+  RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "${program} manual --completion failed")
+endif()
