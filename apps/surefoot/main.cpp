@@ -25,6 +25,8 @@ void add_commands(CLI::App& app, int& exit_code) {
 #ifdef SUREFOOT_HAS_PCAP
   add_live_command(app, exit_code);
 #endif
+  add_map_command(app, exit_code);
+  add_export_command(app, exit_code);
   add_info_command(app, exit_code);
   add_check_command(app, exit_code);
   add_convert_command(app, exit_code);

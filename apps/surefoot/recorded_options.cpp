@@ -20,7 +20,7 @@ namespace {
 constexpr std::array kNotRecorded = {"help",    "config",  "method",    "set",     "extrinsic",
                                      "level",   "output",  "overwrite", "quiet",   "mcap",
                                      "rosbag2", "threads", "udp",       "address", "queue",
-                                     "record",  "replay",  "speed",     "silence"};
+                                     "record",  "replay",  "speed",     "silence", "no-loops"};
 
 bool is_recorded(const CLI::Option& option) {
   if (option.get_lnames().empty()) return false;  // the recording itself

@@ -5,15 +5,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
 #include "evaluation/statistics.hpp"
+#include "map_outcome.hpp"
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "recorded_options.hpp"
+#include "run_command.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
 #ifdef SUREFOOT_HAS_PCAP
@@ -34,6 +37,8 @@ void print_outcome(const runs::RunOutcome& outcome, int threads) {
   }
   if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
   if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
+  if (outcome.map) print_map_outcome(*outcome.map);
+  if (outcome.localization) print_localization(*outcome.localization);
   fmt::print("results: {}\n", outcome.folder.string());
 }
 
@@ -54,9 +59,14 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
 #ifdef SUREFOOT_HAS_PCAP
   if (!options.like.empty()) options.only_stamps = live::used_stamps(options.like);
 #endif
+  const bool named = std::any_of(options.given.begin(), options.given.end(),
+                                 [](const auto& option) { return option.first == "loop-closure"; });
+  if (options.loop_closure && !named) options.given.emplace_back("loop-closure", "true");
 }
 
-int run(CLI::App& command, runs::RunOptions& options) {
+}  // namespace
+
+int run_recording(CLI::App& command, runs::RunOptions& options) {
   complete_options(command, options);
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);
@@ -77,8 +87,6 @@ int run(CLI::App& command, runs::RunOptions& options) {
   return outcome.interrupted ? process::kInterrupted : process::kDone;
 }
 
-}  // namespace
-
 void add_run_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<runs::RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Turn a recording into a trajectory and a map");
@@ -94,7 +102,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
                    "a live run's live.log: use only the scans that it used, to repeat it")
       ->type_name(kFileType);
 #endif
-  command->callback([command, options, &exit_code] { exit_code = run(*command, *options); });
+  command->callback(
+      [command, options, &exit_code] { exit_code = run_recording(*command, *options); });
 }
 
 }  // namespace surefoot::app

@@ -58,6 +58,12 @@ void add_run_options(CLI::App& command, runs::RunOptions& options) {
       .add_option("--pose-rate", options.pose_rate,
                   "also write trajectory_dense.tum with so many poses a second, within scans [Hz]")
       ->check(number_within(0.1, 100000.0));
+  command.add_flag("--loop-closure", options.loop_closure,
+                   "also find places that were visited before, and write trajectory_optimized.tum, "
+                   "map_optimized.ply and loops.csv");
+  command.add_option("--localize", options.localize,
+                     "a map that surefoot map has written, or its folder: also write where in it "
+                     "the robot is (trajectory_map.tum, localization.csv)");
   command.add_flag("--no-map", options.no_map, "do not write map.ply");
   command.add_flag("--no-picture", options.no_picture, "do not draw the picture");
   command.add_flag("--no-report", options.no_report, "do not write report.html");

@@ -3,6 +3,7 @@
 #include "mapping/map_builder.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace surefoot::mapping {
 
@@ -50,6 +51,29 @@ void MapBuilder::forget(const Cubes& cubes, double seconds) {
   for (const Eigen::Vector3d& centre : cubes.centres) {
     emptied_[cube_key(centre, inverse_side_)] = static_cast<float>(seconds);
   }
+}
+
+void MapBuilder::correct(const std::function<Pose(double seconds)>& correction) {
+  taken_.clear();
+  std::size_t kept = 0;
+  float time = std::numeric_limits<float>::quiet_NaN();  // points come scan by scan
+  Pose moved;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (first_seen_[i] != time) {
+      time = first_seen_[i];
+      moved = correction(time);
+    }
+    const Eigen::Vector3d point = moved * points_[i].cast<double>();
+    if (!taken_.try_emplace(cube_key(point, inverse_voxel_), 0U).second) continue;
+    points_[kept] = point.cast<float>();
+    first_seen_[kept] = first_seen_[i];
+    if (has_intensities_) intensities_[kept] = intensities_[i];
+    ++kept;
+  }
+  points_.resize(kept);
+  first_seen_.resize(kept);
+  if (has_intensities_) intensities_.resize(kept);
+  taken_.clear();
 }
 
 void MapBuilder::drop_forgotten() {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -25,6 +26,10 @@ class MapBuilder {
   void forget(const Cubes& cubes, double seconds);
   /// Drops the points that were forgotten.
   void drop_forgotten();
+
+  /// Moves every point by the correction of the time when it was first seen [s], and keeps one a
+  /// cube: what was seen on two visits comes together.
+  void correct(const std::function<Pose(double seconds)>& correction);
 
   [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   /// Empty if any scan had no intensities.

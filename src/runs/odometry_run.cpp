@@ -10,12 +10,16 @@
 
 #include "io/decimal_time.hpp"
 #include "io/scan_selection.hpp"
+#include "io/trajectory_files.hpp"
 #include "process/machine.hpp"
 #include "runs/length_unit.hpp"
+#include "runs/localization_run.hpp"
+#include "runs/map_run.hpp"
 #include "runs/report_maker.hpp"
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_output.hpp"
+#include "runs/run_truth.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -61,6 +65,7 @@ class OdometryRun {
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void check_bags() const;
   void open_bags();
+  void begin_map();
   void write_page(const std::filesystem::path& folder) const;
 
   const RunOptions& options_;
@@ -72,6 +77,8 @@ class OdometryRun {
   mapping::MapBuilder map_;
   StepTimes times_;
   std::vector<RunBag> bags_;
+  std::optional<MapRun> map_run_;
+  std::optional<LocalizationRun> localization_;
   RunOutcome outcome_;
   std::vector<std::string> notes_;      ///< the recording's that were said
   std::vector<std::string> own_notes_;  ///< the run's
@@ -87,6 +94,7 @@ RunOutcome OdometryRun::execute() {
   }
   check_bags();
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
+  if (!options_.localize.empty()) localization_.emplace(options_.localize, T_lidar_written_);
   RunOutput output(options_);
   outcome_.folder = output.folder().path();
   if (output.folder().replaced()) {
@@ -95,10 +103,15 @@ RunOutcome OdometryRun::execute() {
   }
   if (listener_.started) listener_.started(outcome_.folder);
   open_bags();
+  begin_map();
   use_all(std::move(item), output);
   say_new_notes();
   map_.drop_forgotten();
   const RunDescription run = description(output);
+  if (map_run_) {
+    outcome_.map = map_run_->finish(outcome_.folder, output.measured(), map_, options_.save_map);
+  }
+  if (localization_) outcome_.localization = localization_->finish(outcome_.folder);
   output.finish(options_, run, map_);
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
   outcome_.poses = output.trajectory().size();
@@ -152,6 +165,8 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
     map_.forget(odometry_.emptied_cubes(), time);
     map_.add(odometry_.deskewed_scan(), estimate.T_world_lidar, time);
   }
+  if (map_run_ && estimate.trusted()) map_run_->add(estimate, odometry_.deskewed_scan());
+  if (localization_) localization_->add(estimate, odometry_.deskewed_scan());
   tell(item, estimate);
   count(estimate, output.trajectory());
 }
@@ -243,6 +258,22 @@ void OdometryRun::open_bags() {
   if (!options_.rosbag2.empty()) {
     bags_.emplace_back(io::make_sqlite_bag(options_.rosbag2), T_lidar_base);
   }
+}
+
+/// Where the recording's truth is known, loops are judged by it. A broken file is told, and no
+/// reason to have no map.
+void OdometryRun::begin_map() {
+  if (!options_.loop_closure) return;
+  const std::filesystem::path file = truth_beside(options_.input);
+  Trajectory truth;
+  try {
+    if (!file.empty()) truth = io::read_tum(file);
+  } catch (const io::ReadError& error) {
+    listener_.say(fmt::format("loops are not judged: {}", error.what()));
+  }
+  mapping::MapperOptions options;
+  options.close_loops = !options_.no_loops;
+  map_run_.emplace(options, std::move(truth));
 }
 
 /// The page is an extra: without it the run is whole all the same.

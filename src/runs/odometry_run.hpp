@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "runs/map_outcome.hpp"
 #include "runs/run_options.hpp"
 #include "surefoot/estimate.hpp"
 
@@ -26,6 +28,8 @@ struct RunOutcome {
   std::size_t poses = 0;
   bool interrupted = false;
   std::filesystem::path folder;
+  std::optional<MapOutcome> map;  ///< where loops were to be closed
+  std::optional<LocalizationOutcome> localization;
 
   [[nodiscard]] std::size_t scans() const { return milliseconds.size(); }
 };

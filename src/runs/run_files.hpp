@@ -16,14 +16,38 @@ inline constexpr const char* kSegmentFiles = "trajectory_segment_";
 inline constexpr const char* kScansFile = "scans.csv";
 inline constexpr const char* kMapFile = "map.ply";
 inline constexpr const char* kDeskewingFile = "deskewing.ply";
+// Beside these where loops were closed:
+inline constexpr const char* kOptimizedTrajectoryFile = "trajectory_optimized.tum";
+inline constexpr const char* kOptimizedMapFile = "map_optimized.ply";
+inline constexpr const char* kLoopsFile = "loops.csv";
+inline constexpr const char* kRevisitsFile = "revisits.csv";  // where the truth is known
+inline constexpr const char* kPoseGraphFile = "pose_graph.g2o";
+inline constexpr const char* kSavedMapFile = "map.surefoot";  // to come back to
+// And in a saved map:
+inline constexpr const char* kMapFrameTrajectoryFile = "trajectory_map.tum";
+inline constexpr const char* kLocalizationFile = "localization.csv";
 inline constexpr const char* kPictureFile = "picture.png";
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kDescriptionFile = "run.yaml";
 
 /// In the order in which an earlier run's are removed: those that tell a run's folder from another
 /// go last.
-inline constexpr std::array kRunFiles = {
-    kReportFile,          kPictureFile,    kDeskewingFile,   kMapFile,  kDenseTrajectoryFile,
-    kKittiTrajectoryFile, kTrajectoryFile, kDescriptionFile, kScansFile};
+inline constexpr std::array kRunFiles = {kRevisitsFile,
+                                         kMapFrameTrajectoryFile,
+                                         kLocalizationFile,
+                                         kSavedMapFile,
+                                         kPoseGraphFile,
+                                         kLoopsFile,
+                                         kOptimizedMapFile,
+                                         kOptimizedTrajectoryFile,
+                                         kReportFile,
+                                         kPictureFile,
+                                         kDeskewingFile,
+                                         kMapFile,
+                                         kDenseTrajectoryFile,
+                                         kKittiTrajectoryFile,
+                                         kTrajectoryFile,
+                                         kDescriptionFile,
+                                         kScansFile};
 
 }  // namespace surefoot::runs

@@ -78,17 +78,21 @@ void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written)
   dense_until_ns_ = std::max(dense_until_ns_, to);
 }
 
+Trajectory RunOutput::measured() const {
+  Trajectory result;
+  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
+    if (!untrusted_[i]) result.push_back(trajectory_[i]);
+  }
+  return result;
+}
+
 /// The recording's truth in the map frame, where it has one; a broken file is no reason to have no
 /// picture.
 Trajectory RunOutput::truth_of(const RunOptions& options) const {
   const fs::path file = options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
   if (file.empty()) return {};
-  Trajectory measured;
-  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
-    if (!untrusted_[i]) measured.push_back(trajectory_[i]);
-  }
   try {
-    return truth_in_map(io::read_tum(file), measured);
+    return truth_in_map(io::read_tum(file), measured());
   } catch (const io::ReadError&) {
     return {};
   }

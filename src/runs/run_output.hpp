@@ -40,6 +40,8 @@ class RunOutput {
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
   /// The measured poses of each segment that has some, by its number.
   [[nodiscard]] std::map<int, Trajectory> segments() const;
+  /// Those of its poses that were measured: what trajectory.tum holds.
+  [[nodiscard]] Trajectory measured() const;
 
  private:
   std::ofstream open(const char* name);

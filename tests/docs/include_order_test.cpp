@@ -55,7 +55,7 @@ const std::vector<Layer> kLayers = {
     {"sensors", {}},
     {"io", {"geometry", "sensors"}},
     {"live", {"io"}},
-    {"mapping", {"geometry"}},
+    {"mapping", {"geometry", "core"}},
     {"evaluation", {"geometry"}},
     {"simulation", {"geometry", "sensors"}},
     {"report", {"geometry"}},

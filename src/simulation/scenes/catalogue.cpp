@@ -20,6 +20,9 @@ const std::vector<SceneEntry>& scene_catalogue() {
       {"hilltop", "hill grown over with grass and bushes, hardly anything flat", &hilltop},
       {"forest-path", "gravel path over roots, between hedges and trees", &forest_path},
       {"foyer", "hall behind glass, a room of glass in it", &foyer},
+      {"storeys", "four storeys that look alike, round each up and down", &storeys},
+      {"bays", "hall of equal bays, up and down its aisles", &bays},
+      {"street", "two blocks of equal houses, a figure eight round them", &street},
   };
   return entries;
 }

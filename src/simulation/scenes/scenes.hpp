@@ -21,5 +21,9 @@ namespace surefoot::simulation {
 [[nodiscard]] Scene hilltop(const SceneSeeds& seeds);
 [[nodiscard]] Scene forest_path(const SceneSeeds& seeds);
 [[nodiscard]] Scene foyer(const SceneSeeds& seeds);
+// Places that look alike, and ways that return: for loops.
+[[nodiscard]] Scene storeys(const SceneSeeds& seeds);
+[[nodiscard]] Scene bays(const SceneSeeds& seeds);
+[[nodiscard]] Scene street(const SceneSeeds& seeds);
 
 }  // namespace surefoot::simulation

@@ -10,6 +10,7 @@ namespace surefoot::simulation {
 namespace {
 
 constexpr std::uint64_t kPurposeStairwell = 203;
+constexpr std::uint64_t kPurposeStoreys = 232;
 constexpr double kDoor = -1.6;  // x of the wall between stairwell and hall [m]
 constexpr double kSlab = 0.2;
 constexpr double kEye = 0.1;  // half the gap between the flights
@@ -107,18 +108,15 @@ void add_stairs(TriangleMesh& mesh, const Measures& m, double z) {
   add_rail(mesh, m, m.flight(), -1.0, kEye, middle);
 }
 
-}  // namespace
-
-Scene stairwell(const SceneSeeds& seeds) {
-  const LayoutDraws draw(seeds.layout, kPurposeStairwell);
-  const Measures m = measures(draw);
+/// The building with its halls and stairs. `alike`: every storey has the same furniture.
+Scene building(const SceneSeeds& seeds, const Measures& m, bool alike) {
   const CounterRandom random(seeds.things, kPurposeStairwell);
   Scene scene;
   TriangleMesh& mesh = scene.mesh;
   const double top = m.floor * m.floors;
   for (int floor = 0; floor < m.floors; ++floor) {
     const double z = m.floor * floor;
-    add_hall(mesh, m, z, random, static_cast<std::uint64_t>(floor));
+    add_hall(mesh, m, z, random, alike ? 0 : static_cast<std::uint64_t>(floor));
     mesh.add_box({kDoor, -m.half_width, z - kSlab}, {0.0, m.half_width, z}, Material::kConcrete);
     if (floor + 1 < m.floors) add_stairs(mesh, m, z);
   }
@@ -132,42 +130,87 @@ Scene stairwell(const SceneSeeds& seeds) {
                Material::kBrick);
   mesh.add_box({m.hall_end, -m.hall_half, top}, {m.landing_end(), m.hall_half, top + kSlab},
                Material::kConcrete);
+  scene.corner_rounding = 0.25;
+  scene.robot = "stairs";
+  scene.view_ceiling = top - kSlab - 0.3;
+  scene.view_front = 0.05;
+  scene.view_margin = 3.0;
+  return scene;
+}
 
+using Way = std::vector<Eigen::Vector3d>;
+
+/// From one storey to the next, or back.
+void append_flights(Way& route, const Measures& m, double z, bool up) {
+  Way way = {{-0.7, -m.lane(), z},
+             {0.0, -m.lane(), z},
+             {m.flight(), -m.lane(), z + 0.5 * m.floor},
+             {m.flight() + 0.8, -m.lane(), z + 0.5 * m.floor},
+             {m.flight() + 0.8, m.lane(), z + 0.5 * m.floor},
+             {m.flight(), m.lane(), z + 0.5 * m.floor},
+             {0.0, m.lane(), z + m.floor},
+             {-0.7, m.lane(), z + m.floor}};
+  if (!up) way = {way.rbegin(), way.rend()};
+  route.insert(route.end(), way.begin(), way.end());
+}
+
+}  // namespace
+
+Scene stairwell(const SceneSeeds& seeds) {
+  const LayoutDraws draw(seeds.layout, kPurposeStairwell);
+  const Measures m = measures(draw);
+  Scene scene = building(seeds, m, false);
   // Round the column of the hall, clear of its furniture.
   const double far = draw.first() ? -7.6 : m.hall_end + 2.0;
   const double aside = 1.8;
   // Up on the way out, down on the way back, a turn round the column of the hall at both ends.
-  const auto flight_way = [&](double z, bool up) {
-    std::vector<Eigen::Vector3d> way = {{-0.7, -m.lane(), z},
-                                        {0.0, -m.lane(), z},
-                                        {m.flight(), -m.lane(), z + 0.5 * m.floor},
-                                        {m.flight() + 0.8, -m.lane(), z + 0.5 * m.floor},
-                                        {m.flight() + 0.8, m.lane(), z + 0.5 * m.floor},
-                                        {m.flight(), m.lane(), z + 0.5 * m.floor},
-                                        {0.0, m.lane(), z + m.floor},
-                                        {-0.7, m.lane(), z + m.floor}};
-    if (!up) way = {way.rbegin(), way.rend()};
-    scene.route.insert(scene.route.end(), way.begin(), way.end());
-  };
   scene.route = {{-3.0, aside, 0.0},
                  {far, aside, 0.0},
                  {far, -aside, 0.0},
                  {-3.0, -aside, 0.0},
                  {-2.2, -m.lane(), 0.0}};
-  for (int floor = 0; floor + 1 < m.floors; ++floor) flight_way(m.floor * floor, true);
+  for (int floor = 0; floor + 1 < m.floors; ++floor)
+    append_flights(scene.route, m, m.floor * floor, true);
   const double roof_floor = m.floor * (m.floors - 1);
   for (const auto& [x, y] :
        {std::pair{-2.2, 0.6}, {-3.0, aside}, {far, aside}, {far, -aside}, {-3.0, -aside}}) {
     scene.route.emplace_back(x, y, roof_floor);
   }
   scene.route.emplace_back(-1.6, 0.0, roof_floor);
-  for (int floor = m.floors - 2; floor >= 0; --floor) flight_way(m.floor * floor, false);
+  for (int floor = m.floors - 2; floor >= 0; --floor)
+    append_flights(scene.route, m, m.floor * floor, false);
   scene.route.emplace_back(-1.6, 0.0, 0.0);
-  scene.corner_rounding = 0.25;
-  scene.robot = "stairs";
-  scene.view_ceiling = top - kSlab - 0.3;
-  scene.view_front = 0.05;
-  scene.view_margin = 3.0;
+  return scene;
+}
+
+/// Up through storeys that look alike, round the hall of each, and down again the other way round.
+Scene storeys(const SceneSeeds& seeds) {
+  const LayoutDraws draw(seeds.layout, kPurposeStoreys);
+  Measures m = measures(draw);
+  m.floors = 4;
+  m.hall_end -= 6.0;
+  Scene scene = building(seeds, m, true);
+  const double far = m.hall_end + 2.0;
+  const double aside = 1.8;
+  Way round = {{-2.2, 0.6, 0.0},   {-3.0, aside, 0.0},  {far, aside, 0.0},
+               {far, -aside, 0.0}, {-3.0, -aside, 0.0}, {-2.2, -m.lane(), 0.0}};
+  const auto append_round = [&](double z, bool up) {
+    const Way way = up ? round : Way(round.rbegin(), round.rend());
+    for (const Eigen::Vector3d& corner : way) {
+      scene.route.emplace_back(corner.x(), corner.y(), z);
+    }
+  };
+  for (int floor = 0; floor + 1 < m.floors; ++floor) {
+    append_round(m.floor * floor, true);
+    append_flights(scene.route, m, m.floor * floor, true);
+  }
+  round.back() = {-1.6, 0.0, 0.0};
+  append_round(m.floor * (m.floors - 1), true);
+  round.back() = {-2.2, -m.lane(), 0.0};
+  for (int floor = m.floors - 2; floor >= 0; --floor) {
+    append_flights(scene.route, m, m.floor * floor, false);
+    append_round(m.floor * floor, false);
+  }
   return scene;
 }
 

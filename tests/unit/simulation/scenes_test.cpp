@@ -122,7 +122,7 @@ void expect_walkable(const std::string& name, std::uint64_t layout) {
 
 TEST(LayoutTest, EveryLayoutCanBeWalked) {
   for (const char* name : {"campus", "parking", "stairwell", "playground", "forest", "corridor",
-                           "rubble", "plaza", "foyer"}) {
+                           "rubble", "plaza", "foyer", "storeys", "bays", "street"}) {
     for (std::uint64_t layout = 1; layout <= 12; ++layout) expect_walkable(name, layout);
   }
   for (const char* name : {"hillside", "hilltop", "forest-path"}) {

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/drift_model.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/se3.hpp"
+
+namespace surefoot::mapping {
+
+PoseEdge odometry_edge(const std::vector<Piece>& pieces, std::size_t from,
+                       const DriftModel& model) {
+  const Piece& a = pieces[from];
+  const Piece& b = pieces[from + 1];
+  PoseEdge edge;
+  edge.from = from;
+  edge.to = from + 1;
+  edge.T_from_to = a.T_world_piece.inverse() * b.T_world_piece;
+  if (b.restarted) {
+    edge.information = 1e-9 * Matrix6::Identity();
+    return edge;
+  }
+  const double way = std::max(b.way - a.way, 0.0);
+  const double rotation = model.rotation_deg * std::numbers::pi / 180.0;
+  const double t2 = model.translation * model.translation * way + model.standing * model.standing;
+  const double r2 = rotation * rotation * std::max(way, 0.2);
+  Twist diagonal;
+  diagonal << t2, t2, t2, r2, r2, r2;
+  const Matrix6 covariance = 0.5 * (a.covariance + b.covariance) + Matrix6(diagonal.asDiagonal());
+  edge.information = covariance.inverse();
+  return edge;
+}
+
+Matrix6 drift_between(const std::vector<Piece>& pieces, const std::vector<PoseEdge>& odometry,
+                      std::size_t from, std::size_t to) {
+  Matrix6 sum = Matrix6::Zero();
+  const Pose T_to_world = pieces[to].T_world_piece.inverse();
+  for (std::size_t i = from; i < to; ++i) {
+    // The edge's error is a motion in its later piece's frame.
+    const Matrix6 carry = se3_adjoint(T_to_world * pieces[i + 1].T_world_piece);
+    sum += carry * odometry[i].information.inverse() * carry.transpose();
+  }
+  return sum;
+}
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/gaussian_grid.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+
+namespace surefoot::mapping {
+
+namespace {
+
+constexpr std::size_t kLeastPoints = 4;
+constexpr double kThin = 0.15;  // standard deviation across, in cubes' sides
+constexpr double kCloudWeight = 0.1;
+constexpr double kLevelNormal = 0.85;  // z of a lying plane's normal
+
+struct Moments {
+  std::uint64_t key = 0;
+  std::size_t count = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+};
+
+Gaussian fit(const Moments& moments, double size) {
+  const double n = static_cast<double>(moments.count);
+  Gaussian result;
+  result.mean = moments.sum / n;
+  const Eigen::Matrix3d covariance = moments.squares / n - result.mean * result.mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(covariance);
+  const double thin = kThin * size * kThin * size;
+  const Eigen::Vector3d& values = eigen.eigenvalues();  // ascending
+  const Eigen::Matrix3d& axes = eigen.eigenvectors();
+  result.across = axes.col(0) * axes.col(0).transpose();
+  if (values[1] < thin) {
+    result.across += axes.col(1) * axes.col(1).transpose();
+  } else if (values[0] >= thin) {
+    result.across = kCloudWeight * Eigen::Matrix3d::Identity();
+  }
+  result.level = values[0] < thin && values[1] >= thin && std::abs(axes(2, 0)) > kLevelNormal;
+  return result;
+}
+
+}  // namespace
+
+GaussianGrid::GaussianGrid(const std::vector<Eigen::Vector3f>& points, double size)
+    : size_(size), inverse_size_(1.0 / size) {
+  VoxelTable cubes;
+  std::vector<Moments> moments;
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector3d at = point.cast<double>();
+    const std::uint64_t key = voxel_key(voxel_index(at, inverse_size_));
+    const auto [index, fresh] =
+        cubes.find_or_insert(key, static_cast<std::uint32_t>(moments.size()));
+    if (fresh) moments.push_back({key, 0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()});
+    Moments& cube = moments[index];
+    ++cube.count;
+    cube.sum += at;
+    cube.squares += at * at.transpose();
+  }
+  for (const Moments& cube : moments) {
+    if (cube.count < kLeastPoints) continue;
+    table_.find_or_insert(cube.key, static_cast<std::uint32_t>(gaussians_.size()));
+    gaussians_.push_back(fit(cube, size));
+  }
+}
+
+const Gaussian* GaussianGrid::at(const VoxelIndex& index) const {
+  const std::uint32_t found = table_.find(voxel_key(index));
+  return found == VoxelTable::kNone ? nullptr : &gaussians_[found];
+}
+
+const Gaussian* GaussianGrid::inside(const Eigen::Vector3d& place) const {
+  return at(voxel_index(place, inverse_size_));
+}
+
+const Gaussian* GaussianGrid::find(const Eigen::Vector3d& place) const {
+  static const std::array<VoxelIndex, 7> kCubes = {
+      VoxelIndex{0, 0, 0},  VoxelIndex{1, 0, 0}, VoxelIndex{-1, 0, 0}, VoxelIndex{0, 1, 0},
+      VoxelIndex{0, -1, 0}, VoxelIndex{0, 0, 1}, VoxelIndex{0, 0, -1}};
+  const VoxelIndex middle = voxel_index(place, inverse_size_);
+  const Gaussian* nearest = nullptr;
+  double nearest2 = 1e300;
+  for (const VoxelIndex& offset : kCubes) {
+    const Gaussian* gaussian = at(middle + offset);
+    if (gaussian == nullptr) continue;
+    const double distance2 = (gaussian->mean - place).squaredNorm();
+    if (distance2 >= nearest2) continue;
+    nearest = gaussian;
+    nearest2 = distance2;
+  }
+  return nearest;
+}
+
+}  // namespace surefoot::mapping

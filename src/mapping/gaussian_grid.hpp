@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Points as planes, poles and clouds: what another cloud is registered with.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/voxel_key.hpp"
+#include "core/voxel_table.hpp"
+
+namespace surefoot::mapping {
+
+/// What the points of a cube lie on.
+struct Gaussian {
+  Eigen::Vector3d mean;    ///< [m]
+  Eigen::Matrix3d across;  ///< of a difference from the mean, what counts: along a plane's normal,
+                           ///< across a pole; all of it, with less weight, where it is a cloud
+  bool level = false;      ///< a plane that lies: ground, ceiling
+};
+
+/// Cubes of one size, each with its points' Gaussian.
+class GaussianGrid {
+ public:
+  GaussianGrid(const std::vector<Eigen::Vector3f>& points, double size);
+
+  /// The Gaussian of the cube about the place or of the six beside it whose mean is nearest; null
+  /// if there is none.
+  [[nodiscard]] const Gaussian* find(const Eigen::Vector3d& place) const;
+  /// Of the cube about the place alone.
+  [[nodiscard]] const Gaussian* inside(const Eigen::Vector3d& place) const;
+  [[nodiscard]] double size() const { return size_; }
+
+ private:
+  [[nodiscard]] const Gaussian* at(const VoxelIndex& index) const;
+
+  double size_;
+  double inverse_size_;
+  VoxelTable table_;
+  std::vector<Gaussian> gaussians_;
+};
+
+}  // namespace surefoot::mapping

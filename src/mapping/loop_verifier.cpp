@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/loop_verifier.hpp"
+
+#include <algorithm>
+
+namespace surefoot::mapping {
+
+namespace {
+
+constexpr std::size_t kRefined = 3;       // of the starts, the best after the coarsest grid
+constexpr double kSamePlaceMetres = 0.5;  // registrations that end farther away found another place
+constexpr double kSamePlaceDegrees = 5.0;
+constexpr double kAsGood = 0.95;  // of the best one's share of matched points
+
+/// Share of the points that stand where the space saw nothing, of those that it can tell about.
+double contradicted(const FreeSpace& space, const std::vector<Eigen::Vector3d>& points,
+                    const Pose& T_space_points) {
+  std::size_t empty = 0;
+  std::size_t known = 0;
+  for (const Eigen::Vector3d& point : points) {
+    const FreeSpace::Sight sight = space.at(T_space_points * point);
+    known += sight != FreeSpace::Sight::unknown ? 1 : 0;
+    empty += sight == FreeSpace::Sight::empty ? 1 : 0;
+  }
+  return known > 0 ? static_cast<double>(empty) / static_cast<double>(known) : 1.0;
+}
+
+/// The starts that look best after the coarsest grid, refined; the best first.
+std::vector<SubmapAlignment> align_all(const RegistrationSubmap& target,
+                                       const RegistrationSubmap& source,
+                                       const std::vector<Pose>& starts) {
+  std::vector<SubmapAlignment> rough;
+  for (const Pose& start : starts) rough.push_back(align_submaps(target, source, start, 0, 1));
+  const auto better = [](const SubmapAlignment& a, const SubmapAlignment& b) {
+    return a.matched > b.matched;
+  };
+  std::stable_sort(rough.begin(), rough.end(), better);
+  if (rough.size() > kRefined) rough.resize(kRefined);
+  for (SubmapAlignment& alignment : rough) {
+    alignment = align_submaps(target, source, alignment.T_target_source, 1);
+  }
+  std::stable_sort(rough.begin(), rough.end(), better);
+  return rough;
+}
+
+bool elsewhere(const SubmapAlignment& best, const SubmapAlignment& other) {
+  const AlignmentGap gap = gap_between(best, other.T_target_source);
+  return other.matched > kAsGood * best.matched &&
+         (gap.metres > kSamePlaceMetres || gap.degrees > kSamePlaceDegrees);
+}
+
+}  // namespace
+
+std::string_view to_string(LoopVerdict verdict) {
+  switch (verdict) {
+    case LoopVerdict::taken:
+      return "taken";
+    case LoopVerdict::little_to_see:
+      return "little_to_see";
+    case LoopVerdict::no_overlap:
+      return "no_overlap";
+    case LoopVerdict::starts_disagree:
+      return "starts_disagree";
+    case LoopVerdict::free_space:
+      return "free_space";
+    case LoopVerdict::beyond_drift:
+      return "beyond_drift";
+    case LoopVerdict::other_storey:
+      return "other_storey";
+    case LoopVerdict::ambiguous:
+      return "ambiguous";
+    case LoopVerdict::alone:
+      return "alone";
+    case LoopVerdict::outvoted:
+      return "outvoted";
+    case LoopVerdict::strains:
+      return "strains";
+  }
+  return "?";
+}
+
+std::string_view explain(LoopVerdict verdict) {
+  switch (verdict) {
+    case LoopVerdict::taken:
+      return "every question was answered with yes";
+    case LoopVerdict::little_to_see:
+      return "too few points stand upright";
+    case LoopVerdict::no_overlap:
+      return "too little of one lies on the other";
+    case LoopVerdict::starts_disagree:
+      return "registrations from several starts end apart";
+    case LoopVerdict::free_space:
+      return "something stands where the other saw nothing";
+    case LoopVerdict::beyond_drift:
+      return "the odometry cannot have gone so far astray";
+    case LoopVerdict::other_storey:
+      return "under a roof, and on another height";
+    case LoopVerdict::ambiguous:
+      return "another place fits as well";
+    case LoopVerdict::alone:
+      return "no other loop agrees";
+    case LoopVerdict::outvoted:
+      return "more loops agree on something else";
+    case LoopVerdict::strains:
+      return "the odometry would be bent beyond its bounds";
+  }
+  return "?";
+}
+
+LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& query,
+                       const std::vector<Pose>& starts, const LoopLimits& limits) {
+  LoopCheck check;
+  const RegistrationSubmap& target = place.registration();
+  const RegistrationSubmap& source = query.registration();
+  check.verdict = LoopVerdict::beyond_drift;
+  if (starts.empty()) return check;
+  check.verdict = LoopVerdict::little_to_see;
+  if (std::min(target.standing_count(), source.standing_count()) < limits.standing) {
+    return check;
+  }
+  const std::vector<SubmapAlignment> forward = align_all(target, source, starts);
+  std::vector<Pose> inverse;
+  for (const Pose& start : starts) inverse.push_back(start.inverse());
+  const std::vector<SubmapAlignment> backward = align_all(source, target, inverse);
+  check.alignment = forward.front();
+  check.overlap = std::min(forward.front().matched, backward.front().matched);
+  check.started = static_cast<int>(forward.size() + backward.size());
+  check.verdict = LoopVerdict::no_overlap;
+  if (check.overlap < limits.overlap) return check;
+
+  check.verdict = LoopVerdict::starts_disagree;
+  const auto agrees = [&](const Pose& pose) {
+    const AlignmentGap gap = gap_between(check.alignment, pose);
+    return gap.metres <= limits.gap_metres && gap.degrees <= limits.gap_degrees;
+  };
+  for (const SubmapAlignment& alignment : forward) {
+    check.agreeing += agrees(alignment.T_target_source) ? 1 : 0;
+    if (elsewhere(forward.front(), alignment)) return check;
+  }
+  for (const SubmapAlignment& alignment : backward) {
+    check.agreeing += agrees(alignment.T_target_source.inverse()) ? 1 : 0;
+  }
+  const bool both_ways = agrees(backward.front().T_target_source.inverse());
+  if (!both_ways || check.agreeing < std::min<int>(limits.agreeing, check.started)) return check;
+
+  const Pose& T_place_query = check.alignment.T_target_source;
+  check.contradicted =
+      std::max(contradicted(place.free_space(), source.standing(), T_place_query),
+               contradicted(query.free_space(), target.standing(), T_place_query.inverse()));
+  check.verdict =
+      check.contradicted > limits.contradicted ? LoopVerdict::free_space : LoopVerdict::taken;
+  return check;
+}
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Whether two submaps are one place, asked strictly: what merely looks alike must not pass.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "mapping/free_space.hpp"
+#include "mapping/submap_registration.hpp"
+
+namespace surefoot::mapping {
+
+/// A submap made ready to be verified with.
+class VerifiableSubmap {
+ public:
+  explicit VerifiableSubmap(Submap submap) : submap_(std::move(submap)), registration_(submap_) {}
+
+  [[nodiscard]] const Submap& submap() const { return submap_; }
+  [[nodiscard]] const RegistrationSubmap& registration() const { return registration_; }
+  /// Made when it is first asked for.
+  [[nodiscard]] const FreeSpace& free_space() const {
+    if (!free_space_) free_space_ = std::make_unique<FreeSpace>(submap_);
+    return *free_space_;
+  }
+
+ private:
+  Submap submap_;
+  RegistrationSubmap registration_;
+  mutable std::unique_ptr<FreeSpace> free_space_;
+};
+
+/// Why a loop was taken or refused, in the order in which it is asked.
+enum class LoopVerdict {
+  taken,
+  little_to_see,    ///< too few points stand upright
+  no_overlap,       ///< too few of them lie on something of the other
+  starts_disagree,  ///< registration ended elsewhere from another start, or the other way round
+  free_space,       ///< something stands where the other one saw that there is nothing
+  beyond_drift,     ///< the odometry cannot have gone so far astray
+  other_storey,     ///< under a roof, and higher or lower by more than half a storey
+  ambiguous,        ///< another place fits as well
+  alone,            ///< no other loop agrees
+  outvoted,         ///< more loops agree on something else
+  strains           ///< the odometry would have to be bent beyond its own bounds
+};
+[[nodiscard]] std::string_view to_string(LoopVerdict verdict);
+/// A sentence for a user.
+[[nodiscard]] std::string_view explain(LoopVerdict verdict);
+
+struct LoopLimits {
+  std::size_t standing = 300;  ///< points, at least
+  double overlap = 0.4;  ///< share of the standing points that lie on the other one's surfaces
+  double contradicted = 0.03;  ///< of those that the other one can tell about, at most
+  double gap_metres = 0.1;     ///< between registrations
+  double gap_degrees = 1.0;
+  int agreeing = 3;  ///< registrations, of both directions
+};
+
+/// What was asked of two submaps, and the answers.
+struct LoopCheck {
+  LoopVerdict verdict = LoopVerdict::little_to_see;
+  SubmapAlignment alignment;  ///< of the query in the place's frame
+  double overlap = 0.0;       ///< the smaller one of both directions
+  double contradicted = 0.0;  ///< the larger one
+  int agreeing = 0;           ///< registrations that ended at the same pose
+  int started = 0;
+};
+
+/// `starts`: T_place_query, several; none: the odometry leaves none open.
+[[nodiscard]] LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& query,
+                                     const std::vector<Pose>& starts, const LoopLimits& limits);
+
+}  // namespace surefoot::mapping

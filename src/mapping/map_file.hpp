@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A map to come back to, as bytes: pieces of way where they belong after all loops, what their
+// places look like, and the graph between them. Version and checksum stand in it; what is cut short
+// or changed is refused.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mapping/piece.hpp"
+#include "mapping/place_descriptor.hpp"
+#include "mapping/pose_graph.hpp"
+
+namespace surefoot::mapping {
+
+struct SavedMap {
+  /// T_world_piece is the corrected pose. Points are kept to 2 mm.
+  std::vector<Piece> pieces;
+  std::vector<PlaceDescriptor> places;  ///< one a piece
+  std::vector<PoseEdge> edges;          ///< odometry and loops
+};
+
+class MapFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+[[nodiscard]] std::string format_map(const SavedMap& map);
+/// Throws MapFileError that says what was seen and what was expected.
+[[nodiscard]] SavedMap parse_map(std::string_view bytes);
+
+}  // namespace surefoot::mapping

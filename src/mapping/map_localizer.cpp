@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/map_localizer.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace surefoot::mapping {
+
+namespace {
+
+constexpr std::size_t kPieces = 2;  // finished ones that are kept besides the one being walked
+constexpr double kSameArea = 7.0;   // places so near each other are one candidate [m]
+constexpr double kNearest = 8.0;    // a known pose is checked against a place so near [m]
+constexpr double kSway = 0.2;       // smaller steps are no way [m]
+constexpr double kTurn = 6.0 * std::numbers::pi / 180.0;
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+/// The pose, and turned a little both ways.
+std::vector<Pose> turned_both_ways(const Pose& pose) {
+  std::vector<Pose> result;
+  for (const double side : {0.0, -1.0, 1.0}) {
+    result.push_back(
+        pose *
+        se3_exp((Twist() << 0.4 * side, -0.4 * side, 0.0, 0.0, 0.0, side * kTurn).finished()));
+  }
+  return result;
+}
+
+}  // namespace
+
+MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
+    : map_(std::move(map)), options_(options), builder_(options.pieces) {
+  for (const PlaceDescriptor& place : map_.places) index_.add(place);
+}
+
+void MapLocalizer::add(const PlacedScan& scan, const DeskewedScan& points) {
+  if (scan.restarted) {
+    T_map_world_.reset();
+    agreed_.clear();
+    recent_.clear();
+    message_ = "the odometry began anew";
+  }
+  collect(scan, points);
+  const Eigen::Vector3d& here = scan.T_world_lidar.translation;
+  if (!last_) last_ = here;
+  if (const double step = (here - *last_).norm(); step > kSway) {
+    way_ += step;
+    last_ = here;
+  }
+  ++scans_;
+  if (T_map_world_) {
+    if (way_ - checked_at_ >= options_.check_every) check();
+  } else if (scans_ % options_.every == 0) {
+    search();
+  }
+}
+
+void MapLocalizer::collect(const PlacedScan& scan, const DeskewedScan& points) {
+  auto done = builder_.add(scan, points);
+  if (!done) return;
+  recent_.push_back(std::move(*done));
+  if (recent_.size() > kPieces) recent_.erase(recent_.begin());
+}
+
+MapLocalizer::Surroundings MapLocalizer::surroundings() const {
+  std::vector<Piece> pieces = recent_;
+  if (auto piece = builder_.unfinished()) pieces.push_back(std::move(*piece));
+  return {VerifiableSubmap(make_submap(pieces, pieces.size() - 1, kPieces)),
+          pieces.back().T_world_piece};
+}
+
+bool MapLocalizer::agree(const Pose& one, const Pose& other) const {
+  // At the robot: far from the origins a turn moves everything.
+  const Eigen::Vector3d place = last_.value_or(Eigen::Vector3d::Zero());
+  const double turn = degrees(one.rotation.angularDistance(other.rotation));
+  return (one * place - other * place).norm() < options_.agree_metres &&
+         turn < options_.agree_degrees;
+}
+
+/// The places that look most alike, one of each area: beside one place its neighbours would leave
+/// no room for its likes.
+std::vector<PlaceIndex::Match> MapLocalizer::distinct_places(const Submap& seen) const {
+  const auto all = index_.search(
+      describe_with_offsets(seen), [](std::size_t) { return true; }, 5 * options_.candidates);
+  std::vector<PlaceIndex::Match> result;
+  for (const PlaceIndex::Match& match : all) {
+    const Eigen::Vector3d& at = map_.pieces[match.place].T_world_piece.translation;
+    const bool known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
+      // Storeys are areas of their own.
+      Eigen::Vector3d apart = map_.pieces[other.place].T_world_piece.translation - at;
+      apart.z() *= 4.0;
+      return apart.norm() < kSameArea;
+    });
+    if (!known) result.push_back(match);
+    if (result.size() == options_.candidates) break;
+  }
+  return result;
+}
+
+/// The one pose that passes every question; none if there is none, or if there are two.
+std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& here) {
+  std::optional<Found> best;
+  const Pose T_here_world = here.T_world_seen.inverse();
+  for (const PlaceIndex::Match& match : distinct_places(here.seen.submap())) {
+    const VerifiableSubmap place(make_submap(map_.pieces, match.place));
+    Pose rough = match.T_place_query;
+    rough.translation.z() = place.submap().ground - here.seen.submap().ground;
+    const LoopCheck checked =
+        check_places(place, here.seen, turned_both_ways(rough), options_.limits);
+    if (checked.verdict != LoopVerdict::taken || checked.alignment.held < 6) continue;
+    const Found found{
+        map_.pieces[match.place].T_world_piece * checked.alignment.T_target_source * T_here_world,
+        checked.overlap};
+    if (best && !agree(best->T_map_world, found.T_map_world)) {
+      message_ = "not found yet: several places fit";
+      return std::nullopt;
+    }
+    if (!best || found.overlap > best->overlap) best = found;
+  }
+  if (!best) message_ = "not found yet: no place fits";
+  return best;
+}
+
+void MapLocalizer::search() {
+  const auto found = only_place(surroundings());
+  if (!found) {
+    agreed_.clear();
+    return;
+  }
+  if (!agreed_.empty() && !agree(agreed_.back(), found->T_map_world)) agreed_.clear();
+  agreed_.push_back(found->T_map_world);
+  if (static_cast<int>(agreed_.size()) < options_.agreeing) {
+    message_ = "not found yet: a place fits, and is asked again";
+    return;
+  }
+  T_map_world_ = agreed_.back();
+  agreed_.clear();
+  checked_at_ = succeeded_at_ = way_;
+  message_ = "found";
+}
+
+/// Registers what is seen with the map where the robot should be; the odometry's drift is taken
+/// back.
+void MapLocalizer::check() {
+  checked_at_ = way_;
+  const Surroundings here = surroundings();
+  const Pose& T_world_here = here.T_world_seen;
+  const Pose T_map_here = *T_map_world_ * T_world_here;
+  std::size_t nearest = 0;
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < map_.pieces.size(); ++i) {
+    const double apart = (map_.pieces[i].T_world_piece.translation - T_map_here.translation).norm();
+    if (apart < distance) {
+      distance = apart;
+      nearest = i;
+    }
+  }
+  bool succeeded = false;
+  if (distance < kNearest) {
+    const VerifiableSubmap place(make_submap(map_.pieces, nearest));
+    const Pose expected = map_.pieces[nearest].T_world_piece.inverse() * T_map_here;
+    const LoopCheck checked =
+        check_places(place, here.seen, turned_both_ways(expected), options_.limits);
+    if (checked.verdict == LoopVerdict::taken) {
+      const Pose T_map_world = map_.pieces[nearest].T_world_piece *
+                               checked.alignment.T_target_source * T_world_here.inverse();
+      succeeded = agree(*T_map_world_, T_map_world);
+      // What the registration does not hold (the way along a corridor) stays as it was.
+      if (succeeded && checked.alignment.held == 6) T_map_world_ = T_map_world;
+    }
+  }
+  message_ = succeeded ? "found" : "found; the last look at the map did not confirm it";
+  if (succeeded) succeeded_at_ = way_;
+  if (way_ - succeeded_at_ > options_.lost_after) {
+    T_map_world_.reset();
+    recent_.clear();
+    message_ = "lost: the map has not been confirmed for some metres";
+  }
+}
+
+}  // namespace surefoot::mapping

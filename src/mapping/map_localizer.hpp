@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where in a saved map the robot is, from an unknown start, by its LiDAR alone. "Not found yet" is
+// an answer; a wrong place is none.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mapping/loop_verifier.hpp"
+#include "mapping/map_file.hpp"
+#include "mapping/place_index.hpp"
+
+namespace surefoot::mapping {
+
+struct LocalizerOptions {
+  PieceOptions pieces;
+  LoopLimits limits;
+  int agreeing = 3;  ///< searches in a row that must say the same
+  double agree_metres = 0.3;
+  double agree_degrees = 2.0;
+  std::size_t candidates = 6;  ///< places that are verified in a search
+  std::size_t every = 5;       ///< scans between two searches
+  double check_every = 2.5;    ///< of way, once the place is known [m]
+  double lost_after = 10.0;    ///< of way on which no check succeeded [m]
+};
+
+class MapLocalizer {
+ public:
+  /// The map's pieces stand at their corrected poses.
+  MapLocalizer(SavedMap map, const LocalizerOptions& options);
+
+  /// A scan that was registered by the odometry, in the order in which they come.
+  void add(const PlacedScan& scan, const DeskewedScan& points);
+
+  /// T_map_world, from the odometry's world to the map; none: not found yet, or lost.
+  [[nodiscard]] const std::optional<Pose>& T_map_world() const { return T_map_world_; }
+  /// One sentence about the last search or check.
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+ private:
+  struct Found {
+    Pose T_map_world;
+    double overlap;
+  };
+  /// What was seen on the last metres, in the frame of the piece that is being walked.
+  struct Surroundings {
+    VerifiableSubmap seen;
+    Pose T_world_seen;
+  };
+
+  void collect(const PlacedScan& scan, const DeskewedScan& points);
+  [[nodiscard]] Surroundings surroundings() const;
+  void search();
+  void check();
+  [[nodiscard]] std::vector<PlaceIndex::Match> distinct_places(const Submap& seen) const;
+  [[nodiscard]] std::optional<Found> only_place(const Surroundings& here);
+  [[nodiscard]] bool agree(const Pose& one, const Pose& other) const;
+
+  SavedMap map_;
+  LocalizerOptions options_;
+  PlaceIndex index_;
+  PieceBuilder builder_;
+  std::vector<Piece> recent_;  // the last piece of it is being walked
+  std::vector<Pose> agreed_;   // what the last searches said
+  std::optional<Pose> T_map_world_;
+  std::string message_ = "no scan yet";
+  std::size_t scans_ = 0;
+  double way_ = 0.0;
+  double checked_at_ = 0.0;    // way
+  double succeeded_at_ = 0.0;  // way
+  std::optional<Eigen::Vector3d> last_;
+};
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Beside the odometry, which it leaves alone: cuts the way into pieces, finds where it came back,
+// and corrects what the odometry got wrong in between.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mapping/loop_finder.hpp"
+#include "mapping/pose_graph.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::mapping {
+
+struct MapperOptions {
+  PieceOptions pieces;
+  LoopOptions loops;
+  bool close_loops = true;
+};
+
+class Mapper {
+ public:
+  explicit Mapper(const MapperOptions& options)
+      : options_(options), builder_(options.pieces), finder_(options.loops) {}
+
+  /// A scan that was registered, in the order in which they came.
+  void add(const PlacedScan& scan, const DeskewedScan& points);
+  /// The same, already cut into pieces.
+  void add(Piece piece) { finder_.add(std::move(piece)); }
+  /// Ends the last piece, chooses among the loops and moves the pieces.
+  void finish();
+
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return finder_.pieces(); }
+  /// Every candidate; after finish() with its final verdict.
+  [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
+  [[nodiscard]] std::size_t taken() const;
+  /// After finish(): the pieces' corrected poses, the odometry's motions and the loops taken.
+  [[nodiscard]] const PoseGraph& graph() const { return graph_; }
+  /// Corrected from odometry, T_world_odometry, at an instant; smooth between the pieces.
+  [[nodiscard]] Pose correction(std::int64_t stamp_ns) const;
+
+ private:
+  void choose_loops();
+  [[nodiscard]] std::vector<std::size_t> consistent_loops();
+  void solve_without_strain(std::vector<std::size_t>& chosen);
+
+  MapperOptions options_;
+  PieceBuilder builder_;
+  LoopFinder finder_;
+  std::vector<Loop> loops_;
+  PoseGraph graph_;
+};
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/voxel_key.hpp"
+#include "geometry/se3.hpp"
+
+namespace surefoot::mapping {
+
+namespace {
+
+constexpr double kSway = 0.2;             // smaller steps are the body's sway, not way [m]
+constexpr std::size_t kAlwaysTaken = 10;  // scans: a robot that stands sees something, too
+constexpr std::size_t kMostEyes = std::numeric_limits<std::uint16_t>::max();
+
+/// A covariance in the world's axes in those of a frame in it.
+Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& world_frame) {
+  Matrix6 turn = Matrix6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
+      world_frame.toRotationMatrix().transpose();
+  return turn * covariance * turn.transpose();
+}
+
+}  // namespace
+
+std::optional<Piece> PieceBuilder::add(const PlacedScan& scan, const DeskewedScan& points) {
+  std::optional<Piece> done;
+  if (begun_ && scan.restarted) {
+    done = finish();
+    counted_ = scan.T_world_lidar.translation;
+  }
+  const double step = (scan.T_world_lidar.translation - counted_).norm();
+  if (begun_ && step > kSway) {
+    way_ += step;
+    counted_ = scan.T_world_lidar.translation;
+  }
+  if (begun_ && way_ - begin_way_ >= options_.length) done = finish();
+  if (!begun_) begin(scan);
+  insert(scan, points);
+  return done;
+}
+
+void PieceBuilder::begin(const PlacedScan& scan) {
+  if (eyes_.empty() && way_ == 0.0) counted_ = scan.T_world_lidar.translation;
+  begun_ = true;
+  restarted_ = scan.restarted;
+  begin_ns_ = scan.stamp_ns;
+  begin_way_ = way_;
+  T_world_first_ = upright(scan.T_world_lidar);
+  covariance_sum_.setZero();
+  scans_ = 0;
+  stands_.clear();
+  table_.clear();
+  cubes_.clear();
+  eyes_.clear();
+}
+
+void PieceBuilder::insert(const PlacedScan& scan, const DeskewedScan& points) {
+  covariance_sum_ += scan.covariance;
+  ++scans_;
+  stands_.push_back({scan.stamp_ns, scan.T_world_lidar, way_});
+  const double moved = (scan.T_world_lidar.translation - last_inserted_.translation).norm();
+  const double turn = scan.T_world_lidar.rotation.angularDistance(last_inserted_.rotation);
+  const bool taken = scans_ <= kAlwaysTaken || moved > options_.step || turn > options_.turn;
+  if (!taken || eyes_.size() >= kMostEyes) return;
+  last_inserted_ = scan.T_world_lidar;
+  const Pose T_first_lidar = T_world_first_.inverse() * scan.T_world_lidar;
+  const Eigen::Matrix3f R = T_first_lidar.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_first_lidar.translation.cast<float>();
+  const auto eye = static_cast<std::uint16_t>(eyes_.size());
+  eyes_.push_back(t);
+  const auto range2 = static_cast<float>(options_.range * options_.range);
+  const double inverse = 1.0 / options_.voxel;
+  for (const Eigen::Vector3f& point : points.points) {
+    if (!(point.squaredNorm() < range2)) continue;
+    const Eigen::Vector3f at = R * point + t;
+    const auto key = voxel_key(voxel_index(at.cast<double>(), inverse));
+    const auto [index, fresh] =
+        table_.find_or_insert(key, static_cast<std::uint32_t>(cubes_.size()));
+    if (fresh) cubes_.push_back({Eigen::Vector3f::Zero(), 0, eye});
+    cubes_[index].sum += at;
+    ++cubes_[index].count;
+  }
+}
+
+std::optional<Piece> PieceBuilder::unfinished() const {
+  if (!begun_ || stands_.empty()) return std::nullopt;
+  const double middle_way = 0.5 * (begin_way_ + way_);
+  const Stand& middle =
+      *std::min_element(stands_.begin(), stands_.end(), [&](const Stand& a, const Stand& b) {
+        return std::abs(a.way - middle_way) < std::abs(b.way - middle_way);
+      });
+  Piece piece;
+  piece.begin_ns = begin_ns_;
+  piece.stamp_ns = middle.stamp_ns;
+  piece.T_world_piece = upright(middle.pose);
+  piece.T_piece_lidar = piece.T_world_piece.inverse() * middle.pose;
+  piece.way = middle.way;
+  piece.length = way_ - begin_way_;
+  piece.covariance =
+      turned(covariance_sum_ / static_cast<double>(scans_), piece.T_world_piece.rotation);
+  piece.restarted = restarted_;
+  const Pose T_piece_first = piece.T_world_piece.inverse() * T_world_first_;
+  const Eigen::Matrix3f R = T_piece_first.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_piece_first.translation.cast<float>();
+  for (const Eigen::Vector3f& eye : eyes_) piece.eyes.emplace_back(R * eye + t);
+  piece.points.reserve(cubes_.size());
+  piece.seen_from.reserve(cubes_.size());
+  for (const Cube& cube : cubes_) {
+    piece.points.emplace_back(R * (cube.sum / static_cast<float>(cube.count)) + t);
+    piece.seen_from.push_back(cube.eye);
+  }
+  return piece;
+}
+
+std::optional<Piece> PieceBuilder::finish() {
+  std::optional<Piece> piece = unfinished();
+  begun_ = false;
+  return piece;
+}
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The way cut into pieces: what a map is made of, and what a pose graph moves.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/voxel_table.hpp"
+#include "surefoot/odometry.hpp"
+
+namespace surefoot::mapping {
+
+/// A scan as the odometry placed it.
+struct PlacedScan {
+  std::int64_t stamp_ns = 0;
+  Pose T_world_lidar;
+  Matrix6 covariance = Matrix6::Zero();  ///< as Estimate::covariance
+  bool restarted = false;                ///< the odometry lost its map and began anew
+};
+
+/// A few metres of way: what was seen from it, thinned, in the frame of the pose in its middle,
+/// made level.
+struct Piece {
+  std::int64_t begin_ns = 0;             ///< of its first scan
+  std::int64_t stamp_ns = 0;             ///< of its middle
+  Pose T_world_piece;                    ///< of its middle by the odometry, level
+  Pose T_piece_lidar;                    ///< the LiDAR there, which is not level
+  double way = 0.0;                      ///< walked until its middle [m]
+  double length = 0.0;                   ///< of way in it [m]
+  Matrix6 covariance = Matrix6::Zero();  ///< the front-end's, of a pose in it against the map;
+                                         ///< [x y z roll pitch yaw] in the piece's axes
+  bool restarted = false;                ///< where it lies against the piece before is not known
+  std::vector<Eigen::Vector3f> points;   ///< [m]
+  std::vector<std::uint16_t> seen_from;  ///< of each point: which of `eyes`
+  std::vector<Eigen::Vector3f> eyes;     ///< where the LiDAR was [m]
+};
+
+struct PieceOptions {
+  double length = 5.0;  ///< of way [m]
+  double voxel = 0.2;   ///< one point a cube: the mean [m]
+  double range = 50.0;  ///< what is farther away is left out [m]
+  double step = 0.2;    ///< scans nearer to the last one add little and are passed over [m]
+  double turn = 0.25;   ///< unless the LiDAR turned by so much [rad]
+};
+
+/// Cuts the way into pieces while it is walked.
+class PieceBuilder {
+ public:
+  explicit PieceBuilder(const PieceOptions& options) : options_(options) {}
+
+  /// The piece that this scan ends, if it does; the scan begins the next one.
+  [[nodiscard]] std::optional<Piece> add(const PlacedScan& scan, const DeskewedScan& points);
+  /// What is there of the last piece.
+  [[nodiscard]] std::optional<Piece> finish();
+  /// What there is of the piece that is being walked; none before the first scan.
+  [[nodiscard]] std::optional<Piece> unfinished() const;
+
+ private:
+  struct Cube {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    std::uint32_t count = 0;
+    std::uint16_t eye = 0;
+  };
+  struct Stand {
+    std::int64_t stamp_ns;
+    Pose pose;
+    double way;
+  };
+
+  void begin(const PlacedScan& scan);
+  void insert(const PlacedScan& scan, const DeskewedScan& points);
+
+  PieceOptions options_;
+  double way_ = 0.0;
+  Eigen::Vector3d counted_ = Eigen::Vector3d::Zero();  // the way is counted up to here
+  // Of the piece that is being walked; its points in the level frame of its first scan.
+  bool begun_ = false;
+  bool restarted_ = false;
+  std::int64_t begin_ns_ = 0;
+  double begin_way_ = 0.0;
+  Pose T_world_first_;
+  Matrix6 covariance_sum_ = Matrix6::Zero();
+  std::size_t scans_ = 0;
+  std::vector<Stand> stands_;
+  VoxelTable table_;
+  std::vector<Cube> cubes_;
+  std::vector<Eigen::Vector3f> eyes_;
+  Pose last_inserted_;
+};
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/submap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/voxel_key.hpp"
+#include "core/voxel_table.hpp"
+
+namespace surefoot::mapping {
+
+namespace {
+
+/// The ground about the middle: a low quantile, since a few points lie below it.
+double ground_height(const std::vector<Eigen::Vector3f>& points) {
+  constexpr float kAbout = 6.0F;  // [m]
+  std::vector<float> heights;
+  for (const Eigen::Vector3f& point : points) {
+    if (point.head<2>().squaredNorm() < kAbout * kAbout && point.z() < 1.0F) {
+      heights.push_back(point.z());
+    }
+  }
+  if (heights.empty()) return 0.0;
+  const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
+  std::nth_element(heights.begin(), low, heights.end());
+  return *low;
+}
+
+/// Whether there is something above most of the ground about the middle, at a ceiling's height.
+bool has_ceiling(const std::vector<Eigen::Vector3f>& points, double ground) {
+  constexpr int kHalf = 6;  // columns of 1 m each way
+  constexpr double kLow = 1.9;
+  constexpr double kHigh = 8.0;
+  constexpr double kShare = 0.4;
+  std::array<std::uint8_t, 4 * kHalf * kHalf> columns{};  // bit 0: ground, bit 1: ceiling
+  for (const Eigen::Vector3f& point : points) {
+    const auto x = static_cast<int>(std::floor(point.x())) + kHalf;
+    const auto y = static_cast<int>(std::floor(point.y())) + kHalf;
+    if (x < 0 || y < 0 || x >= 2 * kHalf || y >= 2 * kHalf) continue;
+    const double height = point.z() - ground;
+    std::uint8_t& column = columns[static_cast<std::size_t>(x * 2 * kHalf + y)];
+    if (height < 0.4) column |= 1U;
+    if (height > kLow && height < kHigh) column |= 2U;
+  }
+  const auto grounds = std::count_if(columns.begin(), columns.end(),
+                                     [](std::uint8_t column) { return (column & 1U) != 0; });
+  const auto roofed = std::count(columns.begin(), columns.end(), std::uint8_t{3});
+  return static_cast<double>(roofed) > kShare * static_cast<double>(std::max<long>(grounds, 12));
+}
+
+void add(const Piece& piece, const Pose& T_submap_piece, double voxel, VoxelTable& table,
+         Submap& submap) {
+  const Eigen::Matrix3f R = T_submap_piece.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_submap_piece.translation.cast<float>();
+  const double inverse = 1.0 / voxel;
+  for (std::size_t i = 0; i < piece.points.size(); ++i) {
+    const Eigen::Vector3f at = R * piece.points[i] + t;
+    const auto key = voxel_key(voxel_index(at.cast<double>(), inverse));
+    const auto next = static_cast<std::uint32_t>(submap.points.size());
+    if (!table.find_or_insert(key, next).second) continue;
+    submap.points.push_back(at);
+    submap.eyes.emplace_back(R * piece.eyes[piece.seen_from[i]] + t);
+  }
+}
+
+void finish(Submap& submap) {
+  submap.ground = ground_height(submap.points);
+  submap.covered = has_ceiling(submap.points, submap.ground);
+}
+
+}  // namespace
+
+Submap make_submap(const std::vector<Piece>& pieces, std::size_t index, std::size_t reach,
+                   double voxel) {
+  std::size_t first = index;
+  while (first > 0 && index - first < reach && !pieces[first].restarted) --first;
+  std::size_t last = index;
+  while (last + 1 < pieces.size() && last - index < reach && !pieces[last + 1].restarted) ++last;
+  Submap submap;
+  VoxelTable table;
+  // The middle first: where pieces overlap, its points stay.
+  add(pieces[index], Pose{}, voxel, table, submap);
+  const Pose T_middle_world = pieces[index].T_world_piece.inverse();
+  for (std::size_t i = first; i <= last; ++i) {
+    if (i != index) add(pieces[i], T_middle_world * pieces[i].T_world_piece, voxel, table, submap);
+  }
+  finish(submap);
+  return submap;
+}
+
+Submap make_submap(const Piece& piece) {
+  Submap submap;
+  submap.points = piece.points;
+  for (const std::uint16_t eye : piece.seen_from) submap.eyes.push_back(piece.eyes[eye]);
+  finish(submap);
+  return submap;
+}
+
+}  // namespace surefoot::mapping

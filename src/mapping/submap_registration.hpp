@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where one submap lies in another's frame.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "mapping/gaussian_grid.hpp"
+#include "mapping/submap.hpp"
+
+namespace surefoot::mapping {
+
+/// A submap made ready: grids to be registered with, and the points that are registered.
+class RegistrationSubmap {
+ public:
+  explicit RegistrationSubmap(const Submap& submap);
+
+  /// Coarse to fine.
+  static constexpr std::array<double, 3> kSizes = {2.0, 1.0, 0.5};  // [m]
+  [[nodiscard]] const GaussianGrid& grid(std::size_t level) const { return grids_[level]; }
+  /// Evenly picked points; half of them stand (walls, poles, leaves), as far as there are any.
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  /// Of the points that do not lie on ground or ceiling, which tell one place from another: some
+  /// thousands, evenly picked.
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& standing() const { return standing_; }
+  /// How many of them there are.
+  [[nodiscard]] std::size_t standing_count() const { return standing_count_; }
+
+ private:
+  std::vector<GaussianGrid> grids_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<Eigen::Vector3d> standing_;
+  std::size_t standing_count_ = 0;
+};
+
+/// What a registration ended with.
+struct SubmapAlignment {
+  Pose T_target_source;
+  double matched = 0.0;  ///< share of the source's points that lie on something of the target
+  double misfit = 0.0;   ///< [m] of these, RMS
+  /// Of small motions in the source's frame; what nothing holds has none.
+  Matrix6 information = Matrix6::Zero();
+  /// Unit columns, the first `held` of them hold: motions in the source's frame whose rotations are
+  /// scaled by kLever.
+  Matrix6 axes = Matrix6::Identity();
+  int held = 0;
+};
+/// [m] at which a rotation moves points as much as a shift of the same size.
+inline constexpr double kLever = 10.0;
+
+/// From the coarsest grid to the finest; `levels` of them.
+[[nodiscard]] SubmapAlignment align_submaps(const RegistrationSubmap& target,
+                                            const RegistrationSubmap& source, const Pose& start,
+                                            std::size_t first_level = 0,
+                                            std::size_t levels = RegistrationSubmap::kSizes.size());
+
+/// How far two alignments of the same submaps lie apart, in what the first one holds.
+struct AlignmentGap {
+  double metres = 0.0;
+  double degrees = 0.0;
+};
+[[nodiscard]] AlignmentGap gap_between(const SubmapAlignment& alignment, const Pose& other);
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A run within a saved map: poses in the map's frame, and scan by scan whether the place is known.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "mapping/map_localizer.hpp"
+#include "runs/map_outcome.hpp"
+#include "surefoot/odometry.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::runs {
+
+class LocalizationRun {
+ public:
+  /// @param T_lidar_written as for the run's other trajectories. Throws io::ReadError for a map
+  /// that cannot be read.
+  LocalizationRun(const std::filesystem::path& map, const Pose& T_lidar_written);
+
+  /// Every scan; one whose pose was not measured has no place in the map.
+  void add(const Estimate& estimate, const DeskewedScan& scan);
+  /// Writes trajectory_map.tum and localization.csv. Throws io::WriteError.
+  LocalizationOutcome finish(const std::filesystem::path& folder);
+
+ private:
+  mapping::MapLocalizer localizer_;
+  Pose T_lidar_written_;
+  Trajectory poses_;  // T_map_written
+  std::string csv_;
+  LocalizationOutcome outcome_;
+  std::int64_t first_stamp_ns_ = 0;
+  int segment_ = 0;     // the odometry's
+  bool begun_ = false;  // the odometry
+};
+
+}  // namespace surefoot::runs

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Loops judged by where the robot really was.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mapping/mapper.hpp"
+#include "runs/map_outcome.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::runs {
+
+/// How far a loop's motion is from the true one, in what it claims to hold.
+struct LoopError {
+  double metres = 0.0;
+  double degrees = 0.0;
+  /// Nothing that is called a loop may be farther off.
+  [[nodiscard]] bool right() const { return metres < 0.2 && degrees < 2.0; }
+};
+
+struct LoopTruth {
+  std::vector<LoopError> errors;  ///< one a loop
+  std::vector<bool> revisits;     ///< of each piece: an earlier one lies within 3 m
+  std::vector<bool> found;        ///< of each revisit: a loop was taken there, or one piece aside
+  std::size_t taken = 0;
+  std::size_t taken_false = 0;
+
+  [[nodiscard]] LoopScore score() const;
+};
+
+/// `truth`: T_world_lidar. Throws std::runtime_error where it does not reach over the pieces.
+[[nodiscard]] LoopTruth judge_loops(const mapping::Mapper& mapper, const Trajectory& truth,
+                                    double way_between);
+
+}  // namespace surefoot::runs

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// loops.csv: a line for every place that a piece of way was compared with, what was asked and why
+// it was taken or refused.
+#pragma once
+
+#include <string>
+
+#include "mapping/mapper.hpp"
+#include "runs/loop_truth.hpp"
+
+namespace surefoot::runs {
+
+/// The whole file. `truth` may be null; then two columns are empty.
+[[nodiscard]] std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth);
+
+/// revisits.csv: a line a piece of way, whether it lies where an earlier one does, and whether a
+/// loop found that.
+[[nodiscard]] std::string revisits_csv(const mapping::Mapper& mapper, const LoopTruth& truth);
+
+}  // namespace surefoot::runs

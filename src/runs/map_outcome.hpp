@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What came of a run's loops, and of its place in a saved map.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace surefoot::runs {
+
+/// Loops against the truth.
+struct LoopScore {
+  std::size_t revisits = 0;  ///< pieces of way within 3 m of an earlier one
+  std::size_t found = 0;     ///< of these, with a loop there, or one piece aside
+  std::size_t taken_false = 0;
+};
+
+struct MapOutcome {
+  std::size_t pieces = 0;
+  std::size_t candidates = 0;
+  std::size_t taken = 0;
+  double moved = 0.0;  ///< [m] the largest correction of a pose
+  std::optional<LoopScore> score;
+};
+
+struct LocalizationOutcome {
+  std::size_t scans = 0;
+  std::size_t found = 0;              ///< scans whose place in the map is known
+  std::optional<double> first_found;  ///< [s] after the first scan
+  std::string message;                ///< about the last scan
+};
+
+}  // namespace surefoot::runs

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/saved_map.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "io/file_reader.hpp"
+#include "io/file_writer.hpp"
+#include "io/recording.hpp"
+#include "mapping/submap.hpp"
+#include "runs/run_files.hpp"
+
+namespace surefoot::runs {
+
+mapping::SavedMap saved_map_of(const mapping::Mapper& mapper) {
+  mapping::SavedMap map;
+  map.pieces = mapper.pieces();
+  map.edges = mapper.graph().edges;
+  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
+    map.pieces[i].T_world_piece = mapper.graph().poses[i];
+    map.places.push_back(mapping::describe_place(mapping::make_submap(mapper.pieces(), i)));
+  }
+  return map;
+}
+
+void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap& map) {
+  io::write_whole_file(file, mapping::format_map(map));
+}
+
+mapping::SavedMap read_saved_map(const std::filesystem::path& path) {
+  const std::filesystem::path file =
+      std::filesystem::is_directory(path) ? path / kSavedMapFile : path;
+  std::vector<std::byte> bytes;
+  io::read_whole_file(file, bytes);
+  try {
+    return mapping::parse_map(
+        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  } catch (const mapping::MapFileError& error) {
+    throw io::ReadError(file.string() + " " + error.what() + "; expected what surefoot map wrote");
+  }
+}
+
+}  // namespace surefoot::runs

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// The file in which a run leaves its map, to come back to.
+#pragma once
+
+#include <filesystem>
+
+#include "mapping/map_file.hpp"
+#include "mapping/mapper.hpp"
+
+namespace surefoot::runs {
+
+/// What a finished mapper knows, at its corrected poses.
+[[nodiscard]] mapping::SavedMap saved_map_of(const mapping::Mapper& mapper);
+
+/// There is the old file or the whole new one. Throws io::WriteError.
+void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap& map);
+/// A map file, or the folder that holds one. Throws io::ReadError naming the file.
+[[nodiscard]] mapping::SavedMap read_saved_map(const std::filesystem::path& path);
+
+}  // namespace surefoot::runs

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/grid_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot::mapping {
+namespace {
+
+/// A room of 8 x 6 m about the LiDAR, its floor 0.4 m below.
+Piece room() {
+  Piece piece;
+  piece.eyes = {Eigen::Vector3f::Zero()};
+  for (double x = -4.0; x <= 4.0; x += 0.1) {
+    for (double y = -3.0; y <= 3.0; y += 0.1) {
+      piece.points.emplace_back(x, y, -0.4);
+      const bool wall = std::abs(x) > 3.95 || std::abs(y) > 2.95;
+      for (double z = -0.3; wall && z < 1.5; z += 0.1) piece.points.emplace_back(x, y, z);
+    }
+  }
+  piece.seen_from.assign(piece.points.size(), 0);
+  return piece;
+}
+
+std::uint8_t cell_at(const OccupancyGrid& grid, double x, double y) {
+  return grid.at(static_cast<int>((x - grid.low.x()) / grid.cell),
+                 static_cast<int>((y - grid.low.y()) / grid.cell));
+}
+
+TEST(OccupancyGridTest, WallsAreOccupiedAndTheRoomIsFree) {
+  Piece piece = room();
+  piece.T_world_piece.translation = {100.0, -50.0, 7.0};
+  const OccupancyGrid grid = draw_occupancy({piece}, {});
+  EXPECT_EQ(cell_at(grid, 101.0, -50.5), OccupancyGrid::kFree);
+  EXPECT_EQ(cell_at(grid, 104.0, -50.0), OccupancyGrid::kOccupied);
+  EXPECT_EQ(cell_at(grid, 96.0, -51.0), OccupancyGrid::kOccupied);
+}
+
+TEST(OccupancyGridTest, ImageAndYamlAreThoseOfMapServer) {
+  const OccupancyGrid grid = draw_occupancy({room()}, {});
+  const std::string image = format_pgm(grid);
+  const std::string head =
+      "P5\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
+  EXPECT_EQ(image.substr(0, head.size()), head);
+  ASSERT_EQ(image.size(), head.size() + grid.cells.size());
+  // The image begins with the highest y.
+  for (int x = 0; x < grid.width; ++x) {
+    const auto pixel = static_cast<unsigned char>(image[head.size() + static_cast<std::size_t>(x)]);
+    const std::uint8_t cell = grid.at(x, grid.height - 1);
+    EXPECT_EQ(pixel, cell == OccupancyGrid::kFree       ? 254
+                     : cell == OccupancyGrid::kOccupied ? 0
+                                                        : 205);
+  }
+  EXPECT_NE(format_grid_yaml(grid, "map.pgm").find("resolution: 0.1\n"), std::string::npos);
+  EXPECT_NE(format_grid_yaml(grid, "map.pgm").find("image: map.pgm\n"), std::string::npos);
+}
+
+TEST(OccupancyGridTest, NothingSeenIsAnEmptyGridAndTooMuchIsRefused) {
+  EXPECT_EQ(draw_occupancy({}, {}).cells.size(), 0U);
+  Piece far = room();
+  far.T_world_piece.translation = {1e6, 1e6, 0.0};
+  EXPECT_THROW((void)draw_occupancy({room(), far}, {}), std::invalid_argument);
+}
+
+TEST(ElevationGridTest, HoldsTheGroundAndNotTheWalls) {
+  Piece piece = room();
+  piece.T_world_piece.translation = {0.0, 0.0, 2.0};
+  const ElevationGrid grid = draw_elevation({piece});
+  const auto at = [&](double x, double y) {
+    const auto row = static_cast<std::size_t>((y - grid.low.y()) / grid.cell);
+    return row * static_cast<std::size_t>(grid.width) +
+           static_cast<std::size_t>((x - grid.low.x()) / grid.cell);
+  };
+  EXPECT_NEAR(grid.heights[at(0.5, 0.5)], 1.6, 1e-5);
+  EXPECT_NEAR(grid.variances[at(0.5, 0.5)], 0.0, 1e-5);
+  EXPECT_EQ(format_asc(grid, grid.heights).rfind("ncols ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot::mapping

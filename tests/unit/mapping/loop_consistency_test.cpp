@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/loop_consistency.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/random.hpp"
+
+namespace surefoot::mapping {
+namespace {
+
+/// Round a circle twice with an odometry that turns a little too far.
+PoseGraph two_laps(std::vector<Pose>* truth = nullptr) {
+  constexpr std::size_t kPerLap = 20;
+  PoseGraph graph;
+  Pose pose, true_pose;
+  const Pose step = se3_exp((Twist() << 5.0, 0, 0, 0, 0, 2.0 * 3.14159265 / kPerLap).finished());
+  for (std::size_t i = 0; i < 2 * kPerLap; ++i) {
+    graph.poses.push_back(pose);
+    if (truth != nullptr) truth->push_back(true_pose);
+    true_pose = true_pose * step;
+    const Pose drifted = step * se3_exp((Twist() << 0.02, 0, 0, 0, 0, 0.004).finished());
+    if (i > 0) {
+      PoseEdge edge;
+      edge.from = i - 1;
+      edge.to = i;
+      edge.T_from_to = drifted;
+      edge.information = Twist((Twist() << 400, 400, 400, 1e4, 1e4, 1e4).finished()).asDiagonal();
+      graph.edges.push_back(edge);
+    }
+    pose = pose * drifted;
+  }
+  return graph;
+}
+
+PoseEdge loop(std::size_t from, std::size_t to, const Pose& motion) {
+  PoseEdge edge;
+  edge.from = from;
+  edge.to = to;
+  edge.T_from_to = motion;
+  edge.information = 400.0 * Matrix6::Identity();
+  edge.inlier = false;
+  return edge;
+}
+
+TEST(LoopConsistency, RightLoopsAgreeAndAFalseOneIsAlone) {
+  PoseGraph graph = two_laps();
+  const std::size_t first = graph.edges.size();
+  graph.edges.push_back(loop(2, 22, {}));
+  graph.edges.push_back(loop(4, 24, {}));
+  graph.edges.push_back(loop(6, 26, {}));
+  Pose aside;
+  aside.translation = {4.0, 2.0, 0.0};
+  graph.edges.push_back(loop(5, 25, aside));
+  const auto agree = pairwise_agreement(graph, {first, first + 1, first + 2, first + 3});
+  EXPECT_EQ(largest_clique(agree), (std::vector<std::size_t>{0, 1, 2}));
+  const std::vector<bool> supported = supported_loops(graph, 12);
+  EXPECT_TRUE(supported[first] && supported[first + 1] && supported[first + 2]);
+  EXPECT_FALSE(supported[first + 3]);
+}
+
+/// Against all subsets.
+TEST(LargestClique, IsTheLargest) {
+  std::mt19937 random(4);
+  for (int round = 0; round < 30; ++round) {
+    constexpr std::size_t kSize = 12;
+    std::vector<std::vector<bool>> agree(kSize, std::vector<bool>(kSize, false));
+    for (std::size_t i = 0; i < kSize; ++i) {
+      for (std::size_t k = i + 1; k < kSize; ++k) agree[i][k] = agree[k][i] = random() % 3 != 0;
+    }
+    std::size_t largest = 0;
+    for (unsigned set = 1; set < 1U << kSize; ++set) {
+      bool clique = true;
+      std::size_t size = 0;
+      for (std::size_t i = 0; i < kSize; ++i) {
+        if ((set >> i & 1U) == 0) continue;
+        ++size;
+        for (std::size_t k = i + 1; k < kSize; ++k) {
+          clique &= (set >> k & 1U) == 0 || agree[i][k];
+        }
+      }
+      if (clique) largest = std::max(largest, size);
+    }
+    const std::vector<std::size_t> found = largest_clique(agree);
+    EXPECT_EQ(found.size(), largest);
+    for (const std::size_t a : found) {
+      for (const std::size_t b : found) EXPECT_TRUE(a == b || agree[a][b]);
+    }
+  }
+  EXPECT_TRUE(largest_clique({}).empty());
+}
+
+TEST(RobustSolution, CorrectsTheWayAndSwitchesOffWhatIsFalse) {
+  if (!has_solver()) GTEST_SKIP() << "built without Ceres";
+  std::vector<Pose> truth;
+  PoseGraph graph = two_laps(&truth);
+  const std::size_t first = graph.edges.size();
+  for (const std::size_t i : {1, 5, 9, 13, 17}) graph.edges.push_back(loop(i, i + 20, {}));
+  Pose aside;
+  aside.translation = {6.0, 3.0, 0.0};
+  graph.edges.push_back(loop(7, 27, aside));
+  const double before = (graph.poses[30].translation - truth[30].translation).norm();
+  const RobustSolution solution = solve_robustly(graph);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(solution.weights[first + k], 1.0);
+  EXPECT_EQ(solution.weights[first + 5], 0.0);
+  EXPECT_LT((graph.poses[30].translation - truth[30].translation).norm(), 0.5 * before);
+  EXPECT_LT((graph.poses[30].translation - graph.poses[10].translation).norm(), 0.2);
+}
+
+}  // namespace
+}  // namespace surefoot::mapping

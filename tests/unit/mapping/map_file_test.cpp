@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/map_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mapping/submap.hpp"
+#include "support/random.hpp"
+
+namespace surefoot::mapping {
+namespace {
+
+SavedMap small_map() {
+  test::Random random(5);
+  SavedMap map;
+  for (int i = 0; i < 3; ++i) {
+    Piece piece;
+    piece.begin_ns = 1'700'000'000'000'000'000 + i;
+    piece.stamp_ns = piece.begin_ns + 5;
+    piece.T_world_piece = {so3_exp(random.vector(1.0)), random.vector(1000.0)};
+    piece.way = 5.0 * i;
+    piece.length = 5.0;
+    piece.restarted = i == 2;
+    piece.eyes = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.5F, 0.0F}};
+    for (int k = 0; k < 40; ++k) {
+      piece.points.push_back(random.vector(50.0).cast<float>());
+      piece.seen_from.push_back(static_cast<std::uint16_t>(k % 2));
+    }
+    map.pieces.push_back(piece);
+    map.places.push_back(describe_place(make_submap(piece)));
+  }
+  PoseEdge edge;
+  edge.from = 0;
+  edge.to = 2;
+  edge.inlier = false;
+  edge.T_from_to.translation = {1.0, 2.0, 3.0};
+  map.edges = {edge};
+  return map;
+}
+
+std::string refusal(const std::string& bytes) {
+  try {
+    (void)parse_map(bytes);
+  } catch (const MapFileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MapFile, ReadsBackWhatWasWritten) {
+  const SavedMap map = small_map();
+  const SavedMap back = parse_map(format_map(map));
+  ASSERT_EQ(back.pieces.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(back.pieces[i].stamp_ns, map.pieces[i].stamp_ns);
+    EXPECT_EQ(back.pieces[i].T_world_piece.translation, map.pieces[i].T_world_piece.translation);
+    EXPECT_EQ(back.pieces[i].restarted, map.pieces[i].restarted);
+    EXPECT_EQ(back.pieces[i].seen_from, map.pieces[i].seen_from);
+    ASSERT_EQ(back.pieces[i].points.size(), map.pieces[i].points.size());
+    for (std::size_t k = 0; k < map.pieces[i].points.size(); ++k) {
+      EXPECT_LT((back.pieces[i].points[k] - map.pieces[i].points[k]).norm(), 0.002F);
+    }
+    EXPECT_EQ(back.places[i].bins, map.places[i].bins);
+    EXPECT_LT((back.places[i].key - map.places[i].key).norm(), 1e-6F);
+  }
+  ASSERT_EQ(back.edges.size(), 1U);
+  EXPECT_EQ(back.edges[0].to, 2U);
+  EXPECT_FALSE(back.edges[0].inlier);
+  EXPECT_EQ(back.edges[0].T_from_to.translation, map.edges[0].T_from_to.translation);
+}
+
+TEST(MapFile, WhatIsCutShortOrChangedIsRefused) {
+  const std::string bytes = format_map(small_map());
+  EXPECT_EQ(refusal(bytes), "");
+  EXPECT_NE(refusal("").find("no map"), std::string::npos);
+  for (std::size_t cut = 1; cut < bytes.size(); cut += bytes.size() / 60) {
+    EXPECT_NE(refusal(bytes.substr(0, bytes.size() - cut)), "") << cut;
+  }
+  for (std::size_t at = 0; at < bytes.size(); at += bytes.size() / 60) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    EXPECT_NE(refusal(changed), "") << at;
+  }
+  std::string newer = bytes;
+  newer[13] = 9;
+  EXPECT_NE(refusal(newer).find("version 9"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace surefoot::mapping

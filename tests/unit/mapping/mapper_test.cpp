@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Walks that return through simulated scenes: loops are found, none is false, and what the odometry
+// got wrong is corrected.
+#include "mapping/mapper.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mapping/map_localizer.hpp"
+#include "mapping/pose_graph_solver.hpp"
+#include "unit/mapping/scene_walk.hpp"
+
+namespace surefoot::mapping {
+namespace {
+
+using test::SceneWalk;
+using test::WalkOptions;
+
+Mapper mapped(const SceneWalk& walk) {
+  Mapper mapper{MapperOptions{}};
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) mapper.add(walk.scans[i], walk.points[i]);
+  mapper.finish();
+  return mapper;
+}
+
+Pose true_piece(const SceneWalk& walk, const Piece& piece) {
+  return walk.truth[static_cast<std::size_t>(piece.stamp_ns / 500'000'000)] *
+         piece.T_piece_lidar.inverse();
+}
+
+void expect_no_false_loop(const SceneWalk& walk, const Mapper& mapper) {
+  for (const Loop& loop : mapper.loops()) {
+    if (loop.check.verdict != LoopVerdict::taken) continue;
+    const Pose motion = true_piece(walk, mapper.pieces()[loop.place]).inverse() *
+                        true_piece(walk, mapper.pieces()[loop.query]);
+    const AlignmentGap gap = gap_between(loop.check.alignment, motion);
+    EXPECT_LT(gap.metres, 0.3) << "pieces " << loop.place << " and " << loop.query;
+    EXPECT_LT(gap.degrees, 1.5) << "pieces " << loop.place << " and " << loop.query;
+  }
+}
+
+double worst_piece(const SceneWalk& walk, const Mapper& mapper) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < mapper.pieces().size(); ++i) {
+    const Pose truth = true_piece(walk, mapper.pieces()[i]);
+    worst = std::max(worst, (mapper.graph().poses[i].translation - truth.translation).norm());
+  }
+  return worst;
+}
+
+TEST(MapperTest, ALapThatIsWalkedAgainIsFoundAndTheDriftTakenBack) {
+  if (!has_solver()) GTEST_SKIP() << "built without Ceres";
+  WalkOptions options;
+  options.length = 150.0;
+  options.yaw_drift = 3e-4;
+  options.rise = 0.001;
+  const SceneWalk walk = test::walk_through("campus", 41, options);
+  const Mapper mapper = mapped(walk);
+  EXPECT_GE(mapper.taken(), 4U);
+  expect_no_false_loop(walk, mapper);
+  const double before =
+      (walk.scans.back().T_world_lidar.translation - walk.truth.back().translation).norm();
+  const Pose corrected =
+      mapper.correction(walk.scans.back().stamp_ns) * walk.scans.back().T_world_lidar;
+  EXPECT_LT((corrected.translation - walk.truth.back().translation).norm(), 0.5 * before);
+}
+
+/// A submap is registered where it lies, whatever the start, and the other way round likewise.
+TEST(MapperTest, TwoSubmapsOfACampusAreRegisteredWhereTheyLie) {
+  WalkOptions options;
+  options.length = 22.0;
+  const SceneWalk walk = test::walk_through("campus", 42, options);
+  PieceBuilder builder{PieceOptions{}};
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+    if (auto piece = builder.add(walk.scans[i], walk.points[i])) pieces.push_back(*piece);
+  }
+  ASSERT_GE(pieces.size(), 3U);
+  const RegistrationSubmap a(make_submap(pieces, 1));
+  const RegistrationSubmap b(make_submap(pieces, 2));
+  const Pose T_a_b = pieces[1].T_world_piece.inverse() * pieces[2].T_world_piece;
+  const Pose off = se3_exp((Twist() << 0.6, -0.5, 0.2, 0.0, 0.02, 0.08).finished());
+  const SubmapAlignment found = align_submaps(a, b, T_a_b * off);
+  EXPECT_EQ(found.held, 6);
+  EXPECT_GT(found.matched, 0.6);
+  EXPECT_LT(gap_between(found, T_a_b).metres, 0.03);
+  EXPECT_LT(gap_between(found, T_a_b).degrees, 0.2);
+  const SubmapAlignment back = align_submaps(b, a, (T_a_b * off).inverse());
+  EXPECT_LT(gap_between(back, T_a_b.inverse()).metres, 0.03);
+}
+
+/// From an unknown start, by another robot's way through, among other things that stand about.
+void expect_right_or_not_found(const MapLocalizer& localizer, const SceneWalk& walk,
+                               std::size_t i) {
+  if (!localizer.T_map_world()) return;
+  const Pose found = *localizer.T_map_world() * walk.scans[i].T_world_lidar;
+  EXPECT_LT((found.translation - walk.truth[i].translation).norm(), 0.3) << "scan " << i;
+}
+
+SavedMap saved(const Mapper& mapper) {
+  SavedMap map;
+  map.pieces = mapper.pieces();
+  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
+    map.pieces[i].T_world_piece = mapper.graph().poses[i];
+    map.places.push_back(describe_place(make_submap(mapper.pieces(), i)));
+  }
+  return map;
+}
+
+TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
+  WalkOptions options;
+  options.length = 90.0;
+  const SavedMap map = saved(mapped(test::walk_through("campus", 46, options)));
+  options.unknown_start = true;
+  options.things = 99;
+  options.length = 25.0;
+  options.yaw_drift = 1e-3;
+  for (const double from : {10.0, 35.0, 60.0}) {
+    options.from = from;
+    const SceneWalk walk = test::walk_through("campus", 46, options);
+    MapLocalizer localizer(map, {});
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+      localizer.add(walk.scans[i], walk.points[i]);
+      expect_right_or_not_found(localizer, walk, i);
+      found += localizer.T_map_world() ? 1 : 0;
+    }
+    EXPECT_GT(found, walk.scans.size() / 3) << "from " << from << ": " << localizer.message();
+  }
+}
+
+TEST(LocalizerTest, AnotherSceneIsNotFound) {
+  WalkOptions options;
+  options.length = 60.0;
+  const SavedMap map = saved(mapped(test::walk_through("campus", 46, options)));
+  options.length = 25.0;
+  const SceneWalk walk = test::walk_through("plaza", 47, options);
+  MapLocalizer localizer(map, {});
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+    localizer.add(walk.scans[i], walk.points[i]);
+    EXPECT_FALSE(localizer.T_map_world()) << "scan " << i;
+  }
+  EXPECT_NE(localizer.message().find("not found yet"), std::string::npos);
+}
+
+/// Where several storeys fit, none is named.
+TEST(LocalizerTest, AStoreyIsNotTakenForAnother) {
+  WalkOptions options;
+  options.length = 130.0;
+  const SavedMap map = saved(mapped(test::walk_through("storeys", 48, options)));
+  options.unknown_start = true;
+  options.length = 20.0;
+  for (const double from : {5.0, 50.0, 80.0}) {
+    options.from = from;
+    const SceneWalk walk = test::walk_through("storeys", 48, options);
+    MapLocalizer localizer(map, {});
+    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+      localizer.add(walk.scans[i], walk.points[i]);
+      expect_right_or_not_found(localizer, walk, i);
+    }
+  }
+}
+
+/// Four storeys with the same furniture: none is taken for another, though they look it.
+TEST(MapperTest, StoreysThatLookAlikeAreNotTakenForEachOther) {
+  WalkOptions options;
+  options.length = 150.0;
+  options.rise = 0.002;
+  const SceneWalk walk = test::walk_through("storeys", 43, options);
+  const Mapper mapper = mapped(walk);
+  EXPECT_FALSE(mapper.loops().empty());
+  expect_no_false_loop(walk, mapper);
+  EXPECT_LT(worst_piece(walk, mapper), 0.6);
+}
+
+TEST(MapperTest, BaysThatLookAlikeAreNotTakenForEachOther) {
+  WalkOptions options;
+  options.length = 180.0;
+  options.yaw_drift = 2e-4;
+  const SceneWalk walk = test::walk_through("bays", 44, options);
+  const Mapper mapper = mapped(walk);
+  EXPECT_FALSE(mapper.loops().empty());
+  expect_no_false_loop(walk, mapper);
+}
+
+TEST(MapperTest, TheSameWalkGivesTheSameBits) {
+  WalkOptions options;
+  options.length = 60.0;
+  const SceneWalk walk = test::walk_through("corridor", 45, options);
+  const Mapper one = mapped(walk);
+  const Mapper two = mapped(walk);
+  ASSERT_EQ(one.graph().poses.size(), two.graph().poses.size());
+  for (std::size_t i = 0; i < one.graph().poses.size(); ++i) {
+    EXPECT_EQ(one.graph().poses[i].translation, two.graph().poses[i].translation);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::mapping
