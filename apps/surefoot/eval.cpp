@@ -175,7 +175,8 @@ int evaluate_all(EvalOptions options) {
   const bool find_format = options.format == FileFormat::kAuto;
   FileFormat format = find_format ? format_of(options.reference) : options.format;
   io::Truth truth;
-  if (set != nullptr || is_table(options.reference, find_format)) {
+  const bool foreign = set != nullptr || is_table(options.reference, find_format);
+  if (foreign) {
     truth = io::read_truth(options.reference, set, options.truth_topic);
     format = truth.has_stamps ? FileFormat::kTum : FileFormat::kKitti;
     options.evaluation.positions_only = !truth.has_rotations;
@@ -195,7 +196,9 @@ int evaluate_all(EvalOptions options) {
   for (std::size_t i = 0; i < options.estimates.size(); ++i) {
     try {
       Trajectory estimate = read_trajectory(options.estimates[i], format);
-      for (StampedPose& pose : estimate) pose.pose = pose.pose * truth.T_lidar_truth;
+      if (foreign) {
+        for (StampedPose& pose : estimate) pose.pose = pose.pose * truth.T_lidar_truth;
+      }
       evaluations.push_back(
           evaluation::evaluate(names[i], reference, estimate, options.evaluation));
       paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));

@@ -39,7 +39,7 @@ function assertQuiet(said, asked) {
 
 test("draws every view and chart", async () => {
   for (const { distinct } of await pictures()) assert.ok(distinct >= 20, `${distinct} colours`);
-  assert.equal((await page.$$(".chart:not([hidden]) canvas")).length, 11);
+  assert.equal((await page.$$(".chart:not([hidden]) canvas")).length, 12);
 });
 
 test("colours the map by height, intensity and time", async () => {
@@ -115,7 +115,7 @@ test("marks the instant under the pointer everywhere", async () => {
       (line) => line.getBoundingClientRect().left - line.parentElement.getBoundingClientRect().left,
     ),
   );
-  assert.equal(lines.length, 11);
+  assert.equal(lines.length, 12);
   for (const left of lines) assert.ok(left > 20, `a cursor at ${left} px`);
   assert.match(await page.$eval(".scrubber .place", (place) => place.textContent), /^\d+\.\d\d s/);
 });
@@ -211,7 +211,7 @@ test("shows several runs beside each other, dark where the system is", async () 
 
 test("does without map and truth", async () => {
   const opened = await open(browser, process.env.SUREFOOT_TEST_BARE);
-  assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 9);
+  assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 10);
   assert.equal(await opened.page.$("#errors"), null);
   assertQuiet(opened.complaints, opened.requests);
 });

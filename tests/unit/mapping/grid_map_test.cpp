@@ -13,10 +13,11 @@ namespace {
 Piece room() {
   Piece piece;
   piece.eyes = {Eigen::Vector3f::Zero()};
-  for (double x = -4.0; x <= 4.0; x += 0.1) {
-    for (double y = -3.0; y <= 3.0; y += 0.1) {
+  for (int i = -40; i <= 40; ++i) {
+    for (int j = -30; j <= 30; ++j) {
+      const double x = 0.1 * i, y = 0.1 * j;
       piece.points.emplace_back(x, y, -0.4);
-      const bool wall = std::abs(x) > 3.95 || std::abs(y) > 2.95;
+      const bool wall = std::abs(i) == 40 || std::abs(j) == 30;
       for (double z = -0.3; wall && z < 1.5; z += 0.1) piece.points.emplace_back(x, y, z);
     }
   }
@@ -31,11 +32,12 @@ std::uint8_t cell_at(const OccupancyGrid& grid, double x, double y) {
 
 TEST(OccupancyGridTest, WallsAreOccupiedAndTheRoomIsFree) {
   Piece piece = room();
-  piece.T_world_piece.translation = {100.0, -50.0, 7.0};
+  // Not on the cells' borders, where the last bit would decide.
+  piece.T_world_piece.translation = {100.03, -49.97, 7.0};
   const OccupancyGrid grid = draw_occupancy({piece}, {});
-  EXPECT_EQ(cell_at(grid, 101.0, -50.5), OccupancyGrid::kFree);
-  EXPECT_EQ(cell_at(grid, 104.0, -50.0), OccupancyGrid::kOccupied);
-  EXPECT_EQ(cell_at(grid, 96.0, -51.0), OccupancyGrid::kOccupied);
+  EXPECT_EQ(cell_at(grid, 101.03, -50.47), OccupancyGrid::kFree);
+  EXPECT_EQ(cell_at(grid, 104.03, -49.97), OccupancyGrid::kOccupied);
+  EXPECT_EQ(cell_at(grid, 96.03, -50.97), OccupancyGrid::kOccupied);
 }
 
 TEST(OccupancyGridTest, ImageAndYamlAreThoseOfMapServer) {

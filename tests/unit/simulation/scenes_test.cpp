@@ -93,7 +93,8 @@ void expect_walkable(const std::string& name, std::uint64_t layout) {
   constexpr float kClearance = 0.3F;  // from the body's middle to either side
   const bool grown = name.starts_with("hill") || name.starts_with("forest");
   // Of the plane through the four footholds, stones and steps included.
-  const double steepest = name == "stairwell" ? 0.72 : grown ? 0.60 : 0.45;  // [rad]
+  const bool stairs = name == "stairwell" || name == "storeys";
+  const double steepest = stairs ? 0.72 : grown ? 0.60 : 0.45;  // [rad]
   const std::string which = name + " layout " + std::to_string(layout);
   const Scene scene = build_scene(name, SceneSeeds{layout, layout});
   const RayCaster rays(scene);
