@@ -33,10 +33,12 @@ mapping::SavedMap read_saved_map(const std::filesystem::path& path) {
   const std::filesystem::path file =
       std::filesystem::is_directory(path) ? path / kSavedMapFile : path;
   std::vector<std::byte> bytes;
-  io::read_whole_file(file, bytes);
   try {
+    io::read_whole_file(file, bytes);
     return mapping::parse_map(
         std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  } catch (const io::ReadError& error) {
+    throw io::ReadError(file.string() + ": " + error.what());
   } catch (const mapping::MapFileError& error) {
     throw io::ReadError(file.string() + " " + error.what() + "; expected what surefoot map wrote");
   }
