@@ -142,22 +142,7 @@ class EvaluationTest(unittest.TestCase):
         mine = surefoot.evaluate(surefoot.read_tum(folder / "gt.tum"), run.trajectory)
         self.assertEqual(theirs.pop("estimate"), "run")
         self.assertEqual(mine.pop("estimate"), "estimate")
-        self.assert_close(mine, theirs)
-
-    def assert_close(self, mine, theirs):
-        """Attitudes have been through a matrix on their way: the last digits may differ."""
-        if isinstance(theirs, dict):
-            self.assertEqual(mine.keys(), theirs.keys())
-            for key, value in theirs.items():
-                self.assert_close(mine[key], value)
-        elif isinstance(theirs, list):
-            self.assertEqual(len(mine), len(theirs))
-            for one, other in zip(mine, theirs):
-                self.assert_close(one, other)
-        elif isinstance(theirs, float):
-            np.testing.assert_allclose(mine, theirs, rtol=1e-6, atol=1e-12)
-        else:
-            self.assertEqual(mine, theirs)
+        self.assertEqual(mine, theirs)
 
     def test_bad_input_says_what_was_expected(self):
         truth = self.trajectory(0, 0, 0)

@@ -49,6 +49,23 @@ double worst_piece(const SceneWalk& walk, const Mapper& mapper) {
   return worst;
 }
 
+TEST(MapperTest, ALapThatIsWalkedAgainIsFoundAndTheDriftTakenBack) {
+  if (!has_solver()) GTEST_SKIP() << "built without Ceres";
+  WalkOptions options;
+  options.length = 150.0;
+  options.yaw_drift = 3e-4;
+  options.rise = 0.001;
+  const SceneWalk walk = test::walk_through("campus", 41, options);
+  const Mapper mapper = mapped(walk);
+  EXPECT_GE(mapper.taken(), 4U);
+  expect_no_false_loop(walk, mapper);
+  const double before =
+      (walk.scans.back().T_world_lidar.translation - walk.truth.back().translation).norm();
+  const Pose corrected =
+      mapper.correction(walk.scans.back().stamp_ns) * walk.scans.back().T_world_lidar;
+  EXPECT_LT((corrected.translation - walk.truth.back().translation).norm(), 0.5 * before);
+}
+
 /// A submap is registered where it lies, whatever the start, and the other way round likewise.
 TEST(MapperTest, TwoSubmapsOfACampusAreRegisteredWhereTheyLie) {
   WalkOptions options;
@@ -66,7 +83,7 @@ TEST(MapperTest, TwoSubmapsOfACampusAreRegisteredWhereTheyLie) {
   const Pose off = se3_exp((Twist() << 0.6, -0.5, 0.2, 0.0, 0.02, 0.08).finished());
   const SubmapAlignment found = align_submaps(a, b, T_a_b * off);
   EXPECT_EQ(found.held, 6);
-  EXPECT_GT(found.matched, 0.4);
+  EXPECT_GT(found.matched, 0.6);
   EXPECT_LT(gap_between(found, T_a_b).metres, 0.03);
   EXPECT_LT(gap_between(found, T_a_b).degrees, 0.2);
   const SubmapAlignment back = align_submaps(b, a, (T_a_b * off).inverse());
@@ -89,6 +106,28 @@ SavedMap saved(const Mapper& mapper) {
     map.places.push_back(describe_place(make_submap(mapper.pieces(), i)));
   }
   return map;
+}
+
+TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
+  WalkOptions options;
+  options.length = 90.0;
+  const SavedMap map = saved(mapped(test::walk_through("campus", 46, options)));
+  options.unknown_start = true;
+  options.things = 99;
+  options.length = 25.0;
+  options.yaw_drift = 1e-3;
+  for (const double from : {10.0, 35.0, 60.0}) {
+    options.from = from;
+    const SceneWalk walk = test::walk_through("campus", 46, options);
+    MapLocalizer localizer(map, {});
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+      localizer.add(walk.scans[i], walk.points[i]);
+      expect_right_or_not_found(localizer, walk, i);
+      found += localizer.T_map_world() ? 1 : 0;
+    }
+    EXPECT_GT(found, walk.scans.size() / 3) << "from " << from << ": " << localizer.message();
+  }
 }
 
 TEST(LocalizerTest, AnotherSceneIsNotFound) {
