@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <deque>
 #include <numbers>
 #include <utility>
 
+#include "io/recording_filter.hpp"
 #include "io/recording_summary.hpp"
 
 namespace surefoot::io {
@@ -46,14 +46,14 @@ double azimuth_of(const Eigen::Vector3f& point) {
 bool is_return(const Eigen::Vector3f& point) { return point.allFinite() && !point.isZero(); }
 
 /// Adds to a recording what its scans' times lack.
-class WatchedRecording : public Recording {
+class WatchedRecording : public RecordingFilter {
  public:
   WatchedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
-      : recording_(std::move(recording)), options_(options) {
+      : RecordingFilter(std::move(recording)), options_(options) {
     if (options_.time_direction == TimeDirection::kBackward) {
-      own_notes_.emplace_back("point times: counted back from the stamp, as asked for");
+      note("point times: counted back from the stamp, as asked for");
     } else if (options_.time_direction == TimeDirection::kNone) {
-      own_notes_.emplace_back("point times: left out, as asked for");
+      note("point times: left out, as asked for");
     }
     merge_notes();
   }
@@ -64,37 +64,28 @@ class WatchedRecording : public Recording {
     merge_notes();
     return item;
   }
-  std::optional<std::size_t> size() const override { return recording_->size(); }
-  void skip(std::size_t scans) override {
-    for (; scans > 0 && !waiting_.empty(); --scans) waiting_.pop_front();
-    if (scans > 0) recording_->skip(scans);
-  }
-  double progress() const override { return recording_->progress(); }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return recording_->description(); }
-  CaptureCounts capture_counts() const override { return recording_->capture_counts(); }
 
  private:
   std::optional<ScanItem> take() {
     const bool derived = options_.derive_times == DeriveTimes::kAzimuth || options_.rows > 0;
     if (derived && period_ns_ == 0) look_ahead();
-    if (waiting_.empty()) return recording_->next();
-    ScanItem item = std::move(waiting_.front());
-    waiting_.pop_front();
+    if (waiting().empty()) return recording().next();
+    ScanItem item = std::move(waiting().front());
+    waiting().pop_front();
     return item;
   }
 
   void look_ahead() {
     std::vector<double> intervals;
     std::optional<std::int64_t> last;
-    while (waiting_.size() < kLookAhead) {
-      std::optional<ScanItem> item = recording_->next();
+    while (waiting().size() < kLookAhead) {
+      std::optional<ScanItem> item = recording().next();
       if (!item) break;
       if (item->scan) {
         if (last) intervals.push_back(static_cast<double>(item->scan->stamp_ns - *last));
         last = item->scan->stamp_ns;
       }
-      waiting_.push_back(std::move(*item));
+      waiting().push_back(std::move(*item));
     }
     const double usual =
         options_.rate_hz > 0.0 ? 1e9 / options_.rate_hz : spread_of(intervals).median;
@@ -104,9 +95,9 @@ class WatchedRecording : public Recording {
           "--rate does");
     }
     period_ns_ = std::llround(usual);
-    own_notes_.push_back(std::string("point times: derived from ") +
-                         (options_.rows > 0 ? "the columns" : "azimuth") + ", a revolution of " +
-                         std::to_string(period_ns_ / 1000) + " us");
+    note(std::string("point times: derived from ") +
+         (options_.rows > 0 ? "the columns" : "azimuth") + ", a revolution of " +
+         std::to_string(period_ns_ / 1000) + " us");
   }
 
   void watch(Scan& scan) {
@@ -130,27 +121,14 @@ class WatchedRecording : public Recording {
         times == PointTimes::kThere && spin_of(scan) == std::optional(Spin::kCounterclockwise);
     odd_ = times != PointTimes::kThere || backward ? odd_ + 1 : 0;
     if (odd_ < kHabit) return;
-    own_notes_.push_back(backward                     ? kBackward
-                         : times == PointTimes::kNone ? kNoTimes
-                                                      : kEqualTimes);
+    note(backward ? kBackward : times == PointTimes::kNone ? kNoTimes : kEqualTimes);
     said_ = true;
   }
 
-  /// The recording's own notes grow, too; what was given out once stays where it is.
-  void merge_notes() {
-    const std::vector<std::string>& inner = recording_->notes();
-    for (; taken_ < inner.size(); ++taken_) notes_.push_back(inner[taken_]);
-    for (; taken_own_ < own_notes_.size(); ++taken_own_) notes_.push_back(own_notes_[taken_own_]);
-  }
-
-  std::unique_ptr<Recording> recording_;
   OpenOptions options_;
-  std::deque<ScanItem> waiting_;
   std::int64_t period_ns_ = 0;
   int watched_ = 0, odd_ = 0;  // scans; odd ones in a row
   bool said_ = false;
-  std::vector<std::string> notes_, own_notes_;
-  std::size_t taken_ = 0, taken_own_ = 0;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/decimal_time.hpp"
+#include "io/recording_filter.hpp"
 
 namespace surefoot::io {
 
@@ -38,10 +39,10 @@ std::int64_t difference(std::int64_t a, std::int64_t b) {
                : std::numeric_limits<std::int64_t>::min();
 }
 
-class RepairedRecording : public Recording {
+class RepairedRecording : public RecordingFilter {
  public:
   RepairedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
-      : recording_(std::move(recording)),
+      : RecordingFilter(std::move(recording)),
         known_interval_ns_(options.rate_hz > 0.0 ? std::llround(1e9 / options.rate_hz) : 0) {
     merge_notes();
   }
@@ -49,9 +50,9 @@ class RepairedRecording : public Recording {
   std::optional<ScanItem> next() override {
     while (true) {
       fill();
-      if (waiting_.empty()) return std::nullopt;
-      ScanItem item = std::move(waiting_.front());
-      waiting_.pop_front();
+      if (waiting().empty()) return std::nullopt;
+      ScanItem item = std::move(waiting().front());
+      waiting().pop_front();
       if (!item.scan) return item;
       const bool again = last_ && is_last_again(*item.scan);
       // With a new stamp only where the scans differ otherwise: else it may be a made recording.
@@ -65,33 +66,24 @@ class RepairedRecording : public Recording {
       return item;
     }
   }
-  std::optional<std::size_t> size() const override { return recording_->size(); }
-  void skip(std::size_t scans) override {
-    for (; scans > 0 && !waiting_.empty(); --scans) waiting_.pop_front();
-    if (scans > 0) recording_->skip(scans);
-  }
-  double progress() const override { return recording_->progress(); }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return recording_->description(); }
-  CaptureCounts capture_counts() const override { return recording_->capture_counts(); }
 
  private:
   void fill() {
     std::size_t scans = 0;
-    for (const ScanItem& item : waiting_) scans += item.scan ? 1 : 0;
+    for (const ScanItem& item : waiting()) scans += item.scan ? 1 : 0;
     while (scans <= kAhead) {
-      std::optional<ScanItem> item = recording_->next();
+      std::optional<ScanItem> item = recording().next();
       merge_notes();
       if (!item) return;
       scans += item->scan ? 1 : 0;
-      waiting_.push_back(std::move(*item));
+      waiting().push_back(std::move(*item));
     }
   }
 
   /// Stamps of the scans that wait, as the recording gives them.
   std::vector<std::int64_t> stamps_ahead() const {
     std::vector<std::int64_t> stamps;
-    for (const ScanItem& item : waiting_) {
+    for (const ScanItem& item : waiting()) {
       if (item.scan) stamps.push_back(item.scan->stamp_ns);
     }
     return stamps;
@@ -184,21 +176,11 @@ class RepairedRecording : public Recording {
   }
 
   void note_once(bool& noted, std::string text) {
-    if (!noted) own_notes_.push_back(std::move(text));
+    if (!noted) note(std::move(text));
     noted = true;
-    merge_notes();
   }
 
-  /// The recording's own notes grow, too; what was given out once stays where it is.
-  void merge_notes() {
-    const std::vector<std::string>& inner = recording_->notes();
-    for (; taken_ < inner.size(); ++taken_) notes_.push_back(inner[taken_]);
-    for (; taken_own_ < own_notes_.size(); ++taken_own_) notes_.push_back(own_notes_[taken_own_]);
-  }
-
-  std::unique_ptr<Recording> recording_;
   std::int64_t known_interval_ns_;
-  std::deque<ScanItem> waiting_;
   std::deque<std::int64_t> intervals_;
   std::optional<std::int64_t> last_;  // as given out
   std::int64_t given_ns_ = 0;         // the same scan's, as read
@@ -206,8 +188,6 @@ class RepairedRecording : public Recording {
   std::int64_t offset_ns_ = 0;
   bool wild_noted_ = false, set_back_noted_ = false, stands_noted_ = false, twice_ = false;
   bool differ_ = false;  // two scans that follow each other do
-  std::vector<std::string> notes_, own_notes_;
-  std::size_t taken_ = 0, taken_own_ = 0;
 };
 
 }  // namespace
