@@ -15,6 +15,7 @@
 #include "core/information.hpp"
 #include "core/level.hpp"
 #include "methods/knots/calibration.hpp"
+#include "methods/knots/drift.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
@@ -113,9 +114,25 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   }
   first_scan_.reset();
   integrate(std::move(view));
+  let_drift(registered);
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   return publish(trajectory, std::move(registered.estimate));
+}
+
+/// What a trusted scan does not hold may have moved since one last did.
+void KnotFrontEnd::let_drift(Registered& registered) {
+  Estimate& estimate = registered.estimate;
+  const std::int64_t mid_ns = registered.trajectory.mid_ns();
+  if (estimate.degenerate.empty()) held_ns_ = mid_ns;
+  const NormalEquations<6>& rigid = registered.found.rigid;
+  const double distance =
+      std::sqrt(registered.found.squared_distance / std::max(rigid.weight, 1e-12));
+  const Drift drift = drift_along(estimate.degenerate, std::max(distance, 1e-3),
+                                  std::max(seconds(mid_ns - held_ns_), 0.0));
+  estimate.covariance += drift.covariance;
+  estimate.wrong_probability =
+      1.0 - (1.0 - estimate.wrong_probability) * (1.0 - drift.wrong_probability);
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
@@ -184,8 +201,9 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
                        residual_variance(found, config_.knots);
   estimate.covariance = calibrated(scale * found.covariance_at(trajectory.mid_ns()),
                                    found.window.mean_velocity(), model_.fluctuation());
-  report_weak_directions(found.rigid, found.squared_distance, T_map_lidar, config_.health,
-                         estimate);
+  NormalEquations<6> held = found.rigid;
+  held.H -= found.doubtful;
+  report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);
 }
 
 /// The first scan, or the first after too many lost ones: the map begins with it.
@@ -216,6 +234,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   verdict_.clear();
   integrate(look(scan, thinned, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
+  held_ns_ = trajectory.mid_ns();
   return publish(trajectory, std::move(estimate));
 }
 

@@ -65,6 +65,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned);
   void learn(const Registered& registered, double right);
+  void let_drift(Registered& registered);
   void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   void map_first_scan(const Twist& velocity);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
@@ -97,9 +98,10 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
   DeskewedScan last_scan_;
-  Cubes emptied_;          // by the last scan
-  int agreed_ = 0;         // trusted scans of this map
-  int lost_in_a_row_ = 0;  // scans that could not be registered
+  Cubes emptied_;             // by the last scan
+  std::int64_t held_ns_ = 0;  // when a scan last held all directions
+  int agreed_ = 0;            // trusted scans of this map
+  int lost_in_a_row_ = 0;     // scans that could not be registered
   std::optional<PoseSearch> search_;
   int segment_ = 0;  // how often the map began anew
 };

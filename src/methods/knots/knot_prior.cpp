@@ -6,7 +6,6 @@ namespace surefoot {
 
 namespace {
 
-// Standard deviations of the velocity of a walker of whom nothing is known.
 const Twist kUnknownVelocity = (Twist() << 1.0, 1.0, 0.3, 0.5, 0.5, 0.7).finished();
 // Of the first pose, which defines the map's frame: as good as fixed, and still invertible.
 constexpr double kFixed = 1e-3;  // [m, rad]
@@ -29,6 +28,8 @@ double KnotPrior::surprise(const KnotWindow& window) const {
   e << difference(window.knots[0], means[0]), difference(window.knots[1], means[1]);
   return e.dot(information * e) / 12.0;
 }
+
+const Twist& unknown_velocity() { return kUnknownVelocity; }
 
 KnotPrior at_rest(const Pose& pose, double step, double since) {
   KnotPrior prior{{pose, pose}, {}};

@@ -23,6 +23,9 @@ struct KnotPrior {
   [[nodiscard]] double surprise(const KnotWindow& window) const;
 };
 
+/// Standard deviations of the velocity of a walker of whom nothing is known [m/s, rad/s].
+[[nodiscard]] const Twist& unknown_velocity();
+
 /// Two knots at one pose, `step` [s] apart, of a sensor that may be walking already. The pose
 /// defines the map's frame, or was known `since` [s] ago.
 [[nodiscard]] KnotPrior at_rest(const Pose& pose, double step, double since = 0.0);

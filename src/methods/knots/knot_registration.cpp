@@ -27,6 +27,14 @@ Matrix6 matrix_of(const Triangle& triangle) {
   return M;
 }
 
+/// Adds a b^T, which is symmetric.
+void add_product(const Twist& a, const Twist& b, Triangle& sum) {
+  int at = 0;
+  for (int column = 0; column < 6; ++column) {
+    for (int row = column; row < 6; ++row) sum[at++] += a[column] * b[row];
+  }
+}
+
 /// Sums over the residuals of one point.
 struct PointSum {
   Triangle H = Triangle::Zero();  // sum w J^T J
@@ -34,10 +42,7 @@ struct PointSum {
 
   void add(const Twist& J, double w, const Twist& gradient) {
     const Twist wJ = w * J;
-    int at = 0;
-    for (int column = 0; column < 6; ++column) {
-      for (int row = column; row < 6; ++row) H[at++] += wJ[column] * J[row];
-    }
+    add_product(wJ, J, H);
     g += gradient;
   }
 };
@@ -52,9 +57,10 @@ struct SegmentSum {
   double weight = 0.0;
   double weighted_squares = 0.0;
   double squared_distance = 0.0;
-  double misfit = 0.0;  // sum over points, each 0 to 1
-  int matches = 0;      // points
-  int residuals = 0;    // of them; a pole has two, a cloud three
+  double misfit = 0.0;                   // sum over points, each 0 to 1
+  int matches = 0;                       // points
+  int residuals = 0;                     // of them; a pole has two, a cloud three
+  Triangle doubtful = Triangle::Zero();  // of H, what clouds are not worth
   // Gradients of neighbours: of the segment's surfels that face along x, y and z.
   std::array<Twist, 3> neighbours = {Twist::Zero(), Twist::Zero(), Twist::Zero()};
 
@@ -143,6 +149,8 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
       const Twist gradient = kernel.weight * residual * J;
       of_point.add(J, kernel.weight, gradient);
       sum.count(J, residual, kernel.weight, gradient);
+      const double doubt = kernel.weight * (1.0 - surfel->worth[d]);
+      if (doubt > 0.0 && look.inflation <= 1.0) add_product(doubt * J, J, sum.doubtful);
       sum.squared_distance += kernel.weight * s.squaredNorm();
       sum.misfit += kernel.misfit / surfel->directions;
     }
@@ -156,6 +164,7 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
   result.matches = 0;
   result.misfit = 0.0;
   result.rigid = {};
+  result.doubtful.setZero();
   result.squared_distance = 0.0;
   for (std::size_t s = 0; s < sums.size(); ++s) {
     const SegmentSum& sum = sums[s];
@@ -167,6 +176,7 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
     result.matches += sum.matches;
     result.misfit += sum.misfit;
     result.rigid.H += matrix_of(sum.first + 2.0 * sum.between + sum.last);
+    result.doubtful += matrix_of(sum.doubtful);
     result.rigid.g += sum.first_gradient + sum.last_gradient;
     result.rigid.weight += sum.weight;
     result.rigid.weighted_squares += sum.weighted_squares;

@@ -17,6 +17,14 @@ constexpr double kStanding = 0.7;
 // Who sees a plane at a smaller angle than this (sine) may be on either side of it.
 constexpr double kGrazing = 0.05;
 
+/// The smallest variance of a covariance that has none along one direction.
+double narrowest(const Eigen::Matrix3d& C) {
+  const double half = 0.5 * C.trace();
+  const double product = C(0, 0) * C(1, 1) - C(0, 1) * C(0, 1) + C(0, 0) * C(2, 2) -
+                         C(0, 2) * C(0, 2) + C(1, 1) * C(2, 2) - C(1, 2) * C(1, 2);
+  return half - std::sqrt(std::max(half * half - product, 0.0));
+}
+
 }  // namespace
 
 bool Surfel::from_behind(const Eigen::Vector3d& ray) const {
@@ -50,6 +58,32 @@ Eigen::Matrix3d SurfelMoments::unseen(double ring_gap) const {
   return variance * (Eigen::Matrix3d::Identity() - ray * ray.transpose());  // [K24]
 }
 
+double SurfelMoments::of_one_ring(double ring_gap) const {
+  const Eigen::Vector3d mean_ray = ray_sum_ / count_;
+  const Eigen::Vector3d ray = mean_ray.normalized();
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - ray * ray.transpose();
+  const Eigen::Matrix3d spread = matrix_of(rays_) / count_ - mean_ray * mean_ray.transpose();
+  const double evenly = std::max(ring_gap * ring_gap / 12.0, 1e-12);
+  return std::clamp(1.0 - narrowest(across * spread * across) / evenly, 0.0, 1.0);
+}
+
+/// What a cloud's residuals are worth, other than that they are small. Of a surface that only one
+/// ring met, nobody knows where along the rays the next one would: on a floor, metres farther on.
+/// And points that fill a voxel from end to end have no place in it, wherever the sensor goes.
+void SurfelMoments::weigh(Surfel& cloud, double size, const Config::Knots& config) const {
+  const Eigen::Vector3d ray = ray_sum_.normalized();
+  const double next_ring = config.ring_gap * config.ring_gap * squared_ranges_ / (3.0 * count_);
+  const double slope = 1.0 / std::max(config.edge_on, kGrazing);
+  const double along = of_one_ring(config.ring_gap) * next_ring * slope * slope;
+  const double filled = size * size / 12.0;  // variance of what is spread evenly
+  for (int i = 0; i < 3; ++i) {
+    const double claimed = cloud.variance[i] + config.noise * config.noise;
+    const double cosine = cloud.across[i].dot(ray);
+    const double known = claimed + along * cosine * cosine;
+    cloud.worth[i] = claimed / known * std::max(1.0 - known / filled, 0.0);  // [K31]
+  }
+}
+
 Surfel SurfelMoments::fit(const Eigen::Vector3d& corner, double size,
                           const Config::Knots& config) const {
   Surfel surfel;
@@ -78,6 +112,7 @@ Surfel SurfelMoments::fit(const Eigen::Vector3d& corner, double size,
     surfel.across[i] = eigen.eigenvectors().col(i);
     surfel.variance[i] = std::max(eigen.eigenvalues()[i], 0.0);
   }
+  if (surfel.cloud()) weigh(surfel, size, config);
   if (surfel.across[0].dot(ray_sum_) > 0.0) surfel.across[0] *= -1.0;
   return surfel;
 }

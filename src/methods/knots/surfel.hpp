@@ -16,6 +16,7 @@ struct Surfel {
   Eigen::Vector3d across[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                Eigen::Vector3d::Zero()};  ///< unit; a plane's: to who sees it
   double variance[3] = {0.0, 0.0, 0.0};  ///< along them [m^2]: the points', a cloud's widened
+  double worth[3] = {1.0, 1.0, 1.0};     ///< share of what residuals along them claim to tell
   double extent = 0.0;                   ///< variance of the points, all ways [m^2]
 
   [[nodiscard]] bool cloud() const { return directions == 3; }
@@ -45,6 +46,9 @@ class SurfelMoments {
   [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
   /// What the rings leave unseen between them, as a covariance [m^2].
   [[nodiscard]] Eigen::Matrix3d unseen(double ring_gap) const;
+  /// 1 if one ring saw the points, 0 if rings did all over the gap between two.
+  [[nodiscard]] double of_one_ring(double ring_gap) const;
+  void weigh(Surfel& cloud, double size, const Config::Knots& config) const;
 
   int count_ = 0;
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();

@@ -93,6 +93,48 @@ TEST(Cloud, OneRingTellsNothingBetweenTheRings) {
   EXPECT_LT(covariance_of(*cloud)(2, 2), 1.1 * 0.03 * 0.03 * range * range / 3.0);
 }
 
+/// The worth of the direction that lies along this one.
+double worth_along(const Surfel& cloud, const Eigen::Vector3d& direction) {
+  int nearest = 0;
+  for (int i = 1; i < 3; ++i) {
+    const auto cosine = [&](int j) { return std::abs(cloud.across[j].dot(direction)); };
+    if (cosine(i) > cosine(nearest)) nearest = i;
+  }
+  return cloud.worth[nearest];
+}
+
+TEST(Cloud, OneRingIsWorthNothingAlongItsRaysAndWhatFillsAVoxelNothingInIt) {
+  const Eigen::Vector3d ahead(-6.0, 0.2, 0.2);
+  Points ring;  // sweeps the voxel from end to end, at one range
+  for (int i = 0; i < 40; ++i) ring.emplace_back(0.2, 0.005 + 0.01 * i, 0.2);
+  SurfelMap map(knots_config(), 100.0);
+  map.insert(ring, ahead);
+  SurfelMap::Place fresh;
+  const Surfel* const cloud = map.find(kMiddle, kMiddle - ahead, 0, fresh);
+  ASSERT_NE(cloud, nullptr);
+  ASSERT_TRUE(cloud->cloud());
+  EXPECT_LT(worth_along(*cloud, Eigen::Vector3d::UnitX()), 0.01) << "along the rays";
+  EXPECT_LT(worth_along(*cloud, Eigen::Vector3d::UnitY()), 0.05) << "along the ring";
+}
+
+TEST(Cloud, WhatManyRingsMeetIsWorthAllThatItDoesNotFillOfItsVoxel) {
+  Random random(25);
+  const Points points = shrub(random, 200, 0.08);
+  Config::Knots dense = knots_config();
+  dense.ring_gap = 0.003;  // of a LiDAR of 128 rings
+  const SurfelMap few = map_of(points), many = map_of(points, dense);
+  const Surfel* const cloud = find(many, kMiddle);
+  ASSERT_NE(cloud, nullptr);
+  ASSERT_TRUE(cloud->cloud());
+  for (int i = 0; i < 3; ++i) {
+    const double known = cloud->variance[i] + dense.noise * dense.noise;
+    EXPECT_NEAR(cloud->worth[i], 1.0 - known * 12.0 / (0.4 * 0.4), 1e-9);
+    EXPECT_GT(cloud->worth[i], 0.7);
+  }
+  const Eigen::Vector3d ray = (kMiddle - kSensor).normalized();
+  EXPECT_LT(worth_along(*find(few, kMiddle), ray), 0.3) << "16 rings: one or two";
+}
+
 TEST(Cloud, PlanesAndPolesComeFirstOnWhicheverGrid) {
   Points rings;  // of a floor, 0.8 m apart: lines in the finest voxels, a plane in coarser ones
   for (int row = 0; row < 4; ++row) {

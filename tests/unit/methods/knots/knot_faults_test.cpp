@@ -47,6 +47,19 @@ void make_garbage(Scan& scan) {
   for (Eigen::Vector3f& point : scan.points) point *= range(random) / point.norm();
 }
 
+/// Nothing but a level floor.
+void make_floor(Scan& scan) {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::int32_t> times_ns;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Eigen::Vector3f& p = scan.points[i];
+    if (p.z() >= -0.02F * p.norm()) continue;
+    points.emplace_back(p * (-0.45F / p.z()));
+    if (!scan.times_ns.empty()) times_ns.push_back(scan.times_ns[i]);
+  }
+  scan = {scan.stamp_ns, points, {}, times_ns, {}};
+}
+
 double distance(const Pose& a, const Pose& b) { return (a.translation - b.translation).norm(); }
 
 /// [m] of an estimate against the first of its segment that the run has.
@@ -128,6 +141,24 @@ TEST(KnotFaults, AFrozenSensorIsLost) {
     EXPECT_FALSE(all[static_cast<std::size_t>(i)].trusted());
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
   EXPECT_LT(error_of(all, all.back(), walk()), 0.05);
+}
+
+// Its rings go with the sensor: of the way along it they tell nothing, and nothing says so but
+// that.
+TEST(KnotFaults, ABareFloorHoldsNoPlaceAndItSaysSo) {
+  std::vector<Scan> scans = walk_scans();
+  for (int i = kEvent; i < kScans; ++i) make_floor(scans[static_cast<std::size_t>(i)]);
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  for (int i = kEvent; i < kScans; ++i) {
+    const Estimate& estimate = all[static_cast<std::size_t>(i)];
+    EXPECT_EQ(estimate.status, Status::degenerate) << i << ' ' << statuses(all);
+    const double error = error_of(all, estimate, walk());
+    EXPECT_LT(error, 3.0 * std::sqrt(estimate.covariance(0, 0))) << i;
+    if (error > 0.4) {
+      EXPECT_GT(estimate.wrong_probability, 0.5) << i;
+    }
+  }
 }
 
 TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {
