@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// surefoot live: a sensor's packets as they come, or a capture at its own pace; the same files as
-// of surefoot run.
+// surefoot live: a sensor's packets or a topic's messages as they come, or a capture at its own
+// pace; the same files as of surefoot run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,16 +11,24 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "commands.hpp"
-#include "evaluation/statistics.hpp"
+#include "io/robots.hpp"
 #include "live/live_recording.hpp"
+#include "live_figures.hpp"
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "recorded_options.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
+#ifdef SUREFOOT_HAS_ROS2
+#include "ros2/topic_publisher.hpp"
+#include "ros2/topic_subscription.hpp"
+#include "ros2_options.hpp"
+#endif
 
 namespace surefoot::app {
 
@@ -35,43 +43,27 @@ struct LiveArguments {
   std::string address;
   std::filesystem::path replay;
   double speed = 1.0;
+  std::filesystem::path record;
+#ifdef SUREFOOT_HAS_ROS2
+  Ros2Arguments ros2;
+#endif
 };
 
-std::string latency_text(const live::LiveFigures& figures) {
-  const std::vector<double>& latencies = figures.latencies_ms;
-  if (latencies.empty()) return "no scan was used";
-  return fmt::format("from last packet to pose {:.1f} ms median, {:.1f} ms p99, {:.1f} ms at most",
-                     evaluation::quantile(latencies, 0.5), evaluation::quantile(latencies, 0.99),
-                     *std::max_element(latencies.begin(), latencies.end()));
-}
-
-std::string state_text(const live::LiveFigures& figures) {
-  return fmt::format("{} scans, {} dropped; {}", figures.used, figures.dropped,
-                     latency_text(figures));
-}
-
-void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome) {
+void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome, bool of_topic) {
   fmt::print("{}\n", state_text(figures));
-  fmt::print("{} datagrams, {} of them data; {} lost by the sensor's clock, {} by a full socket\n",
-             figures.datagrams, figures.packets.data_packets, figures.packets.lost,
-             figures.overflowed);
+  if (of_topic) {
+    fmt::print("{} messages, {} unreadable; {} lost on the way\n", figures.received,
+               figures.unreadable, figures.lost);
+  } else {
+    fmt::print(
+        "{} datagrams, {} of them data; {} lost by the sensor's clock, {} by a full socket\n",
+        figures.received, figures.packets.data_packets, figures.packets.lost, figures.lost);
+  }
   for (const auto& [status, count] : outcome.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
   }
   if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
   fmt::print("results: {}\n", outcome.folder.string());
-}
-
-std::unique_ptr<live::DatagramSource> source_of(LiveArguments& arguments) {
-  if (!arguments.replay.empty()) {
-    arguments.run.input = arguments.replay;
-    return live::replay_capture(arguments.replay, arguments.speed);
-  }
-  arguments.run.is_live = arguments.live.record.empty();
-  arguments.run.input = arguments.run.is_live
-                            ? std::filesystem::path(fmt::format("udp-{}", arguments.udp))
-                            : arguments.live.record;
-  return live::listen_udp(arguments.address, arguments.udp);
 }
 
 /// An Ouster's packets are not understood without what it says about itself.
@@ -81,18 +73,101 @@ std::string metadata_of(const LiveArguments& arguments) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-int run_live(CLI::App& command, LiveArguments& arguments) {
-  if (arguments.replay.empty() == (arguments.udp == 0)) {
-    throw std::invalid_argument("live: expected either --udp PORT or --replay CAPTURE");
+/// What is not kept has a name, but cannot be opened again.
+void name_input(LiveArguments& arguments, const std::string& name) {
+  arguments.run.is_live = arguments.record.empty();
+  arguments.run.input = arguments.run.is_live ? std::filesystem::path(name) : arguments.record;
+}
+
+std::unique_ptr<live::ScanStream> packets_of(LiveArguments& arguments) {
+  arguments.run.given.emplace_back("repair-stamps", "false");  // which would wait for two scans
+  if (!arguments.replay.empty()) {
+    arguments.run.input = arguments.replay;
+    return live::packet_stream(live::replay_capture(arguments.replay, arguments.speed),
+                               arguments.run.reader, metadata_of(arguments), {});
   }
+  name_input(arguments, fmt::format("udp-{}", arguments.udp));
+  return live::packet_stream(live::listen_udp(arguments.address, arguments.udp),
+                             arguments.run.reader, "", arguments.record);
+}
+
+#ifdef SUREFOOT_HAS_ROS2
+std::unique_ptr<live::ScanStream> messages_of(LiveArguments& arguments,
+                                              std::shared_ptr<ros2::Participant> participant) {
+  if (!arguments.record.empty() && arguments.record.extension() != ".mcap") {
+    throw std::invalid_argument("live: messages are recorded as MCAP: --record expects FILE.mcap");
+  }
+  std::string name = "ros2" + arguments.ros2.topic;
+  std::replace(name.begin(), name.end(), '/', '-');
+  name_input(arguments, name);
+  io::OpenOptions& reader = arguments.run.reader;
+  reader = io::with_robot(reader);
+  if (!std::exchange(reader.repair_at_once, true) || !reader.robot.empty()) {
+    arguments.run.given.emplace_back("repair-at-once", "true");
+  }
+  const auto say = [quiet = arguments.run.quiet](const std::string& text) {
+    if (!quiet) fmt::print(stderr, "note: {}\n", text);
+  };
+  return live::topic_stream(
+      ros2::subscribe(std::move(participant), {arguments.ros2.topic, arguments.ros2.reliable, say}),
+      reader, arguments.record);
+}
+#endif
+
+/// Where scans come from and where messages go.
+struct Ends {
+  std::unique_ptr<live::ScanStream> stream;
+  std::shared_ptr<io::BagWriter> messages;  ///< null: nowhere
+  bool of_topic = false;
+};
+
+Ends ends_of(LiveArguments& arguments) {
+  Ends ends;
+#ifdef SUREFOOT_HAS_ROS2
+  std::shared_ptr<ros2::Participant> participant;
+  if (arguments.ros2.any()) {
+    participant = std::make_shared<ros2::Participant>(arguments.ros2.participant);
+  }
+  if (arguments.ros2.publish) ends.messages = ros2::publish(participant);
+  ends.of_topic = !arguments.ros2.topic.empty();
+  if (ends.of_topic) {
+    ends.stream = messages_of(arguments, participant);
+    return ends;
+  }
+#endif
+  ends.stream = packets_of(arguments);
+  return ends;
+}
+
+void check_source(LiveArguments& arguments) {
+  bool has_topic = false;
+  const bool has_packets = !arguments.replay.empty() || arguments.udp != 0;
+#ifdef SUREFOOT_HAS_ROS2
+  std::string& topic = arguments.ros2.topic;
+  const std::string& robot = arguments.run.reader.robot;
+  if (topic.empty() && !robot.empty() && !has_packets) topic = io::robot_named(robot).topic;
+  has_topic = !topic.empty();
+  constexpr const char* kExpected =
+      "live: expected --udp PORT, --replay CAPTURE or --ros2-topic TOPIC";
+#else
+  constexpr const char* kExpected = "live: expected --udp PORT or --replay CAPTURE";
+#endif
+  if (!has_topic && !has_packets) throw std::invalid_argument(kExpected);
+  if (!arguments.record.empty() && !arguments.replay.empty()) {
+    throw std::invalid_argument("live: --record of what --replay plays would be that capture");
+  }
+}
+
+int run_live(CLI::App& command, LiveArguments& arguments) {
+  check_source(arguments);
   (void)runs::config_of(arguments.run);
   const process::InterruptGuard interrupt;
   arguments.run.given = recorded_options(command);
-  arguments.run.given.emplace_back("repair-stamps", "false");  // which would wait for two scans
-  arguments.live.reader = arguments.run.reader;
   arguments.live.stopped = [&] { return interrupt.interrupted(); };
-  if (!arguments.replay.empty()) arguments.live.metadata = metadata_of(arguments);
-  live::LiveRecording recording(source_of(arguments), arguments.live);
+  Ends ends = ends_of(arguments);
+  live::LiveRecording recording(std::move(ends.stream), arguments.live);
+  std::optional<LivePublisher> publisher;
+  if (ends.messages) publisher.emplace(ends.messages);
 
   const bool quiet = arguments.run.quiet;
   Clock::time_point told = Clock::now();
@@ -101,6 +176,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   };
   const auto progress = [&](std::size_t, double) {
     recording.done();
+    if (publisher) publisher->tell(recording.figures());
     constexpr auto kPeriod = std::chrono::seconds(10);
     if (quiet || Clock::now() - told < kPeriod) return;
     told = Clock::now();
@@ -112,9 +188,9 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     arguments.run.given.emplace_back("like", std::filesystem::absolute(log).string());
   };
   // Ctrl-C ends the stream, not the run: what was received is used.
-  const runs::RunOutcome outcome =
-      runs::run_odometry(arguments.run, {say, progress, [] { return false; }, started}, recording);
-  if (!quiet) print_end(recording.figures(), outcome);
+  const runs::RunOutcome outcome = runs::run_odometry(
+      arguments.run, {say, progress, [] { return false; }, started, ends.messages}, recording);
+  if (!quiet) print_end(recording.figures(), outcome, ends.of_topic);
   if (outcome.poses == 0) {
     throw io::ReadError(fmt::format("{}: none of {} scans could be used; scans.csv in {} says why",
                                     arguments.run.input.string(), outcome.scans(),
@@ -150,13 +226,14 @@ void add_source_options(CLI::App& command, LiveArguments& arguments) {
       ->capture_default_str()
       ->group(kGroup);
   command
-      .add_option("--record", arguments.live.record,
-                  "also write all packets to this capture, from which the run can be repeated")
-      ->needs("--udp")
+      .add_option("--record", arguments.record,
+                  "also write all packets to this capture, from which the run can be repeated; "
+                  "of a topic all messages, to an MCAP file")
       ->group(kGroup);
   command
       .add_option("--silence", arguments.live.silence,
-                  "end after so long without a packet [s]; without it Ctrl-C or SIGTERM ends it")
+                  "end after so long without a packet or message [s]; without it Ctrl-C or SIGTERM "
+                  "ends it")
       ->check(number_within(0.1, 1e6))
       ->group(kGroup);
 }
@@ -166,8 +243,11 @@ void add_source_options(CLI::App& command, LiveArguments& arguments) {
 void add_live_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<LiveArguments>();
   CLI::App* command =
-      app.add_subcommand("live", "Run on a sensor's packets as they come, or a capture's");
+      app.add_subcommand("live", "Run on a sensor's packets or a topic's messages as they come");
   add_source_options(*command, *arguments);
+#ifdef SUREFOOT_HAS_ROS2
+  add_ros2_options(*command, arguments->ros2);
+#endif
   add_run_options(*command, arguments->run);
   command->callback(
       [command, arguments, &exit_code] { exit_code = run_live(*command, *arguments); });

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "io/datasets.hpp"
+#include "io/robots.hpp"
 #include "option_checks.hpp"
 
 namespace surefoot::app {
@@ -67,6 +68,10 @@ void add_time_options(CLI::App& command, OpenOptions& options) {
       .add_flag("--repair-stamps,!--no-repair-stamps", options.repair_stamps,
                 "Mend stamps that go back, stand still or are wild (default: yes)")
       ->group(kGroup);
+  command
+      .add_flag("--repair-at-once", options.repair_at_once,
+                "Mend them without a look at the next scans, as live runs on topics do")
+      ->group(kGroup);
   command.add_option("--rate", options.rate_hz, "Scans a second where nothing gives stamps [Hz]")
       ->check(number_within(1e-3, 1e4))
       ->group(kGroup);
@@ -121,6 +126,12 @@ void add_reader_options(CLI::App& command, OpenOptions& options) {
       .add_option("--dataset", options.dataset,
                   "Read as this public data set asks for; 'surefoot datasets' tells of each")
       ->check(one_of(io::dataset_names()))
+      ->type_name("NAME")
+      ->group(kGroup);
+  command
+      .add_option("--robot", options.robot,
+                  "Read as what this robot's own software publishes asks for: topic, rate, stamps")
+      ->check(one_of(io::robot_names()))
       ->type_name("NAME")
       ->group(kGroup);
   add_time_options(command, options);

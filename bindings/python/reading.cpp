@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/datasets.hpp"
+#include "io/robots.hpp"
 #include "words.hpp"
 
 namespace surefoot::python {
@@ -42,6 +43,12 @@ constexpr Words<io::ReturnChoice, 3> kReturns = {{{"strongest", io::ReturnChoice
 
 std::string word(const py::handle& value) { return py::str(value); }
 
+std::string robot_named(const std::string& name) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string& one : io::robot_names()) names.emplace_back(one, one);
+  return choice_of(names, "robot", name);
+}
+
 std::string dataset_named(const std::string& name) {
   std::vector<std::pair<std::string, std::string>> names;
   for (const std::string& one : io::dataset_names()) names.emplace_back(one, one);
@@ -74,6 +81,8 @@ const Option kOptions[] = {
     {"spin", [](auto& o, const auto& v) { o.spin = choice_of(kSpins, "spin", word(v)); }},
     {"stamps",
      [](auto& o, const auto& v) { o.stamps_file = v.template cast<std::filesystem::path>(); }},
+    {"robot", [](auto& o, const auto& v) { o.robot = robot_named(word(v)); }},
+    {"repair_at_once", [](auto& o, const auto& v) { o.repair_at_once = v.template cast<bool>(); }},
     {"repair_stamps", [](auto& o, const auto& v) { o.repair_stamps = v.template cast<bool>(); }},
     {"rate", [](auto& o, const auto& v) { o.rate_hz = v.template cast<double>(); }},
     {"kitti_correction",

@@ -143,10 +143,11 @@ file, a capture of packets (.pcap, .pcapng), a bag (.bag, .db3, .mcap, or its fo
 >>> for scan in surefoot.open("walk.mcap", topic="/points"): ...
 
 keep_partial: give also the part of a revolution that a capture begins with.
-The other options are the program's, with _ for -: dataset, topic, format, time_field, time_unit (auto, s,
-ms, us, ns), time_reference (auto, relative, absolute), stamp_at (start, end), point_times
+The other options are the program's, with _ for -: dataset, robot, topic, format, time_field, time_unit (auto,
+s, ms, us, ns), time_reference (auto, relative, absolute), stamp_at (start, end), point_times
 (forward, backward, none), derive_times (no,
-azimuth), spin (clockwise, counterclockwise), stamps (a file), repair_stamps, rate [Hz],
+azimuth), spin (clockwise, counterclockwise), stamps (a file), repair_stamps,
+repair_at_once, rate [Hz],
 kitti_correction, udp_port, sensor, calibration (a file), returns (strongest, last, both; the
 program's --return), cut [deg], vertical_correction.)");
   module.attr("_reading_options") = reading_option_names();

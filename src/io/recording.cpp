@@ -10,6 +10,7 @@
 #include "io/files/scan_files.hpp"
 #include "io/packets/capture_recording.hpp"
 #include "io/point_time_watch.hpp"
+#include "io/robots.hpp"
 #include "io/stamp_repair.hpp"
 
 namespace surefoot::io {
@@ -53,7 +54,7 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
 
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
                                           const OpenOptions& given) {
-  const OpenOptions options = with_dataset(given);
+  const OpenOptions options = with_robot(with_dataset(given));
   std::unique_ptr<Recording> recording = watch_point_times(open_any(path, options), options);
   return options.repair_stamps ? repair_stamps(std::move(recording), options)
                                : std::move(recording);

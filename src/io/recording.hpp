@@ -50,6 +50,8 @@ using sensors::ReturnChoice;
 struct OpenOptions {
   /// One of dataset_names() (datasets.hpp): it says what else here is left open; empty: none.
   std::string dataset;
+  /// One of robot_names() (robots.hpp): likewise, of what its own software publishes.
+  std::string robot;
   /// "pcd", "ply" or "bin" for a folder that holds several kinds; empty: the one kind there is.
   std::string format;
   /// Topic of a bag; empty: the only one that scans can be made of.
@@ -70,6 +72,8 @@ struct OpenOptions {
   Spin spin = Spin::kClockwise;  ///< of derived times
   /// Mend stamps that cannot be (stamp_repair.hpp), and say so.
   bool repair_stamps = true;
+  /// As the scans come, without a look at the next ones: what a live run does.
+  bool repair_at_once = false;
   /// Scans a second where nothing else gives stamps [Hz]; 0: unknown.
   double rate_hz = 0.0;
   /// File of stamps, one line a scan; empty: looked for beside the scans.
@@ -100,6 +104,7 @@ struct ScanItem {
   std::string name;                ///< file name, or "revolution 12"
   std::string error;               ///< why `scan` is empty
   std::string layout;              ///< what is stored: "PCD binary: x f32, y f32, z f32, time f32"
+  std::int64_t logged_ns = 0;      ///< when its message was received; 0: not known
   std::string remark;              ///< what is odd about this scan alone: "partial revolution"
   std::size_t dropped_points = 0;  ///< points left out for want of a usable time
 };

@@ -23,6 +23,8 @@ constexpr std::int64_t kUnknownInterval = 100'000'000;  // [ns] before any is kn
 constexpr std::int64_t kWild = 5;
 // The first has one neighbour: a driver that did not know the time yet says zero.
 constexpr std::int64_t kWildFirst = 100'000;
+// Without a look ahead: so many in a row that go on from each other are of a clock that was set.
+constexpr int kSteady = 3;
 constexpr std::int64_t kLongestInterval = 10'000'000'000;  // [ns] of a LiDAR
 
 /// Stamps may be anything: sums stay within the range of the type.
@@ -43,7 +45,8 @@ class RepairedRecording : public RecordingFilter {
  public:
   RepairedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
       : RecordingFilter(std::move(recording)),
-        known_interval_ns_(options.rate_hz > 0.0 ? std::llround(1e9 / options.rate_hz) : 0) {
+        known_interval_ns_(options.rate_hz > 0.0 ? std::llround(1e9 / options.rate_hz) : 0),
+        at_once_(options.repair_at_once) {
     merge_notes();
   }
 
@@ -71,7 +74,7 @@ class RepairedRecording : public RecordingFilter {
   void fill() {
     std::size_t scans = 0;
     for (const ScanItem& item : waiting()) scans += item.scan ? 1 : 0;
-    while (scans <= kAhead) {
+    while (scans <= (at_once_ ? 0 : kAhead)) {
       std::optional<ScanItem> item = recording().next();
       merge_notes();
       if (!item) return;
@@ -117,8 +120,11 @@ class RepairedRecording : public RecordingFilter {
       const std::int64_t next = sum(stamps_ahead().front(), offset_ns_);
       scan.stamp_ns = sum(*last_, std::min(usual_interval_ns(), difference(next, *last_) / 2 + 1));
       note_wild(given, item.name);
+    } else if (at_once_ && !fits_at_once(item)) {
+      const std::int64_t intervals = intervals_since_last(item);
+      scan.stamp_ns = sum(*last_, intervals * usual_interval_ns());
     } else {
-      if (sum(given, offset_ns_) <= *last_) set_clock(given, item.name);
+      if (!at_once_ && sum(given, offset_ns_) <= *last_) set_clock(given, item.name, 1);
       scan.stamp_ns = sum(given, offset_ns_);
       const std::int64_t step = difference(scan.stamp_ns, *last_);
       if (step < kWild * usual_interval_ns()) intervals_.push_back(step);
@@ -126,6 +132,7 @@ class RepairedRecording : public RecordingFilter {
     }
     given_ns_ = given;
     last_ = scan.stamp_ns;
+    last_logged_ns_ = item.logged_ns;
     last_points_ = scan.points;
   }
 
@@ -157,22 +164,69 @@ class RepairedRecording : public RecordingFilter {
     return !ahead.empty();
   }
 
+  /// No message overtakes the fastest one by much: its stamp is of another clock.
+  [[nodiscard]] bool is_ahead(const ScanItem& item) const {
+    if (!least_late_ns_ || item.logged_ns == 0) return false;
+    const std::int64_t late = difference(item.logged_ns, sum(item.scan->stamp_ns, offset_ns_));
+    return late < difference(*least_late_ns_, kWild * usual_interval_ns());
+  }
+
+  /// Since the last scan: one, or by when messages were received as many as were lost, too.
+  [[nodiscard]] std::int64_t intervals_since_last(const ScanItem& item) const {
+    if (!at_once_ || item.logged_ns == 0 || last_logged_ns_ == 0) return 1;
+    constexpr std::int64_t kMost = 1000;
+    const double intervals = static_cast<double>(difference(item.logged_ns, last_logged_ns_)) /
+                             static_cast<double>(usual_interval_ns());
+    return std::clamp<std::int64_t>(std::llround(std::clamp(intervals, 0.0, 1e6)), 1, kMost);
+  }
+
+  /// Whether a stamp goes on from those before, if need be by a clock that was set.
+  bool fits_at_once(const ScanItem& item) {
+    const std::int64_t given = item.scan->stamp_ns;
+    if (sum(given, offset_ns_) <= *last_ || is_ahead(item)) {
+      const std::int64_t step = difference(given, given_ns_);
+      steady_ = step > 0 && step <= kWild * usual_interval_ns() ? steady_ + 1 : 1;
+      if (steady_ < kSteady) {
+        if (given == given_ns_) {
+          note_once(stands_noted_, stands_text(item.name));
+        } else {
+          note_wild(given, item.name);
+        }
+        return false;
+      }
+      set_clock(given, item.name, intervals_since_last(item));
+    }
+    steady_ = 0;
+    if (item.logged_ns != 0) {
+      const std::int64_t late = difference(item.logged_ns, sum(given, offset_ns_));
+      least_late_ns_ = least_late_ns_ ? std::min(*least_late_ns_, late) : late;
+    }
+    return true;
+  }
+
   /// The clock goes on where it was, from this scan on.
-  void set_clock(std::int64_t given, const std::string& name) {
+  void set_clock(std::int64_t given, const std::string& name, std::int64_t intervals) {
     const std::int64_t back = difference(*last_, sum(given, offset_ns_));
-    offset_ns_ = difference(sum(*last_, usual_interval_ns()), given);
-    if (given == given_ns_) {
-      note_once(stands_noted_,
-                "stamps: they stand still at " + name + "; the usual interval is taken instead");
+    offset_ns_ = difference(sum(*last_, intervals * usual_interval_ns()), given);
+    if (back < 0) {
+      note_once(ahead_noted_, "stamps: the clock jumps ahead by " + format_seconds(-back) +
+                                  " s at " + name + "; it goes on where it was");
+    } else if (given == given_ns_) {
+      note_once(stands_noted_, stands_text(name));
     } else {
       note_once(set_back_noted_, "stamps: the clock goes back by " + format_seconds(back) +
                                      " s at " + name + "; it goes on where it was");
     }
   }
 
+  static std::string stands_text(const std::string& name) {
+    return "stamps: they stand still at " + name + "; the usual interval is taken instead";
+  }
+
   void note_wild(std::int64_t given, const std::string& name) {
-    note_once(wild_noted_, "stamps: that of " + name + ", " + format_seconds(given) +
-                               " s, fits neither side; such are put where they belong");
+    note_once(wild_noted_, "stamps: that of " + name + ", " + format_seconds(given) + " s, " +
+                               (at_once_ ? "does not fit those before" : "fits neither side") +
+                               "; such are put where they belong");
   }
 
   void note_once(bool& noted, std::string text) {
@@ -181,12 +235,17 @@ class RepairedRecording : public RecordingFilter {
   }
 
   std::int64_t known_interval_ns_;
+  bool at_once_;
   std::deque<std::int64_t> intervals_;
   std::optional<std::int64_t> last_;  // as given out
   std::int64_t given_ns_ = 0;         // the same scan's, as read
   std::vector<Eigen::Vector3f> last_points_;
   std::int64_t offset_ns_ = 0;
-  bool wild_noted_ = false, set_back_noted_ = false, stands_noted_ = false, twice_ = false;
+  std::int64_t last_logged_ns_ = 0;
+  int steady_ = 0;  // stamps in a row that fit each other, but not those before
+  std::optional<std::int64_t> least_late_ns_;  // of receipts after stamps
+  bool wild_noted_ = false, set_back_noted_ = false, ahead_noted_ = false, stands_noted_ = false,
+       twice_ = false;
   bool differ_ = false;  // two scans that follow each other do
 };
 

@@ -18,6 +18,10 @@ namespace surefoot::io {
 /// - Equal to the one before: the stamp stands. The usual interval is taken instead; a scan that is
 ///   the same as the one before, point by point, was sent twice and is left out.
 /// A jump forward that stays is a gap, however long: time may have passed.
+/// With `repair_at_once` none waits. A stamp that does not grow, or is far ahead of when its
+/// message was received, compared to all before, counts for nothing, until three go on from each
+/// other: then the clock was set. Where stamps do not help, receipts tell how many intervals have
+/// passed.
 [[nodiscard]] std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
                                                        const OpenOptions& options);
 

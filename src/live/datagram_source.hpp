@@ -22,7 +22,7 @@ struct Arrival {
 };
 
 enum class Received {
-  kDatagram,
+  kSomething,
   kNothing,  ///< for now: ask again
   kEnd       ///< nothing will come any more
 };

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/packets/datagram_writer.hpp"
-
 namespace surefoot::live {
 namespace {
 
@@ -20,13 +18,8 @@ double milliseconds(Clock::duration span) {
 
 }  // namespace
 
-LiveRecording::LiveRecording(std::unique_ptr<DatagramSource> source, LiveOptions options)
-    : source_(std::move(source)),
-      options_(std::move(options)),
-      writer_(options_.record.empty() ? nullptr
-                                      : std::make_unique<io::DatagramWriter>(options_.record)),
-      intake_(options_.reader, options_.metadata),
-      thread_([this] { run(); }) {}
+LiveRecording::LiveRecording(std::unique_ptr<ScanStream> stream, LiveOptions options)
+    : stream_(std::move(stream)), options_(std::move(options)), thread_([this] { run(); }) {}
 
 LiveRecording::~LiveRecording() {
   {
@@ -41,8 +34,6 @@ void LiveRecording::run() {
   std::exception_ptr failure;
   try {
     receive_all();
-    if (writer_) writer_->flush();
-    if (figures().packets.data_packets == 0) throw io::ReadError(nothing_text());
   } catch (...) {
     failure = std::current_exception();
   }
@@ -54,89 +45,51 @@ void LiveRecording::run() {
   changed_.notify_all();
 }
 
-std::string LiveRecording::nothing_text() const {
-  const std::lock_guard lock(mutex_);
-  return source_->name() + ": " + std::to_string(figures_.datagrams) +
-         " datagrams, no LiDAR's data packet" + intake_.port_text() + " among them" +
-         (figures_.datagrams > 0 ? intake_.traffic_seen() : std::string());
-}
-
 void LiveRecording::receive_all() {
-  Arrival arrival;
-  Clock::time_point last;
-  bool any = false;
-  while (!options_.stopped || !options_.stopped()) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (abandoned_) return;
-      figures_.overflowed = source_->overflowed();
-    }
-    const Received received = source_->receive(arrival);
-    if (received == Received::kEnd) break;
-    if (received == Received::kDatagram) {
-      any = true;
-      last = arrival.received;
-      use(arrival);
-    } else if (any && is_silent(last)) {
-      break;
-    }
+  while (std::optional<LiveScan> scan = stream_->next([this] { return goes_on(); })) {
+    take_state();
+    enqueue(std::move(*scan));
   }
-  {
-    const std::lock_guard lock(mutex_);
-    intake_.scans().finish();
-  }
-  take_scans(last);
-  describe();
+  take_state();
+  if (const std::string text = stream_->nothing_text(); !text.empty()) throw io::ReadError(text);
 }
 
-bool LiveRecording::is_silent(Clock::time_point last) const {
-  return options_.silence > 0.0 && milliseconds(Clock::now() - last) > 1e3 * options_.silence;
-}
-
-void LiveRecording::use(const Arrival& arrival) {
-  if (writer_) writer_->add(arrival.arrival_ns, arrival.datagram);
-  {
-    const std::lock_guard lock(mutex_);
-    ++figures_.datagrams;
-    intake_.add(arrival.arrival_ns, arrival.datagram);
+bool LiveRecording::goes_on() {
+  if (options_.stopped && options_.stopped()) return false;
+  const std::optional<Clock::time_point> last = stream_->last();
+  if (last && options_.silence > 0.0 &&
+      milliseconds(Clock::now() - *last) > 1e3 * options_.silence) {
+    return false;
   }
-  take_scans(arrival.received);
+  const std::lock_guard lock(mutex_);
+  return !abandoned_;
 }
 
-void LiveRecording::take_scans(Clock::time_point received) {
+void LiveRecording::take_state() {
+  StreamState state = stream_->state();
+  const std::lock_guard lock(mutex_);
+  for (; stream_notes_ < state.notes.size(); ++stream_notes_) {
+    notes_.push_back(state.notes[stream_notes_]);
+  }
+  state_ = std::move(state);
+}
+
+void LiveRecording::enqueue(LiveScan scan) {
   std::unique_lock lock(mutex_);
-  while (std::optional<io::ScanItem> item = intake_.scans().take()) {
-    enqueue({std::move(*item), received}, lock);
-    if (writer_) writer_->flush();
+  if (!scan.item.scan) {
+    if (figures_.unreadable++ == 0) notes_.push_back("left out: " + scan.item.error);
+    return;
   }
-}
-
-void LiveRecording::enqueue(Waiting waiting, std::unique_lock<std::mutex>& lock) {
   const auto is_full = [&] { return queue_.size() >= std::max<std::size_t>(options_.queue, 1); };
-  if (source_->patient()) changed_.wait(lock, [&] { return !is_full() || abandoned_; });
+  if (stream_->patient()) changed_.wait(lock, [&] { return !is_full() || abandoned_; });
   while (is_full()) {
     const io::ScanItem& oldest = queue_.front().item;
     log_.dropped(oldest.scan->stamp_ns, oldest.name);
     ++figures_.dropped;
     queue_.pop_front();
   }
-  queue_.push_back(std::move(waiting));
-  notes_ = intake_.scans().notes();
+  queue_.push_back(std::move(scan));
   changed_.notify_all();
-}
-
-/// What is known at the end only.
-void LiveRecording::describe() {
-  const std::lock_guard lock(mutex_);
-  notes_ = intake_.scans().notes();
-  if (intake_.scans().lost() > 0) {
-    notes_.push_back("by the sensor's clock " + std::to_string(intake_.scans().lost()) +
-                     " data packets are missing");
-  }
-  if (figures_.overflowed > 0) {
-    notes_.push_back(std::to_string(figures_.overflowed) +
-                     " datagrams were lost because the socket was full");
-  }
 }
 
 std::optional<io::ScanItem> LiveRecording::next() {
@@ -146,7 +99,7 @@ std::optional<io::ScanItem> LiveRecording::next() {
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     return std::nullopt;
   }
-  Waiting first = std::move(queue_.front());
+  LiveScan first = std::move(queue_.front());
   queue_.pop_front();
   changed_.notify_all();
   given_ = {first.item.scan->stamp_ns, first.item.name, first.received};
@@ -180,15 +133,15 @@ const std::vector<std::string>& LiveRecording::notes() const {
 
 std::string LiveRecording::description() const {
   const std::lock_guard lock(mutex_);
-  return intake_.scans().sensor() + " live from " + source_->name() + ", return mode " +
-         intake_.scans().return_mode();
+  return state_.description;
 }
 
 LiveFigures LiveRecording::figures() const {
   const std::lock_guard lock(mutex_);
   LiveFigures figures = figures_;
-  figures.packets = intake_.counts();
-  figures.packets.packets = figures_.datagrams;
+  figures.received = state_.received;
+  figures.lost = state_.lost;
+  figures.packets = state_.packets;
   return figures;
 }
 

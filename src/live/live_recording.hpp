@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// A stream of packets as a recording that grows while it is read. A thread of its own receives, so
+// A stream of scans as a recording that grows while it is read. A thread of its own receives, so
 // that nothing is lost while a scan is registered; scans wait in a short queue, and where they come
 // faster than they are used the oldest one goes: what is used is as fresh as can be.
 #pragma once
@@ -21,40 +21,33 @@
 #include <thread>
 #include <vector>
 
-#include "io/packets/packet_intake.hpp"
 #include "io/recording.hpp"
-#include "live/datagram_source.hpp"
 #include "live/live_log.hpp"
-
-namespace surefoot::io {
-class DatagramWriter;
-}
+#include "live/scan_stream.hpp"
 
 namespace surefoot::live {
 
 struct LiveOptions {
-  io::OpenOptions reader;
-  std::string metadata;           ///< of an Ouster, say
   std::size_t queue = 2;          ///< scans that may wait
-  double silence = 0.0;           ///< [s] without a packet that end it, once there was one; 0: none
-  std::filesystem::path record;   ///< a capture of all datagrams; empty: none
+  double silence = 0.0;           ///< [s] of it that end the run, once there was something; 0: none
   std::function<bool()> stopped;  ///< asked ten times a second; true ends the stream in good order
 };
 
 /// Of a live run so far.
 struct LiveFigures {
-  std::size_t datagrams = 0;
-  std::uint64_t overflowed = 0;  ///< lost before they were received: the socket was full
+  std::size_t received = 0;  ///< datagrams or messages
+  std::uint64_t lost = 0;    ///< of them, before they were received
   io::CaptureCounts packets;
   std::size_t used = 0;              ///< scans
   std::size_t dropped = 0;           ///< scans that waited for too long
+  std::size_t unreadable = 0;        ///< messages that no scan could be made of
   std::vector<double> latencies_ms;  ///< from a used scan's last packet to done(); the last 100,000
 };
 
 class LiveRecording final : public io::Recording {
  public:
-  /// Begins to receive. Throws io::ReadError, io::WriteError.
-  LiveRecording(std::unique_ptr<DatagramSource> source, LiveOptions options);
+  /// Begins to receive.
+  LiveRecording(std::unique_ptr<ScanStream> stream, LiveOptions options);
   ~LiveRecording() override;
 
   /// Waits for a scan; nothing once the stream has ended and all that waited was used. Throws what
@@ -73,10 +66,6 @@ class LiveRecording final : public io::Recording {
   [[nodiscard]] LiveLog& log() { return log_; }
 
  private:
-  struct Waiting {
-    io::ScanItem item;
-    std::chrono::steady_clock::time_point received;  ///< its last packet
-  };
   struct Given {
     std::int64_t stamp_ns = 0;
     std::string name;
@@ -85,25 +74,22 @@ class LiveRecording final : public io::Recording {
 
   void run();
   void receive_all();
-  [[nodiscard]] bool is_silent(std::chrono::steady_clock::time_point last) const;
-  void use(const Arrival& arrival);
-  void take_scans(std::chrono::steady_clock::time_point received);
-  void enqueue(Waiting waiting, std::unique_lock<std::mutex>& lock);
-  void describe();
-  [[nodiscard]] std::string nothing_text() const;
+  [[nodiscard]] bool goes_on();
+  void take_state();
+  void enqueue(LiveScan scan);
 
-  std::unique_ptr<DatagramSource> source_;
+  std::unique_ptr<ScanStream> stream_;  ///< the thread's
   LiveOptions options_;
-  std::unique_ptr<io::DatagramWriter> writer_;
   LiveLog log_;
 
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable changed_;
-  io::PacketIntake intake_;
-  std::deque<Waiting> queue_;
+  StreamState state_;
+  std::deque<LiveScan> queue_;
   LiveFigures figures_;
   std::size_t next_latency_ = 0;
   std::vector<std::string> notes_;
+  std::size_t stream_notes_ = 0;  ///< of the stream's, that are among them
   bool ended_ = false;
   bool abandoned_ = false;  ///< nobody will ask for more
   std::exception_ptr failure_;

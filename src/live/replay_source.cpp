@@ -31,7 +31,7 @@ class ReplaySource final : public DatagramSource {
     arrival = *waiting_;
     arrival.received = Clock::now();
     waiting_.reset();
-    return Received::kDatagram;
+    return Received::kSomething;
   }
 
   bool patient() const override { return speed_ <= 0.0; }

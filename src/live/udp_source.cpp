@@ -89,7 +89,7 @@ class UdpSource final : public DatagramSource {
     stamp(message, arrival);
     arrival.datagram = {io::FrameContent::kUdp, ntohl(sender.sin_addr.s_addr), port_,
                         std::span(bytes_).first(static_cast<std::size_t>(size))};
-    return Received::kDatagram;
+    return Received::kSomething;
   }
 
   std::uint64_t overflowed() const override { return overflowed_; }

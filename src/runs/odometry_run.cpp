@@ -258,6 +258,7 @@ void OdometryRun::open_bags() {
   if (!options_.rosbag2.empty()) {
     bags_.emplace_back(io::make_sqlite_bag(options_.rosbag2), T_lidar_base);
   }
+  if (listener_.messages) bags_.emplace_back(listener_.messages, T_lidar_base);
 }
 
 /// Where the recording's truth is known, loops are judged by it. A broken file is told, and no

@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/bags/bag_writer.hpp"
 #include "runs/map_outcome.hpp"
 #include "runs/run_options.hpp"
 #include "surefoot/estimate.hpp"
@@ -41,6 +43,8 @@ struct RunListener {
   std::function<bool()> interrupted;  ///< true ends the run in good order
   /// The folder is made, nothing is used yet. May be empty.
   std::function<void(const std::filesystem::path& folder)> started = {};
+  /// Where else the run's messages go, as it runs. May be null.
+  std::shared_ptr<io::BagWriter> messages = {};
 };
 
 /// Runs the odometry from the first scan to the last file. Bad input leaves no folder behind.

@@ -13,6 +13,7 @@ namespace surefoot::runs {
 
 namespace {
 
+constexpr const char* kMap = "map";
 constexpr const char* kWorld = "odom";
 constexpr const char* kLidar = "lidar";
 constexpr const char* kBase = "base_link";
@@ -52,7 +53,7 @@ io::Diagnostic::Level level_of(const Estimate& estimate) {
 
 }  // namespace
 
-RunBag::RunBag(std::unique_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base)
+RunBag::RunBag(std::shared_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base)
     : bag_(std::move(bag)),
       T_lidar_written_(T_lidar_base.value_or(Pose{})),
       of_base_(T_lidar_base.has_value()),
@@ -71,17 +72,29 @@ void RunBag::add(const std::string& name, const Estimate& estimate, const Odomet
   write_pose(estimate);
   write_clouds(estimate, odometry);
   // So that all of its messages together are a few times the path, not its square.
-  if (path_.size() > path_written_ + path_written_ / 4) write_path();
+  const std::size_t share = bag_->is_latched() ? 50 : 4;
+  if (path_.size() > path_written_ + path_written_ / share) write_path();
+}
+
+void RunBag::write_fixed_transforms(std::int64_t stamp_ns) {
+  fixed_written_ = true;
+  std::vector<io::Transform> transforms = {{stamp_ns, kMap, kWorld, Pose{}}};
+  if (of_base_) transforms.push_back({stamp_ns, kBase, kLidar, T_lidar_written_.inverse()});
+  const std::size_t topic = bag_->add_topic("/tf_static", io::transforms_definition());
+  bag_->write(topic, stamp_ns, io::format_transforms(transforms));
 }
 
 void RunBag::write_pose(const Estimate& estimate) {
   const std::int64_t stamp = estimate.stamp_ns;
+  if (bag_->is_latched() && !fixed_written_) write_fixed_transforms(stamp);
   io::OdometryMessage message{stamp, kWorld, frame_, estimate.T_world_lidar * T_lidar_written_};
   message.covariance = moved_covariance(estimate, T_lidar_written_);
   message.twist = moved_twist(estimate.twist, T_lidar_written_);
   bag_->write(topics_.odometry, stamp, io::format_odometry(message));
   std::vector<io::Transform> transforms = {{stamp, kWorld, frame_, message.T_frame_child}};
-  if (of_base_) transforms.push_back({stamp, kBase, kLidar, T_lidar_written_.inverse()});
+  if (of_base_ && !fixed_written_) {
+    transforms.push_back({stamp, kBase, kLidar, T_lidar_written_.inverse()});
+  }
   bag_->write(topics_.transforms, stamp, io::format_transforms(transforms));
   path_.push_back({stamp, message.T_frame_child});
 }

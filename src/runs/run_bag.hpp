@@ -15,11 +15,12 @@ namespace surefoot::runs {
 /// A run as a bag to be played or looked at: deskewed scans, the local map about once a second, the
 /// odometry with covariance and twist, the path so far, transforms, and a diagnosis of every scan.
 /// Everything of a scan is stamped with the instant of its pose. Frames are "odom" and "lidar", or
-/// "base_link" with the LiDAR on it.
+/// "base_link" with the LiDAR on it. To listeners that get what came before they did, what does not
+/// change is told once, on /tf_static, and that "odom" lies in "map" as if they were one.
 class RunBag {
  public:
   /// `T_lidar_base`: where the base sits, if its poses are to be written; else the LiDAR's.
-  RunBag(std::unique_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base);
+  RunBag(std::shared_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base);
 
   /// A scan's answer; `odometry` has just given it. Throws io::WriteError.
   void add(const std::string& name, const Estimate& estimate, const Odometry& odometry);
@@ -30,14 +31,16 @@ class RunBag {
   struct Topics {
     std::size_t scan, map, odometry, path, transforms, diagnostics;
   };
+  void write_fixed_transforms(std::int64_t stamp_ns);
   void write_pose(const Estimate& estimate);
   void write_clouds(const Estimate& estimate, const Odometry& odometry);
   void write_path();
   void write_diagnosis(const std::string& name, const Estimate& estimate);
 
-  std::unique_ptr<io::BagWriter> bag_;
+  std::shared_ptr<io::BagWriter> bag_;
   Pose T_lidar_written_;
   bool of_base_;
+  bool fixed_written_ = false;
   std::string frame_;  ///< whose poses are written
   Topics topics_;
   Trajectory path_;

@@ -26,6 +26,8 @@ class BagWriter {
                       std::string_view /*content*/) {}
   /// Throws WriteError where something could not be written.
   virtual void finish() = 0;
+  /// Whether who comes late gets what was written before: what never changes is written once.
+  [[nodiscard]] virtual bool is_latched() const { return false; }
   [[nodiscard]] virtual MessageWriter::Flavour flavour() const {
     return MessageWriter::Flavour::kCdr;
   }

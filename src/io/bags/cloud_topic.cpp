@@ -9,8 +9,8 @@
 namespace surefoot::io {
 namespace {
 
-// Messages that are looked at for the meaning of the point times.
-constexpr int kMostLookedAt = 20;
+// Messages that are looked at for the meaning of the point times, and damaged ones among them.
+constexpr int kMostLookedAt = 20, kMostDamaged = 1000;
 
 class CloudTopic final : public Recording {
  public:
@@ -30,6 +30,7 @@ class CloudTopic final : public Recording {
     if (!message) return std::nullopt;
     ScanItem item;
     item.name = "message " + std::to_string(next_++);
+    item.logged_ns = message->logged_ns;
     try {
       read_scan(*message, item);
     } catch (const ReadError& error) {
@@ -69,20 +70,24 @@ class CloudTopic final : public Recording {
 
   void find_point_time_rule() {
     std::string first_error;
-    bool any_good = false;
-    for (int i = 0; i < kMostLookedAt && !(rule_ && rule_->certain); ++i) {
+    bool settled = false;
+    int good = 0;
+    for (int damaged = 0; good < kMostLookedAt && damaged < kMostDamaged && !settled;) {
       const std::optional<Message> message = parts_.messages.next();
       if (!message) break;
       try {
         const CloudMessage cloud = read(*message);
+        const ScanColumns columns = find_scan_columns(cloud.table, options_);
         stamps_from_bag_ = cloud.stamp_ns == 0;
-        look_at_times(cloud, stamp_of(cloud, *message), find_scan_columns(cloud.table, options_));
-        any_good = true;
+        look_at_times(cloud, stamp_of(cloud, *message), columns);
+        settled = columns.time == nullptr || (rule_ && rule_->certain);
+        ++good;
       } catch (const ReadError& error) {
         if (first_error.empty()) first_error = error.what();
+        ++damaged;
       }
     }
-    if (!any_good) throw ReadError(where() + ": " + first_error);
+    if (good == 0) throw ReadError(where() + ": " + first_error);
   }
 
   void look_at_times(const CloudMessage& cloud, std::int64_t stamp_ns, const ScanColumns& columns) {

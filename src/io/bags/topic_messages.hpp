@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/bags/message_source.hpp"
@@ -17,6 +18,8 @@ class TopicMessages {
  public:
   /// Throws ReadError naming the file.
   explicit TopicMessages(std::vector<std::filesystem::path> files);
+  /// Of a source that can begin anew.
+  explicit TopicMessages(std::unique_ptr<MessageSource> source) : bag_(std::move(source)) {}
 
   /// All of the bag, for a look at it.
   [[nodiscard]] MessageSource& bag() { return *bag_; }

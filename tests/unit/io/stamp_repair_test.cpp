@@ -103,6 +103,74 @@ TEST(StampRepair, StampsThatStandGrowByTheUsualInterval) {
   EXPECT_EQ(repaired(std::vector<std::int64_t>(20, kStart)).stamps, regular(20));
 }
 
+/// Live: no look ahead, but when messages were received, 5 ms after the stamps that they should
+/// have.
+class Received : public Stamped {
+ public:
+  Received(std::vector<std::int64_t> stamps, std::vector<std::int64_t> true_stamps)
+      : Stamped(std::move(stamps)), true_stamps_(std::move(true_stamps)) {}
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = Stamped::next();
+    if (item) item->logged_ns = true_stamps_[next_++] + kSecond / 200;
+    return item;
+  }
+
+ private:
+  std::vector<std::int64_t> true_stamps_;
+  std::size_t next_ = 0;
+};
+
+Repaired repaired_at_once(std::vector<std::int64_t> stamps, std::vector<std::int64_t> true_stamps) {
+  OpenOptions options;
+  options.repair_at_once = true;
+  options.rate_hz = 10.0;
+  const auto recording =
+      repair_stamps(std::make_unique<Received>(std::move(stamps), std::move(true_stamps)), options);
+  Repaired result;
+  while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
+  result.notes = recording->notes();
+  return result;
+}
+
+TEST(StampRepairAtOnce, LeavesWhatCanBeToTheNanosecond) {
+  std::vector<std::int64_t> stamps = regular(30);
+  stamps[7] += 12'345'678;                                            // jitter
+  for (std::size_t i = 12; i < 30; ++i) stamps[i] += 40 * kSecond;    // a gap
+  for (std::size_t i = 20; i < 30; ++i) stamps[i] += 3600 * kSecond;  // and a long one
+  std::vector<std::int64_t> late = stamps;
+  for (std::size_t i = 15; i < 18; ++i) late[i] = stamps[18];  // some were held up
+  const Repaired result = repaired_at_once(stamps, late);
+  EXPECT_EQ(result.stamps, stamps);
+  EXPECT_TRUE(result.notes.empty());
+}
+
+TEST(StampRepairAtOnce, AStampThatCannotBeCountsForNothing) {
+  for (const std::size_t at : {std::size_t{3}, std::size_t{9}}) {
+    for (const std::int64_t wild : {kStart, std::int64_t{0}, kStart + 3600 * kSecond}) {
+      std::vector<std::int64_t> stamps = regular(20);
+      stamps[at] = wild;
+      const Repaired result = repaired_at_once(stamps, regular(20));
+      EXPECT_EQ(result.stamps, regular(20)) << wild << " at " << at;
+      EXPECT_EQ(result.notes.size(), 1U);
+    }
+  }
+}
+
+TEST(StampRepairAtOnce, AClockThatIsSetGoesOn) {
+  for (const std::int64_t by : {-kSecond / 2, -3600 * kSecond, 3600 * kSecond}) {
+    std::vector<std::int64_t> stamps = regular(20);
+    for (std::size_t i = 8; i < 20; ++i) stamps[i] += by;
+    EXPECT_EQ(repaired_at_once(stamps, regular(20)).stamps, regular(20)) << by;
+  }
+}
+
+TEST(StampRepairAtOnce, WhereStampsStandReceiptsTellWhatWasLost) {
+  std::vector<std::int64_t> true_stamps = regular(20);
+  true_stamps.erase(true_stamps.begin() + 6, true_stamps.begin() + 9);
+  EXPECT_EQ(repaired_at_once(std::vector<std::int64_t>(17, kStart), true_stamps).stamps,
+            true_stamps);
+}
+
 TEST(StampRepair, WhatWasSentTwiceIsLeftOut) {
   class Twice : public Stamped {
    public:

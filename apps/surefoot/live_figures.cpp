@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "live_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "evaluation/statistics.hpp"
+#include "io/messages/pose_messages.hpp"
+
+namespace surefoot::app {
+namespace {
+
+std::string latency_text(const live::LiveFigures& figures) {
+  const std::vector<double>& latencies = figures.latencies_ms;
+  if (latencies.empty()) return "no scan was used";
+  return fmt::format("from last packet to pose {:.1f} ms median, {:.1f} ms p99, {:.1f} ms at most",
+                     evaluation::quantile(latencies, 0.5), evaluation::quantile(latencies, 0.99),
+                     *std::max_element(latencies.begin(), latencies.end()));
+}
+
+/// How a live run keeps up, as a diagnosis of its own.
+io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
+  io::Diagnostic diagnostic;
+  diagnostic.stamp_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                            std::chrono::system_clock::now().time_since_epoch())
+                            .count();
+  diagnostic.name = "surefoot: live";
+  diagnostic.level =
+      figures.dropped > 0 ? io::Diagnostic::Level::kWarn : io::Diagnostic::Level::kOk;
+  diagnostic.message = state_text(figures);
+  const auto add = [&](const char* key, auto value) {
+    diagnostic.values.emplace_back(key, fmt::format("{}", value));
+  };
+  add("scans used", figures.used);
+  add("scans dropped", figures.dropped);
+  add("received", figures.received);
+  add("lost before they were received", figures.lost);
+  constexpr std::array<std::pair<const char*, double>, 3> kShares = {
+      {{"latency p50 [ms]", 0.5}, {"latency p99 [ms]", 0.99}, {"latency max [ms]", 1.0}}};
+  for (const auto& [key, share] : kShares) {
+    if (!figures.latencies_ms.empty()) add(key, evaluation::quantile(figures.latencies_ms, share));
+  }
+  return diagnostic;
+}
+
+}  // namespace
+
+std::string state_text(const live::LiveFigures& figures) {
+  return fmt::format("{} scans, {} dropped; {}", figures.used, figures.dropped,
+                     latency_text(figures));
+}
+
+LivePublisher::LivePublisher(std::shared_ptr<io::BagWriter> messages)
+    : messages_(std::move(messages)),
+      topic_(messages_->add_topic("/diagnostics", io::diagnostics_definition())) {}
+
+void LivePublisher::tell(const live::LiveFigures& figures) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto kPeriod = std::chrono::seconds(1);
+  if (Clock::now() - told_ < kPeriod) return;
+  told_ = Clock::now();
+  const io::Diagnostic diagnostic = diagnostic_of(figures);
+  messages_->write(topic_, diagnostic.stamp_ns, io::format_diagnostic(diagnostic));
+}
+
+}  // namespace surefoot::app

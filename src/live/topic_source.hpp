@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Where a live run's messages come from.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/bags/message_source.hpp"
+#include "live/datagram_source.hpp"
+
+namespace surefoot::live {
+
+struct TopicArrival {
+  std::vector<std::byte> bytes;  ///< CDR
+  std::int64_t arrival_ns = 0;   ///< since 1970
+  std::chrono::steady_clock::time_point received;
+};
+
+class TopicSource {
+ public:
+  virtual ~TopicSource() = default;
+
+  /// Waits a tenth of a second at most. Throws io::ReadError where the topic holds no scans.
+  [[nodiscard]] virtual Received receive(TopicArrival& arrival) = 0;
+  /// Known once something was received.
+  [[nodiscard]] virtual const io::Topic& topic() const = 0;
+  /// Messages that were sent but lost before they could be received.
+  [[nodiscard]] virtual std::uint64_t lost() const { return 0; }
+  [[nodiscard]] virtual bool patient() const { return false; }
+  /// "ROS 2 topic /velodyne_points".
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// What there is instead of the topic, for messages; empty where that is not known.
+  [[nodiscard]] virtual std::string others() const { return {}; }
+};
+
+}  // namespace surefoot::live
