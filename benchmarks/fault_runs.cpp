@@ -11,6 +11,7 @@
 #include "simulation/gait.hpp"
 #include "simulation/lidar_model.hpp"
 #include "surefoot/odometry.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::benchmarks {
 
@@ -81,7 +82,7 @@ FaultWalk::FaultWalk(const WalkSpec& spec)
   };
   source_.T_map_lidar = [this](std::int64_t instant_ns) {
     const std::int64_t since_start_ns = instant_ns - scanner_->options().start_ns;
-    return scanner_->motion().T_map_lidar(1e-9 * static_cast<double>(since_start_ns));
+    return scanner_->motion().T_map_lidar(seconds(since_start_ns));
   };
 }
 

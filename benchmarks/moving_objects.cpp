@@ -138,9 +138,8 @@ Truth read_truth(const fs::path& recording) {
 /// By the last pose, which was found in the whole map.
 Pose map_in_truth(const fs::path& trajectory, const Truth& truth) {
   try {
-    const auto both =
-        evaluation::associate(truth.trajectory, io::read_tum(trajectory),
-                              {.method = evaluation::AssociationMethod::kInterpolate});
+    const auto both = evaluation::associate(truth.trajectory, io::read_tum(trajectory),
+                                            {.method = evaluation::AssociationMethod::interpolate});
     return both.reference.back().pose * both.estimate.back().pose.inverse();
   } catch (const io::ReadError&) {
     throw;  // names the file

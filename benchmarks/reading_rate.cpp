@@ -17,6 +17,7 @@
 #include "io/messages/point_cloud2_writer.hpp"
 #include "io/recording.hpp"
 #include "memory.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace {
 
@@ -57,7 +58,7 @@ Reading read(const fs::path& path) {
     }
   }
   result.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  result.duration = 1e-9 * static_cast<double>(last - first);
+  result.duration = seconds(last - first);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "simulation/body_motion.hpp"
 #include "simulation/gait.hpp"
 #include "simulation/lidar_model.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::benchmarks {
 
@@ -48,7 +49,7 @@ std::optional<Scan> SimulatedWalk::next() {
 
 Pose SimulatedWalk::T_map_lidar(std::int64_t instant_ns) const {
   const std::int64_t since_start_ns = instant_ns - scanner_.options().start_ns;
-  return scanner_.motion().T_map_lidar(1e-9 * static_cast<double>(since_start_ns));
+  return scanner_.motion().T_map_lidar(seconds(since_start_ns));
 }
 
 simulation::Scene campus() { return simulation::build_scene("campus", kSeed); }

@@ -76,7 +76,7 @@ simulation::Scene town() {
   scene.name = "town";
   scene.description = "four streets around a block";
   scene.mesh.add_heightfield({-kMargin, -kMargin}, {kLength + kMargin, kWidth + kMargin}, 2.0,
-                             ground, Material::kAsphalt);
+                             ground, Material::asphalt);
   for (std::uint64_t i = 0; i < 4; ++i) {
     add_street(scene.mesh, corners[i], corners[(i + 1) % 4], i);
     scene.route.push_back(on_ground(corners[i]));

@@ -29,6 +29,7 @@
 #include "simulated_walk.hpp"
 #include "support/synthetic_run.hpp"
 #include "surefoot/odometry.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::benchmarks {
 
@@ -107,13 +108,6 @@ Measured measure_run(const Arguments& arguments, const std::vector<Scan>& walk,
         fmt::format("{} usable scans, at least 2 are needed", measured.estimates.size()));
   }
   return measured;
-}
-
-/// Smallest value that at least this share of the values does not exceed.
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  return values[std::max<std::size_t>(rank, 1) - 1];
 }
 
 void print_head(const Arguments& arguments, const Measured& measured) {

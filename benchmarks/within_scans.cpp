@@ -52,7 +52,7 @@ std::vector<Pair> run(const std::string& recording, const std::string& method) {
   const auto true_pose = [&truth](std::int64_t stamp) -> std::optional<Pose> {
     if (stamp < truth.front().stamp_ns || stamp > truth.back().stamp_ns) return std::nullopt;
     return evaluation::associate(truth, {{stamp, {}}},
-                                 {.method = evaluation::AssociationMethod::kInterpolate})
+                                 {.method = evaluation::AssociationMethod::interpolate})
         .reference.front()
         .pose;
   };

@@ -27,6 +27,15 @@ function(surefoot_precompile target)
   endif()
 endfunction()
 
+# Several sources of a component compiled as one: they parse the same headers, which is most of the
+# time. Not the library, whose users build it one by one; the dev preset builds without, too, so that a
+# source that leans on another one's includes is seen.
+function(surefoot_unity target)
+  if(SUREFOOT_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # An internal static library of the program: surefoot_component(dataset a.cpp b.cpp).
 function(surefoot_component name)
   add_library(surefoot_${name} STATIC ${ARGN})

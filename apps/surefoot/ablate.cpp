@@ -36,8 +36,9 @@ void write_ablation(const AblateOptions& ablate_options, const evaluation::Ablat
     io::write_whole_file(options.output / name, text);
   };
 #ifdef SUREFOOT_HAS_PICTURES
-  if (options.figures)
+  if (options.figures) {
     experiments::draw_ablation(ablation, ablate_options.method, options.output / "figures");
+  }
 #endif
   write("ablation.md", evaluation::ablation_markdown(ablation, comparison));
   write("ablation.csv", evaluation::ablation_csv(ablation));

@@ -68,7 +68,7 @@ void add_verdict_options(CLI::App& command, experiments::CompareOptions& options
       command, "--cover", options.cover,
       "What a run has to cover: truth, recording (the truth from its first scan to its last), or "
       "auto: the truth, unless --start or --count leave scans out",
-      {{"auto", Cover::kAuto}, {"truth", Cover::kTruth}, {"recording", Cover::kRecording}})
+      {{"auto", Cover::automatic}, {"truth", Cover::truth}, {"recording", Cover::recording}})
       ->group(kGroup);
   command
       .add_option("--full-coverage", options.rules.full_coverage,

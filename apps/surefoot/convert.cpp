@@ -16,6 +16,7 @@
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "reader_options.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::app {
 
@@ -40,9 +41,9 @@ struct ConvertOptions {
 io::ScanFormat format_of(const ConvertOptions& options) {
   if (!options.format.empty()) return io::scan_format_named(options.format);
   const fs::path extension = options.output.extension();
-  if (extension == ".mcap") return io::ScanFormat::kMcap;
-  if (extension == ".bag") return io::ScanFormat::kRos1Bag;
-  if (extension.empty()) return io::ScanFormat::kPcd;
+  if (extension == ".mcap") return io::ScanFormat::mcap;
+  if (extension == ".bag") return io::ScanFormat::ros1_bag;
+  if (extension.empty()) return io::ScanFormat::pcd;
   throw std::invalid_argument(
       fmt::format("{}: extension '{}'; expected .mcap, .bag, or a folder (PCD, or --to says what)",
                   options.output.string(), extension.string()));
@@ -90,9 +91,9 @@ bool Conversion::use(const io::ScanItem& item) {
     return true;
   }
   if (!first_ns_) first_ns_ = item.scan->stamp_ns;
-  const double seconds = 1e-9 * static_cast<double>(item.scan->stamp_ns - *first_ns_);
-  if (seconds < options_.begin) return true;
-  if (seconds > options_.end) return false;
+  const double at = seconds(item.scan->stamp_ns - *first_ns_);
+  if (at < options_.begin) return true;
+  if (at > options_.end) return false;
   if (!sink_) sink_ = io::make_scan_sink(options_.output, format_, options_.sink);
   sink_->add(*item.scan);
   ++scans_;

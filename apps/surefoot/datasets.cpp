@@ -22,25 +22,25 @@ std::string place(const Pose& pose) {
                      angles.x(), angles.y(), angles.z());
 }
 
-void print_row(const char* name, const std::string& value) {
+void print_fact(const char* name, const std::string& value) {
   if (!value.empty()) fmt::print("  {:<10} {}\n", name, value);
 }
 
 void print(const io::Dataset& set) {
   fmt::print("{}: {}\n", set.name, set.what);
-  print_row("topic", fmt::format("{}", fmt::join(set.topics, ", ")));
-  if (set.stamp_at == io::StampAt::kEnd) print_row("stamps", "name the end of a sweep");
+  print_fact("topic", fmt::format("{}", fmt::join(set.topics, ", ")));
+  if (set.stamp_at == io::StampAt::end) print_fact("stamps", "name the end of a sweep");
   if (set.rows > 0) {
-    print_row("times", fmt::format("by columns, {} of {} points", set.columns, set.rows));
+    print_fact("times", fmt::format("by columns, {} of {} points", set.columns, set.rows));
   }
-  if (set.derive_times == io::DeriveTimes::kAzimuth) {
-    print_row("times", fmt::format("by azimuth, from {:g} deg", set.cut_azimuth_deg));
+  if (set.derive_times == io::DeriveTimes::azimuth) {
+    print_fact("times", fmt::format("by azimuth, from {:g} deg", set.cut_azimuth_deg));
   }
-  if (set.T_base_lidar) print_row("extrinsic", "T_base_lidar " + place(*set.T_base_lidar));
-  print_row("truth", set.truth_file);
-  if (set.T_lidar_truth) print_row("truth of", "T_lidar_truth " + place(*set.T_lidar_truth));
-  print_row("note", set.remark);
-  print_row("tried", set.tried);
+  if (set.T_base_lidar) print_fact("extrinsic", "T_base_lidar " + place(*set.T_base_lidar));
+  print_fact("truth", set.truth_file);
+  if (set.T_lidar_truth) print_fact("truth of", "T_lidar_truth " + place(*set.T_lidar_truth));
+  print_fact("note", set.remark);
+  print_fact("tried", set.tried);
 }
 
 }  // namespace

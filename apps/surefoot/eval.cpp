@@ -40,17 +40,17 @@ using evaluation::Evaluation;
 
 constexpr const char* kTruthFile = "gt.tum";
 
-enum class FileFormat { kAuto, kTum, kKitti };
-enum class TableFormat { kText, kJson, kCsv, kLatex };
+enum class FileFormat { automatic, tum, kitti };
+enum class TableFormat { text, json, csv, latex };
 
 struct EvalOptions {
   std::string dataset;
   std::string truth_topic;
   fs::path reference;
   std::vector<fs::path> estimates;
-  FileFormat format = FileFormat::kAuto;
+  FileFormat format = FileFormat::automatic;
   evaluation::EvaluationOptions evaluation;
-  TableFormat table = TableFormat::kText;
+  TableFormat table = TableFormat::text;
   std::vector<fs::path> figures;  ///< to draw: .svg or .png
 };
 
@@ -99,7 +99,7 @@ bool has_commas(const fs::path& file) { return first_row(file).find(',') != std:
 
 /// By the number of values in the first row: TUM has 8, KITTI 12.
 FileFormat format_of(const fs::path& file) {
-  return columns_of(file) == 12 ? FileFormat::kKitti : FileFormat::kTum;
+  return columns_of(file) == 12 ? FileFormat::kitti : FileFormat::tum;
 }
 
 /// Whether the reference is a bag, or a table that is neither TUM's nor KITTI's.
@@ -113,7 +113,7 @@ bool is_table(const fs::path& file, bool find_format) {
 
 /// KITTI's poses have no stamps; they get their row's number, which is never compared.
 Trajectory read_trajectory(const fs::path& file, FileFormat format) {
-  if (format == FileFormat::kTum) return io::read_tum(file);
+  if (format == FileFormat::tum) return io::read_tum(file);
   Trajectory trajectory;
   for (const Pose& pose : io::read_kitti_poses(file)) {
     trajectory.push_back({static_cast<std::int64_t>(trajectory.size()), pose});
@@ -135,13 +135,13 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
 
 std::string table_of(const std::vector<Evaluation>& evaluations, TableFormat format) {
   switch (format) {
-    case TableFormat::kJson:
+    case TableFormat::json:
       return evaluation::to_json(evaluations);
-    case TableFormat::kCsv:
+    case TableFormat::csv:
       return evaluation::to_csv(evaluations);
-    case TableFormat::kLatex:
+    case TableFormat::latex:
       return evaluation::to_latex(evaluations);
-    case TableFormat::kText:
+    case TableFormat::text:
       break;
   }
   return evaluation::to_text(evaluations);
@@ -167,26 +167,26 @@ void draw_figures([[maybe_unused]] const EvalOptions& options,
 /// An estimate that cannot be evaluated is told and left out; the others go on.
 int evaluate_all(EvalOptions options) {
   const io::Dataset* set = options.dataset.empty() ? nullptr : &io::dataset_named(options.dataset);
-  if (set == nullptr || set->truth != io::TruthOf::kOxts) {
+  if (set == nullptr || set->truth != io::TruthOf::oxts) {
     options.reference = trajectory_file(options.reference);
   }
   const std::vector<std::string> names = names_of(options.estimates);
   for (fs::path& estimate : options.estimates) estimate = trajectory_file(estimate);
-  const bool find_format = options.format == FileFormat::kAuto;
+  const bool find_format = options.format == FileFormat::automatic;
   FileFormat format = find_format ? format_of(options.reference) : options.format;
   io::Truth truth;
   const bool foreign = set != nullptr || is_table(options.reference, find_format);
   if (foreign) {
     truth = io::read_truth(options.reference, set, options.truth_topic);
-    format = truth.has_stamps ? FileFormat::kTum : FileFormat::kKitti;
+    format = truth.has_stamps ? FileFormat::tum : FileFormat::kitti;
     options.evaluation.positions_only = !truth.has_rotations;
     fmt::print(stderr, "note: {}: {}\n", options.reference.string(), truth.what);
   } else {
     truth.poses = read_trajectory(options.reference, format);
   }
-  if (format == FileFormat::kKitti) {
-    options.evaluation.association.method = AssociationMethod::kIndex;
-    if (options.evaluation.stretches.unit == DeltaUnit::kSeconds) {
+  if (format == FileFormat::kitti) {
+    options.evaluation.association.method = AssociationMethod::index;
+    if (options.evaluation.stretches.unit == DeltaUnit::seconds) {
       throw std::runtime_error("--delta-unit s needs stamps, which KITTI's files do not have");
     }
   }
@@ -215,7 +215,7 @@ int evaluate_all(EvalOptions options) {
 void add_format_option(CLI::App& command, FileFormat& format) {
   add_choice<FileFormat>(
       command, "--format", format, "Of all files: auto, tum or kitti",
-      {{"auto", FileFormat::kAuto}, {"tum", FileFormat::kTum}, {"kitti", FileFormat::kKitti}});
+      {{"auto", FileFormat::automatic}, {"tum", FileFormat::tum}, {"kitti", FileFormat::kitti}});
 }
 
 }  // namespace
@@ -252,9 +252,9 @@ void add_eval_command(CLI::App& app, int& exit_code) {
     output->add_flag_callback(
         flag, [options, format] { options->table = format; }, help);
   };
-  add_table("--json", TableFormat::kJson, "Print every figure as JSON");
-  add_table("--csv", TableFormat::kCsv, "Print a line for each estimate and error");
-  add_table("--latex", TableFormat::kLatex, "Print a table for a paper");
+  add_table("--json", TableFormat::json, "Print every figure as JSON");
+  add_table("--csv", TableFormat::csv, "Print a line for each estimate and error");
+  add_table("--latex", TableFormat::latex, "Print a table for a paper");
   output->require_option(0, 1);
   command->callback([options, &exit_code] { exit_code = evaluate_all(*options); });
 }

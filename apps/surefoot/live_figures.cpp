@@ -8,8 +8,8 @@
 #include <array>
 #include <utility>
 
-#include "evaluation/statistics.hpp"
 #include "io/messages/pose_messages.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::app {
 namespace {
@@ -18,7 +18,7 @@ std::string latency_text(const live::LiveFigures& figures) {
   const std::vector<double>& latencies = figures.latencies_ms;
   if (latencies.empty()) return "no scan was used";
   return fmt::format("from last packet to pose {:.1f} ms median, {:.1f} ms p99, {:.1f} ms at most",
-                     evaluation::quantile(latencies, 0.5), evaluation::quantile(latencies, 0.99),
+                     quantile(latencies, 0.5), quantile(latencies, 0.99),
                      *std::max_element(latencies.begin(), latencies.end()));
 }
 
@@ -29,8 +29,7 @@ io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
                             std::chrono::system_clock::now().time_since_epoch())
                             .count();
   diagnostic.name = "surefoot: live";
-  diagnostic.level =
-      figures.dropped > 0 ? io::Diagnostic::Level::kWarn : io::Diagnostic::Level::kOk;
+  diagnostic.level = figures.dropped > 0 ? io::Diagnostic::Level::warn : io::Diagnostic::Level::ok;
   diagnostic.message = state_text(figures);
   const auto add = [&](const char* key, auto value) {
     diagnostic.values.emplace_back(key, fmt::format("{}", value));
@@ -42,7 +41,7 @@ io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
   constexpr std::array<std::pair<const char*, double>, 3> kShares = {
       {{"latency p50 [ms]", 0.5}, {"latency p99 [ms]", 0.99}, {"latency max [ms]", 1.0}}};
   for (const auto& [key, share] : kShares) {
-    if (!figures.latencies_ms.empty()) add(key, evaluation::quantile(figures.latencies_ms, share));
+    if (!figures.latencies_ms.empty()) add(key, quantile(figures.latencies_ms, share));
   }
   return diagnostic;
 }

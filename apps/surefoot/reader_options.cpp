@@ -29,35 +29,35 @@ void add_time_options(CLI::App& command, OpenOptions& options) {
       ->group(kGroup);
   add_choice<TimeUnit>(command, "--time-unit", options.time_unit,
                        "Unit of the point times (found from the values)",
-                       {{"auto", TimeUnit::kAuto},
-                        {"s", TimeUnit::kSeconds},
-                        {"ms", TimeUnit::kMilliseconds},
-                        {"us", TimeUnit::kMicroseconds},
-                        {"ns", TimeUnit::kNanoseconds}})
+                       {{"auto", TimeUnit::automatic},
+                        {"s", TimeUnit::seconds},
+                        {"ms", TimeUnit::milliseconds},
+                        {"us", TimeUnit::microseconds},
+                        {"ns", TimeUnit::nanoseconds}})
       ->group(kGroup);
   add_choice<TimeReference>(command, "--time-reference", options.time_reference,
                             "Whether point times count from the stamp or from the epoch",
-                            {{"auto", TimeReference::kAuto},
-                             {"relative", TimeReference::kRelative},
-                             {"absolute", TimeReference::kAbsolute}})
+                            {{"auto", TimeReference::automatic},
+                             {"relative", TimeReference::relative},
+                             {"absolute", TimeReference::absolute}})
       ->group(kGroup);
   add_choice<StampAt>(command, "--stamp-at", options.stamp_at,
                       "Instant of a scan that its stamp names",
-                      {{"start", StampAt::kStart}, {"end", StampAt::kEnd}})
+                      {{"start", StampAt::start}, {"end", StampAt::end}})
       ->group(kGroup);
   add_choice<TimeDirection>(command, "--point-times", options.time_direction,
                             "forward; backward: they count back from the stamp; none: leave them "
                             "out, the scans are deskewed already",
-                            {{"forward", TimeDirection::kForward},
-                             {"backward", TimeDirection::kBackward},
-                             {"none", TimeDirection::kNone}})
+                            {{"forward", TimeDirection::forward},
+                             {"backward", TimeDirection::backward},
+                             {"none", TimeDirection::none}})
       ->group(kGroup);
   add_choice<DeriveTimes>(command, "--derive-times", options.derive_times,
                           "Make up point times: azimuth: of a spinning LiDAR, from --cut on",
-                          {{"no", DeriveTimes::kNo}, {"azimuth", DeriveTimes::kAzimuth}})
+                          {{"no", DeriveTimes::no}, {"azimuth", DeriveTimes::azimuth}})
       ->group(kGroup);
   add_choice<Spin>(command, "--spin", options.spin, "How that LiDAR turns, seen from above",
-                   {{"clockwise", Spin::kClockwise}, {"counterclockwise", Spin::kCounterclockwise}})
+                   {{"clockwise", Spin::clockwise}, {"counterclockwise", Spin::counterclockwise}})
       ->group(kGroup);
   command
       .add_option("--stamps", options.stamps_file,
@@ -103,9 +103,9 @@ void add_format_options(CLI::App& command, OpenOptions& options) {
       ->group(kGroup);
   add_choice<ReturnChoice>(command, "--return", options.dual_return,
                            "Return to keep of two (packets of a sensor in dual mode)",
-                           {{"strongest", ReturnChoice::kStrongest},
-                            {"last", ReturnChoice::kLast},
-                            {"both", ReturnChoice::kBoth}})
+                           {{"strongest", ReturnChoice::strongest},
+                            {"last", ReturnChoice::last},
+                            {"both", ReturnChoice::both}})
       ->group(kGroup);
   command
       .add_option("--cut", options.cut_azimuth_deg,

@@ -21,6 +21,7 @@
 #include "runs/odometry_run.hpp"
 #ifdef SUREFOOT_HAS_PCAP
 #include "live/live_log.hpp"
+#include "surefoot/quantile.hpp"
 #endif
 
 namespace surefoot::app {
@@ -30,8 +31,8 @@ namespace {
 void print_outcome(const runs::RunOutcome& outcome, int threads) {
   if (outcome.interrupted) fmt::print("interrupted: what was done up to here is written\n");
   fmt::print("{} scans, {:.1f} m; per scan {:.1f} ms median, {:.1f} ms p99, {} thread{}\n",
-             outcome.scans(), outcome.length, evaluation::quantile(outcome.milliseconds, 0.5),
-             evaluation::quantile(outcome.milliseconds, 0.99), threads, threads == 1 ? "" : "s");
+             outcome.scans(), outcome.length, quantile(outcome.milliseconds, 0.5),
+             quantile(outcome.milliseconds, 0.99), threads, threads == 1 ? "" : "s");
   for (const auto& [status, count] : outcome.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
   }

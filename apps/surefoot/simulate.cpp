@@ -57,7 +57,7 @@ void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
   const simulation::Scene scene = recordings::scene_of(arguments.request);
   const simulation::RayCaster rays(scene);
   simulation::SceneImage image = simulation::render_scene(scene, rays, kWidth);
-  report::Canvas canvas(image.width, image.height, report::PageFormat::kPng);
+  report::Canvas canvas(image.width, image.height, report::PageFormat::png);
   const report::Rect page{0.0, 0.0, static_cast<double>(image.width),
                           static_cast<double>(image.height)};
   canvas.image({image.width, image.height, std::move(image.argb)}, page);

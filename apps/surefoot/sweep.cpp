@@ -29,7 +29,7 @@ int sweep(const SweepOptions& options) {
   const auto results = experiments::compare_variants(options.comparison, plan.variants);
   if (!results) return process::kInterrupted;
   const evaluation::Comparison& comparison = results->comparison;
-  const experiments::Sweep table = experiments::sweep_of(comparison, plan.labels);
+  const experiments::SweepResult table = experiments::sweep_of(comparison, plan.labels);
   experiments::CompareOptions without_figures = options.comparison;
   without_figures.figures = false;  // dozens of paths in one panel show nothing
   experiments::write_results(without_figures, *results);
@@ -50,7 +50,7 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   options->comparison.output = "results/sweep";
   options->comparison.no_map = true;
   options->comparison.needs_every_truth = true;
-  options->comparison.evaluation.association.method = evaluation::AssociationMethod::kInterpolate;
+  options->comparison.evaluation.association.method = evaluation::AssociationMethod::interpolate;
   options->comparison.evaluation.stretches = {};  // from scan to scan
   CLI::App* command = app.add_subcommand(
       "sweep", "Try values of parameters, one at a time, on recordings with truth");

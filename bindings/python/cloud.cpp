@@ -20,18 +20,18 @@ std::optional<io::ScalarType> scalar_type(const py::dtype& type) {
   using io::ScalarType;
   const bool is_signed = type.kind() == 'i';
   if (type.kind() == 'f') {
-    if (type.itemsize() == 4) return ScalarType::kF32;
-    if (type.itemsize() == 8) return ScalarType::kF64;
+    if (type.itemsize() == 4) return ScalarType::f32;
+    if (type.itemsize() == 8) return ScalarType::f64;
   } else if (type.kind() == 'i' || type.kind() == 'u') {
     switch (type.itemsize()) {
       case 1:
-        return is_signed ? ScalarType::kI8 : ScalarType::kU8;
+        return is_signed ? ScalarType::i8 : ScalarType::u8;
       case 2:
-        return is_signed ? ScalarType::kI16 : ScalarType::kU16;
+        return is_signed ? ScalarType::i16 : ScalarType::u16;
       case 4:
-        return is_signed ? ScalarType::kI32 : ScalarType::kU32;
+        return is_signed ? ScalarType::i32 : ScalarType::u32;
       case 8:
-        return is_signed ? ScalarType::kI64 : ScalarType::kU64;
+        return is_signed ? ScalarType::i64 : ScalarType::u64;
       default:
         break;
     }
@@ -74,8 +74,8 @@ bool are_beside(const io::ScanColumns& columns) {
   const auto follows = [](const io::Column* a, const io::Column* b) {
     return b->first - a->first == static_cast<std::ptrdiff_t>(sizeof(float));
   };
-  return is_plain(columns.x, io::ScalarType::kF32) && is_plain(columns.y, io::ScalarType::kF32) &&
-         is_plain(columns.z, io::ScalarType::kF32) && follows(columns.x, columns.y) &&
+  return is_plain(columns.x, io::ScalarType::f32) && is_plain(columns.y, io::ScalarType::f32) &&
+         is_plain(columns.z, io::ScalarType::f32) && follows(columns.x, columns.y) &&
          follows(columns.y, columns.z);
 }
 
@@ -90,8 +90,8 @@ py::array look_into(const py::array& cloud, const io::Column* column) {
 bool holds_nanoseconds(const io::ScanColumns& columns, const std::optional<io::PointTimeRule>& rule,
                        io::StampAt stamp_at) {
   if (columns.time == nullptr) return true;
-  return is_plain(columns.time, io::ScalarType::kI32) && rule->unit == io::TimeUnit::kNanoseconds &&
-         rule->reference == io::TimeReference::kRelative && stamp_at == io::StampAt::kStart;
+  return is_plain(columns.time, io::ScalarType::i32) && rule->unit == io::TimeUnit::nanoseconds &&
+         rule->reference == io::TimeReference::relative && stamp_at == io::StampAt::start;
 }
 
 ArrayScan looking_into(const py::array& cloud, const io::ScanColumns& columns,

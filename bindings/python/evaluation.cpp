@@ -25,10 +25,10 @@ using evaluation::Relation;
 using evaluation::Statistics;
 
 constexpr std::array<std::pair<std::string_view, Relation>, 4> kRelations = {
-    {{"translation", Relation::kTranslation},
-     {"rotation_angle", Relation::kRotationAngle},
-     {"rotation_part", Relation::kRotationPart},
-     {"full", Relation::kFull}}};
+    {{"translation", Relation::translation},
+     {"rotation_angle", Relation::rotation_angle},
+     {"rotation_part", Relation::rotation_part},
+     {"full", Relation::full}}};
 
 /// Statistics with what they are of.
 struct Errors {
@@ -36,7 +36,7 @@ struct Errors {
   std::vector<double> errors;
   std::string unit;
   std::vector<std::int64_t> stamps_ns;
-  evaluation::Alignment alignment;
+  evaluation::TrajectoryAlignment alignment;
 };
 
 AssociatedTrajectories pairs_of(const NamedTrajectory& reference, const NamedTrajectory& estimate,

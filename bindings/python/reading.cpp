@@ -19,27 +19,27 @@ namespace {
 template <typename Choice, std::size_t count>
 using Words = std::array<std::pair<std::string_view, Choice>, count>;
 
-constexpr Words<io::TimeUnit, 5> kTimeUnits = {{{"auto", io::TimeUnit::kAuto},
-                                                {"s", io::TimeUnit::kSeconds},
-                                                {"ms", io::TimeUnit::kMilliseconds},
-                                                {"us", io::TimeUnit::kMicroseconds},
-                                                {"ns", io::TimeUnit::kNanoseconds}}};
+constexpr Words<io::TimeUnit, 5> kTimeUnits = {{{"auto", io::TimeUnit::automatic},
+                                                {"s", io::TimeUnit::seconds},
+                                                {"ms", io::TimeUnit::milliseconds},
+                                                {"us", io::TimeUnit::microseconds},
+                                                {"ns", io::TimeUnit::nanoseconds}}};
 constexpr Words<io::TimeReference, 3> kTimeReferences = {
-    {{"auto", io::TimeReference::kAuto},
-     {"relative", io::TimeReference::kRelative},
-     {"absolute", io::TimeReference::kAbsolute}}};
+    {{"auto", io::TimeReference::automatic},
+     {"relative", io::TimeReference::relative},
+     {"absolute", io::TimeReference::absolute}}};
 constexpr Words<io::StampAt, 2> kStampsAt = {
-    {{"start", io::StampAt::kStart}, {"end", io::StampAt::kEnd}}};
-constexpr Words<io::TimeDirection, 3> kDirections = {{{"forward", io::TimeDirection::kForward},
-                                                      {"backward", io::TimeDirection::kBackward},
-                                                      {"none", io::TimeDirection::kNone}}};
+    {{"start", io::StampAt::start}, {"end", io::StampAt::end}}};
+constexpr Words<io::TimeDirection, 3> kDirections = {{{"forward", io::TimeDirection::forward},
+                                                      {"backward", io::TimeDirection::backward},
+                                                      {"none", io::TimeDirection::none}}};
 constexpr Words<io::DeriveTimes, 2> kDeriveTimes = {
-    {{"no", io::DeriveTimes::kNo}, {"azimuth", io::DeriveTimes::kAzimuth}}};
+    {{"no", io::DeriveTimes::no}, {"azimuth", io::DeriveTimes::azimuth}}};
 constexpr Words<io::Spin, 2> kSpins = {
-    {{"clockwise", io::Spin::kClockwise}, {"counterclockwise", io::Spin::kCounterclockwise}}};
-constexpr Words<io::ReturnChoice, 3> kReturns = {{{"strongest", io::ReturnChoice::kStrongest},
-                                                  {"last", io::ReturnChoice::kLast},
-                                                  {"both", io::ReturnChoice::kBoth}}};
+    {{"clockwise", io::Spin::clockwise}, {"counterclockwise", io::Spin::counterclockwise}}};
+constexpr Words<io::ReturnChoice, 3> kReturns = {{{"strongest", io::ReturnChoice::strongest},
+                                                  {"last", io::ReturnChoice::last},
+                                                  {"both", io::ReturnChoice::both}}};
 
 std::string word(const py::handle& value) { return py::str(value); }
 

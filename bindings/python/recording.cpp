@@ -85,8 +85,9 @@ std::unique_ptr<ScanIterator> open(const std::filesystem::path& path, bool keep_
     const std::string name = py::str(key);
     if (set_reading_option(reader, name, value)) continue;
     std::string known;
-    for (const std::string& one : reading_option_names())
+    for (const std::string& one : reading_option_names()) {
       known += (known.empty() ? "" : ", ") + one;
+    }
     throw py::type_error("open() has no option '" + name + "'; it has: keep_partial, " + known);
   }
   const py::gil_scoped_release release;

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "report/page.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::checks {
 namespace {
@@ -117,7 +118,7 @@ Chart interval_chart(const RecordingCheck& check) {
     const ScanFacts& scan = check.scans[i];
     if (!scan.error.empty()) continue;
     if (last != nullptr) {
-      const double step = 1e-9 * static_cast<double>(scan.stamp_ns - last->stamp_ns);
+      const double step = seconds(scan.stamp_ns - last->stamp_ns);
       chart.dots.push_back({double(i), step, step <= 0.0 || step > 1.5 * usual});
     }
     last = &scan;

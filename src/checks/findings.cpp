@@ -8,6 +8,7 @@
 #include <map>
 
 #include "surefoot/config.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::checks {
 namespace {
@@ -31,7 +32,6 @@ std::string text(const char* format, double a, double b = 0.0) {
   return buffer;
 }
 
-double seconds_of(std::int64_t ns) { return 1e-9 * static_cast<double>(ns); }
 double real(std::size_t value) { return static_cast<double>(value); }
 
 /// Collects what several scans have in common.
@@ -100,7 +100,7 @@ class Inspection {
 
   void look_at_stamp(const ScanFacts& scan) {
     if (last_ != nullptr) {
-      const double step = seconds_of(scan.stamp_ns - last_->stamp_ns);
+      const double step = seconds(scan.stamp_ns - last_->stamp_ns);
       const double usual = figures_.usual_interval_s;
       if (step < 0.0) found_.scan("stamps that go back", scan.name);
       if (step == 0.0) found_.scan("stamps that are the last one's again", scan.name);
@@ -139,14 +139,14 @@ class Inspection {
 
   void look_at_times(const ScanFacts& scan) {
     if (scan.returns == 0) return;
-    if (scan.times == PointTimes::kNone) found_.scan("no point times", scan.name);
-    if (scan.times == PointTimes::kEqual) found_.scan("point times that are all equal", scan.name);
-    if (scan.times != PointTimes::kThere) return;
+    if (scan.times == PointTimes::none) found_.scan("no point times", scan.name);
+    if (scan.times == PointTimes::equal) found_.scan("point times that are all equal", scan.name);
+    if (scan.times != PointTimes::there) return;
     const double interval = figures_.usual_interval_s;
     if (interval > 0.0 && scan.last_s - scan.first_s > kOverlap * interval) {
       found_.scan("sweeps that last longer than it is to the next", scan.name);
     }
-    if (scan.spin == io::Spin::kCounterclockwise) {
+    if (scan.spin == io::Spin::counterclockwise) {
       found_.scan("sweeps that run counter-clockwise", scan.name);
     }
   }
@@ -295,7 +295,7 @@ void add_stamps(const std::vector<ScanFacts>& scans, Figures& figures) {
   for (const ScanFacts& scan : scans) {
     if (!scan.error.empty()) continue;
     if (last != nullptr) {
-      steps.push_back(seconds_of(scan.stamp_ns - last->stamp_ns));
+      steps.push_back(seconds(scan.stamp_ns - last->stamp_ns));
       if (steps.back() > 0.0) forward.push_back(steps.back());
     } else {
       figures.first_stamp_ns = scan.stamp_ns;
@@ -323,7 +323,7 @@ Figures figures_of(const std::vector<ScanFacts>& scans) {
   figures.zero_share = points > 0.0 ? zero / points : 0.0;
   const auto any = [](const ScanFacts&) { return true; };
   const auto seen = [](const ScanFacts& scan) { return scan.returns > 0; };
-  const auto timed = [](const ScanFacts& scan) { return scan.times == PointTimes::kThere; };
+  const auto timed = [](const ScanFacts& scan) { return scan.times == PointTimes::there; };
   const auto spread = [&scans](auto&& value, auto&& choose) {
     return spread_of(values_of(scans, value, choose));
   };

@@ -57,9 +57,9 @@ void settle_untimed(const TimeTrials& trials, std::vector<Finding>& findings) {
 void add_contradiction(const TimeTrials& trials, const io::OpenOptions& reader,
                        std::vector<Finding>& findings) {
   const TimeTrial& best = trials.trials[trials.preferred];
-  if (best.reading != TimeReading::kBackward && best.reading != TimeReading::kNone) return;
-  const bool turned = reader.time_direction == io::TimeDirection::kBackward;
-  const bool again = turned && best.reading == TimeReading::kBackward;
+  if (best.reading != TimeReading::backward && best.reading != TimeReading::none) return;
+  const bool turned = reader.time_direction == io::TimeDirection::backward;
+  const bool again = turned && best.reading == TimeReading::backward;
   const double ratio = trials.trials.front().middle_blur / std::max(best.middle_blur, 1e-9);
   findings.push_back({true, "point times that the motion contradicts",
                       text("read as %s the map is %.2f times as sharp, in %zu of %zu scans: %s",
@@ -83,8 +83,8 @@ void add_untrusted(const MotionCheck& motion, std::vector<Finding>& findings) {
 std::string stamp_flag(double lag_s, const io::OpenOptions& reader, const Figures& figures) {
   const double sweep = figures.duration_s.median;
   const bool follows = figures.first_time_s.median > -0.5 * sweep;
-  if (lag_s < 0.0 && follows && reader.stamp_at != io::StampAt::kEnd) return ": --stamp-at end";
-  if (lag_s > 0.0 && reader.stamp_at == io::StampAt::kEnd) return ": --stamp-at start";
+  if (lag_s < 0.0 && follows && reader.stamp_at != io::StampAt::end) return ": --stamp-at end";
+  if (lag_s > 0.0 && reader.stamp_at == io::StampAt::end) return ": --stamp-at start";
   return {};
 }
 

@@ -10,6 +10,9 @@
 #include <set>
 #include <string_view>
 
+#include "surefoot/quantile.hpp"
+#include "surefoot/seconds.hpp"
+
 namespace surefoot::checks {
 namespace {
 
@@ -108,17 +111,15 @@ void look_at_ranges(const Scan& scan, ScanFacts& facts) {
   for (std::size_t i = 0; i < ranges.size(); i += ranges.size() / kSample + 1) {
     sample.push_back(ranges[i]);
   }
-  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
-  std::nth_element(sample.begin(), middle, sample.end());
-  facts.middle = *middle;
+  facts.middle = quantile(std::move(sample), 0.5);
 }
 
 void look_at_times(const Scan& scan, ScanFacts& facts) {
   facts.times = io::point_times_of(scan);
   if (scan.times_ns.empty()) return;
   const auto [least, greatest] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
-  facts.first_s = 1e-9 * static_cast<double>(*least);
-  facts.last_s = 1e-9 * static_cast<double>(*greatest);
+  facts.first_s = seconds(*least);
+  facts.last_s = seconds(*greatest);
   facts.spin = io::spin_of(scan);
 }
 

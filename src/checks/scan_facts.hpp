@@ -25,7 +25,7 @@ struct ScanFacts {
   std::size_t not_finite = 0;  ///< points
   std::size_t zero = 0;
   std::size_t untimed = 0;  ///< points that were left out for want of a usable time
-  io::PointTimes times = io::PointTimes::kNone;
+  io::PointTimes times = io::PointTimes::none;
   double first_s = 0.0;  ///< point times, from the stamp
   double last_s = 0.0;
   double nearest = 0.0;  ///< ranges of the returns [m]

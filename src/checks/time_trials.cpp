@@ -23,20 +23,20 @@ struct Facts {
 };
 Facts facts_of(TimeReading reading) {
   switch (reading) {
-    case TimeReading::kAsRead:
+    case TimeReading::as_read:
       return {"as they are read", ""};
-    case TimeReading::kBackward:
+    case TimeReading::backward:
       return {"counted back from the stamp", "--point-times backward"};
-    case TimeReading::kNone:
+    case TimeReading::none:
       return {"one instant for all", "--point-times none"};
-    case TimeReading::kClockwiseFront:
+    case TimeReading::clockwise_front:
       return {"clockwise from ahead", "--derive-times azimuth --spin clockwise --cut 0"};
-    case TimeReading::kClockwiseBehind:
+    case TimeReading::clockwise_behind:
       return {"clockwise from behind", "--derive-times azimuth --spin clockwise --cut 180"};
-    case TimeReading::kCounterclockwiseFront:
+    case TimeReading::counterclockwise_front:
       return {"counter-clockwise from ahead",
               "--derive-times azimuth --spin counterclockwise --cut 0"};
-    case TimeReading::kCounterclockwiseBehind:
+    case TimeReading::counterclockwise_behind:
       return {"counter-clockwise from behind",
               "--derive-times azimuth --spin counterclockwise --cut 180"};
   }
@@ -44,28 +44,28 @@ Facts facts_of(TimeReading reading) {
 }
 
 Scan read_as(Scan scan, TimeReading reading, std::int64_t period_ns) {
-  io::Sweep sweep;
+  io::SweepTiming sweep;
   sweep.period_ns = period_ns;
   switch (reading) {
-    case TimeReading::kAsRead:
+    case TimeReading::as_read:
       return scan;
-    case TimeReading::kBackward:
+    case TimeReading::backward:
       io::count_backward(scan);
       return scan;
-    case TimeReading::kNone:
+    case TimeReading::none:
       scan.times_ns.clear();
       return scan;
-    case TimeReading::kClockwiseFront:
-    case TimeReading::kClockwiseBehind:
-      sweep.spin = io::Spin::kClockwise;
+    case TimeReading::clockwise_front:
+    case TimeReading::clockwise_behind:
+      sweep.spin = io::Spin::clockwise;
       break;
-    case TimeReading::kCounterclockwiseFront:
-    case TimeReading::kCounterclockwiseBehind:
-      sweep.spin = io::Spin::kCounterclockwise;
+    case TimeReading::counterclockwise_front:
+    case TimeReading::counterclockwise_behind:
+      sweep.spin = io::Spin::counterclockwise;
       break;
   }
   const bool behind =
-      reading == TimeReading::kClockwiseBehind || reading == TimeReading::kCounterclockwiseBehind;
+      reading == TimeReading::clockwise_behind || reading == TimeReading::counterclockwise_behind;
   sweep.cut_deg = behind ? 180.0 : 0.0;
   io::derive_times(scan, sweep);
   return scan;
@@ -106,12 +106,12 @@ void count_against(const TimeTrial& first, TimeTrial& trial) {
 
 std::vector<TimeReading> readings_for(const std::vector<Scan>& scans, bool looks_around) {
   const bool timed = std::any_of(scans.begin(), scans.end(), [](const Scan& scan) {
-    return io::point_times_of(scan) == io::PointTimes::kThere;
+    return io::point_times_of(scan) == io::PointTimes::there;
   });
-  if (timed) return {TimeReading::kAsRead, TimeReading::kBackward, TimeReading::kNone};
-  if (!looks_around) return {TimeReading::kAsRead};
-  return {TimeReading::kAsRead, TimeReading::kClockwiseFront, TimeReading::kClockwiseBehind,
-          TimeReading::kCounterclockwiseFront, TimeReading::kCounterclockwiseBehind};
+  if (timed) return {TimeReading::as_read, TimeReading::backward, TimeReading::none};
+  if (!looks_around) return {TimeReading::as_read};
+  return {TimeReading::as_read, TimeReading::clockwise_front, TimeReading::clockwise_behind,
+          TimeReading::counterclockwise_front, TimeReading::counterclockwise_behind};
 }
 
 // Clearly better than the first, and the sharpest of those that are; or the first, where it is

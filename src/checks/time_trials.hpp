@@ -16,22 +16,22 @@ namespace surefoot::checks {
 
 /// Readings of a scan's point times.
 enum class TimeReading {
-  kAsRead,
-  kBackward,        ///< they count back from the stamp: the sweep runs the other way
-  kNone,            ///< all points are of one instant: the scan is deskewed already
-  kClockwiseFront,  ///< from azimuth, a revolution that begins ahead (x), behind, either way
-  kClockwiseBehind,
-  kCounterclockwiseFront,
-  kCounterclockwiseBehind
+  as_read,
+  backward,         ///< they count back from the stamp: the sweep runs the other way
+  none,             ///< all points are of one instant: the scan is deskewed already
+  clockwise_front,  ///< from azimuth, a revolution that begins ahead (x), behind, either way
+  clockwise_behind,
+  counterclockwise_front,
+  counterclockwise_behind
 };
 /// "as read", "counted back from the stamp", ...
 [[nodiscard]] const char* name_of(TimeReading reading);
-/// The flags that make a run read them so; empty for kAsRead.
+/// The flags that make a run read them so; empty for as_read.
 [[nodiscard]] const char* flags_of(TimeReading reading);
 
 /// One reading, tried.
 struct TimeTrial {
-  TimeReading reading = TimeReading::kAsRead;
+  TimeReading reading = TimeReading::as_read;
   std::vector<double> blur;   ///< of each scan [m], NaN where there is none
   double middle_blur = 0.0;   ///< their median [m]
   std::size_t worse = 0;      ///< scans that are blurred more than with the first trial's reading

@@ -31,7 +31,7 @@ AblationRow make_row(const Comparison& comparison, const AblationChange& change,
   AblationRow row{.change = change};
   for (const ComparedRecording& recording : comparison.recordings) {
     const MethodResult& result = recording.results[method];
-    const bool whole = result.verdict.outcome == Outcome::kWhole && result.evaluation.has_value();
+    const bool whole = result.verdict.outcome == Outcome::whole && result.evaluation.has_value();
     row.errors.push_back(whole ? result.evaluation->absolute.front().statistics.rmse : kLost);
     row.outcomes.push_back(whole ? "" : result.verdict.text);
   }

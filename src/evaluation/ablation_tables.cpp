@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 1;  // changes when a key changes its meaning or goes
+constexpr int kAblationFormat = 1;  // changes when a key changes its meaning or goes
 
 TableRow heads_of(const AblationRow& row) {
   return {{row.change.contribution, row.change.change, row.change.equations}, {}};
@@ -139,7 +139,7 @@ std::string ablation_csv(const Ablation& ablation) {
 
 std::string ablation_json(const Ablation& ablation, const Comparison& comparison) {
   Json json = {{"format", "surefoot-ablation"},
-               {"format_version", kFormatVersion},
+               {"format_version", kAblationFormat},
                {"program", {{"version", comparison.version}, {"build", comparison.build}}},
                {"run_arguments", comparison.run_arguments},
                {"references", ablation.references},

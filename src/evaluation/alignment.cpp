@@ -54,7 +54,7 @@ double rounding_of(const Moments& m) {
   return kRounding * kRounding * m.mean_x.norm() * m.mean_y.norm();
 }
 
-Alignment umeyama(const Moments& m, bool with_scale) {
+TrajectoryAlignment umeyama(const Moments& m, bool with_scale) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.covariance_yx,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Vector3d d = svd.singularValues();
@@ -73,7 +73,7 @@ Alignment umeyama(const Moments& m, bool with_scale) {
           scale};
 }
 
-Alignment yaw_translation(const Moments& m) {
+TrajectoryAlignment yaw_translation(const Moments& m) {
   const Eigen::Matrix3d& c = m.covariance_yx;
   const double sine = c(1, 0) - c(0, 1), cosine = c(0, 0) + c(1, 1);
   if (!(std::hypot(sine, cosine) > rounding_of(m))) {
@@ -88,33 +88,33 @@ Alignment yaw_translation(const Moments& m) {
 
 }  // namespace
 
-Alignment find_alignment(const AssociatedTrajectories& pairs, AlignmentMethod method,
-                         std::size_t poses) {
+TrajectoryAlignment find_alignment(const AssociatedTrajectories& pairs, AlignmentMethod method,
+                                   std::size_t poses) {
   const std::size_t all = pairs.estimate.size();
   const std::size_t count = poses == 0 ? all : std::min(poses, all);
   switch (method) {
-    case AlignmentMethod::kNone:
+    case AlignmentMethod::none:
       return {};
-    case AlignmentMethod::kOrigin:
+    case AlignmentMethod::origin:
       return {pairs.reference.front().pose * pairs.estimate.front().pose.inverse(), 1.0};
-    case AlignmentMethod::kYawTranslation:
+    case AlignmentMethod::yaw_translation:
       return yaw_translation(moments(pairs, count));
-    case AlignmentMethod::kRigid:
+    case AlignmentMethod::rigid:
       return umeyama(moments(pairs, count), false);
-    case AlignmentMethod::kPoses: {
+    case AlignmentMethod::poses: {
       Moments m = moments(pairs, count);
       add_orientations(pairs, count, m);
       return umeyama(m, false);
     }
-    case AlignmentMethod::kSimilarity:
+    case AlignmentMethod::similarity:
       return umeyama(moments(pairs, count), true);
-    case AlignmentMethod::kScale:
+    case AlignmentMethod::scale:
       return {{}, umeyama(moments(pairs, count), true).scale};
   }
   throw std::invalid_argument("unknown alignment method");
 }
 
-Trajectory aligned(const Trajectory& trajectory, const Alignment& alignment) {
+Trajectory aligned(const Trajectory& trajectory, const TrajectoryAlignment& alignment) {
   Trajectory result = trajectory;
   for (StampedPose& stamped : result) {
     stamped.pose.translation *= alignment.scale;

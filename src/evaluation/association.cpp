@@ -118,7 +118,7 @@ AssociatedTrajectories by_index(const Trajectory& reference, const Trajectory& e
 
 AssociatedTrajectories associate(const Trajectory& reference, const Trajectory& estimate,
                                  const AssociationOptions& options) {
-  const bool stamps_matter = options.method != AssociationMethod::kIndex;
+  const bool stamps_matter = options.method != AssociationMethod::index;
   check(reference, "reference", stamps_matter);
   check(estimate, "estimate", stamps_matter);
   // Nothing of use is longer, and added to a stamp it still fits 64 bits.
@@ -128,13 +128,13 @@ AssociatedTrajectories associate(const Trajectory& reference, const Trajectory& 
   const std::int64_t offset_ns = nanoseconds(options.offset);
   AssociatedTrajectories result;
   switch (options.method) {
-    case AssociationMethod::kNearest:
+    case AssociationMethod::nearest:
       result = by_nearest(reference, estimate, offset_ns, nanoseconds(options.max_difference));
       break;
-    case AssociationMethod::kInterpolate:
+    case AssociationMethod::interpolate:
       result = by_interpolation(reference, estimate, offset_ns, nanoseconds(options.max_gap));
       break;
-    case AssociationMethod::kIndex:
+    case AssociationMethod::index:
       result = by_index(reference, estimate);
       break;
   }

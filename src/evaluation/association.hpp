@@ -9,15 +9,15 @@
 namespace surefoot::evaluation {
 
 enum class AssociationMethod {
-  kNearest,      ///< nearest stamp, from the trajectory with fewer poses to the other (evo's rule)
-  kInterpolate,  ///< the reference is interpolated at the estimate's stamps
-  kIndex,        ///< pose by pose, for files without stamps; both must have the same length
+  nearest,      ///< nearest stamp, from the trajectory with fewer poses to the other (evo's rule)
+  interpolate,  ///< the reference is interpolated at the estimate's stamps
+  index,        ///< pose by pose, for files without stamps; both must have the same length
 };
 
 struct AssociationOptions {
-  AssociationMethod method = AssociationMethod::kNearest;
-  double max_difference = 0.01;  ///< [s] kNearest: largest difference of two stamps
-  double max_gap = 0.5;          ///< [s] kInterpolate: longest gap of the reference to bridge
+  AssociationMethod method = AssociationMethod::nearest;
+  double max_difference = 0.01;  ///< [s] nearest: largest difference of two stamps
+  double max_gap = 0.5;          ///< [s] interpolate: longest gap of the reference to bridge
   double offset = 0.0;           ///< [s] added to the estimate's stamps
 };
 

@@ -6,7 +6,7 @@
 
 namespace surefoot::evaluation {
 
-Spread spread_of(const MethodResult& result, double MeasuredRun::*figure) {
+RepeatSpread spread_of(const MethodResult& result, double MeasuredRun::*figure) {
   if (result.runs.empty()) return {};
   std::vector<double> values;
   for (const MeasuredRun& run : result.runs) values.push_back(run.*figure);

@@ -33,7 +33,7 @@ struct MeasuredRun {
 };
 
 struct MethodResult {
-  Verdict verdict = {};
+  RunVerdict verdict = {};
   std::optional<Evaluation> evaluation = {};  ///< of the first run; none if there is no estimate
   /// The same after the first poses were made to coincide: attitude. Alignment by positions leaves
   /// the roll about a straight path open.
@@ -72,10 +72,10 @@ struct Comparison {
 };
 
 /// Middle (upper one of an even count) and ends of a figure over the repeats.
-struct Spread {
+struct RepeatSpread {
   double median = 0.0, min = 0.0, max = 0.0;
 };
-[[nodiscard]] Spread spread_of(const MethodResult& result, double MeasuredRun::*figure);
+[[nodiscard]] RepeatSpread spread_of(const MethodResult& result, double MeasuredRun::*figure);
 [[nodiscard]] std::uint64_t peak_memory(const MethodResult& result);
 
 /// The statuses that are not "ok", over the first run; a run's first scan is always "first_scan",

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 1;  // changes when a key changes its meaning or goes
+constexpr int kComparisonFormat = 1;  // changes when a key changes its meaning or goes
 
 Json json_of(const ComparedMethod& method) {
   Json parameters = Json::object();
@@ -39,7 +39,7 @@ Json json_of(const MeasuredRun& run) {
   return json;
 }
 
-Json json_of(const Spread& spread) {
+Json json_of(const RepeatSpread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
@@ -47,7 +47,7 @@ Json json_of(const MethodResult& result, const std::string& method) {
   Json json = {{"method", method},
                {"outcome", to_string(result.verdict.outcome)},
                {"outcome_text", result.verdict.text},
-               {"ranked", result.verdict.outcome == Outcome::kWhole},
+               {"ranked", result.verdict.outcome == Outcome::whole},
                {"repeats_agree", result.repeats_agree},
                {"median_time_per_scan_ms", json_of(spread_of(result, &MeasuredRun::median_ms))},
                {"p99_time_per_scan_ms", json_of(spread_of(result, &MeasuredRun::p99_ms))},
@@ -107,7 +107,7 @@ Json json_of(const Table& table) {
       Json entry = {{"method", table.columns[column]}, {"text", cell.text}};
       entry["value"] = cell.value ? Json(*cell.value) : Json(nullptr);
       entry["place"] =
-          cell.place == Place::kNone ? Json(nullptr) : Json(cell.place == Place::kFirst ? 1 : 2);
+          cell.place == Place::none ? Json(nullptr) : Json(cell.place == Place::first ? 1 : 2);
       cells.push_back(std::move(entry));
     }
     json["rows"].push_back(
@@ -121,7 +121,7 @@ Json json_of(const Table& table) {
 std::string to_json(const Comparison& comparison) {
   Json json = {
       {"format", "surefoot-comparison"},
-      {"format_version", kFormatVersion},
+      {"format_version", kComparisonFormat},
       {"program", {{"version", comparison.version}, {"build", comparison.build}}},
       {"machine", {{"processor", comparison.processor}, {"cores", comparison.processor_cores}}},
       {"repeats", comparison.repeats},

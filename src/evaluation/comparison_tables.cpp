@@ -28,7 +28,7 @@ Cell number(double value, int decimals, bool competes) {
 }
 
 bool is_whole(const MethodResult& result) {
-  return result.verdict.outcome == Outcome::kWhole && result.evaluation.has_value();
+  return result.verdict.outcome == Outcome::whole && result.evaluation.has_value();
 }
 
 using Which = std::optional<Evaluation> MethodResult::*;
@@ -116,7 +116,7 @@ Figure time_figure(const std::string& name, double MeasuredRun::*figure) {
 Figure spread_figure(const std::string& name, double MeasuredRun::*figure) {
   return {name, [figure](const MethodResult& result) {
             if (!measured(result)) return Cell{kNothing};
-            const Spread spread = spread_of(result, figure);
+            const RepeatSpread spread = spread_of(result, figure);
             return Cell{fmt::format("{:.2f}..{:.2f}", spread.min, spread.max)};
           }};
 }
@@ -176,11 +176,11 @@ void add_result_notes(const ComparedRecording& recording, const std::string& met
 }  // namespace
 
 double relative_factor(const PairOptions& stretches) {
-  return stretches.unit == DeltaUnit::kMetres ? 100.0 / stretches.delta : 1.0;
+  return stretches.unit == DeltaUnit::metres ? 100.0 / stretches.delta : 1.0;
 }
 
 std::string relative_figure_name(const PairOptions& stretches) {
-  const bool metres = stretches.unit == DeltaUnit::kMetres;
+  const bool metres = stretches.unit == DeltaUnit::metres;
   return fmt::format("Relative over {}, RMSE ({})", stretch_text(stretches), metres ? "%" : "m");
 }
 

@@ -13,17 +13,17 @@ namespace surefoot::evaluation {
 namespace {
 
 constexpr std::array<std::pair<Relation, const char*>, 4> kRelations = {{
-    {Relation::kTranslation, "translation"},
-    {Relation::kRotationAngle, "rotation_angle"},
-    {Relation::kRotationPart, "rotation_part"},
-    {Relation::kFull, "full"},
+    {Relation::translation, "translation"},
+    {Relation::rotation_angle, "rotation_angle"},
+    {Relation::rotation_part, "rotation_part"},
+    {Relation::full, "full"},
 }};
 
 std::vector<NamedStatistics> absolute_statistics(const AssociatedTrajectories& pairs,
                                                  bool positions_only) {
   std::vector<NamedStatistics> result;
   for (const auto& [relation, name] : kRelations) {
-    if (positions_only && relation != Relation::kTranslation) continue;
+    if (positions_only && relation != Relation::translation) continue;
     result.push_back({std::string("ape_") + name, std::string(unit_of(relation)),
                       statistics_of(absolute_errors(pairs, relation))});
   }
@@ -62,7 +62,7 @@ std::vector<NamedStatistics> relative_statistics(const AssociatedTrajectories& p
 /// Without stamps there is one pose for each of the reference's, which associate() has checked.
 double share_covered(const Trajectory& reference, const Trajectory& estimate,
                      const AssociationOptions& options) {
-  if (options.method == AssociationMethod::kIndex) return 1.0;
+  if (options.method == AssociationMethod::index) return 1.0;
   return coverage(reference, estimate, options.offset);
 }
 
@@ -84,7 +84,7 @@ EndDrift drift_of_positions(const AssociatedTrajectories& pairs) {
 
 void check_alignment(const EvaluationOptions& options) {
   const bool by_rotation =
-      options.alignment == AlignmentMethod::kOrigin || options.alignment == AlignmentMethod::kPoses;
+      options.alignment == AlignmentMethod::origin || options.alignment == AlignmentMethod::poses;
   if (options.positions_only && by_rotation) {
     throw std::runtime_error(
         "the reference has positions only, which poses cannot be aligned to; --align se3 can");

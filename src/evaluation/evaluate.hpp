@@ -19,7 +19,7 @@ namespace surefoot::evaluation {
 
 struct EvaluationOptions {
   AssociationOptions association = {};
-  AlignmentMethod alignment = AlignmentMethod::kRigid;
+  AlignmentMethod alignment = AlignmentMethod::rigid;
   std::size_t alignment_poses = 0;           ///< pairs from the start that are aligned; 0: all
   PairOptions stretches = {};                ///< of the relative pose error
   bool stretches_from_reference = false;     ///< measured along the reference, not the estimate
@@ -40,7 +40,7 @@ struct Evaluation {
   std::size_t pairs = 0;  ///< poses that found a partner
   std::size_t poses = 0;  ///< of the estimate
   double coverage = 0.0;  ///< share [0, 1] of the reference that has an estimate
-  Alignment alignment;
+  TrajectoryAlignment alignment;
   std::vector<NamedStatistics> absolute;
   std::vector<NamedStatistics> relative;  ///< empty if the run is too short for one stretch
   SegmentErrors segments;

@@ -23,8 +23,8 @@ std::string padded(const std::string& text, std::size_t width, std::size_t shown
 }
 
 std::string marked(const Cell& cell, const Marks& marks) {
-  if (cell.place == Place::kFirst) return marks.first_open + cell.text + marks.first_close;
-  if (cell.place == Place::kSecond) return marks.second_open + cell.text + marks.second_close;
+  if (cell.place == Place::first) return marks.first_open + cell.text + marks.first_close;
+  if (cell.place == Place::second) return marks.second_open + cell.text + marks.second_close;
   return cell.text;
 }
 
@@ -83,8 +83,8 @@ Grid make_grid(const Table& table, const Marks& marks, bool marks_are_shown) {
 
 std::string latex_cell(const Cell& cell) {
   const std::string text = latex_text(cell.text);
-  if (cell.place == Place::kFirst) return "\\textbf{" + text + "}";
-  return cell.place == Place::kSecond ? "\\underline{" + text + "}" : text;
+  if (cell.place == Place::first) return "\\textbf{" + text + "}";
+  return cell.place == Place::second ? "\\underline{" + text + "}" : text;
 }
 
 std::string latex_line(const std::vector<std::string>& fields) {
@@ -101,10 +101,10 @@ void rank(std::span<Cell* const> cells) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   for (Cell* cell : cells) {
-    cell->place = Place::kNone;
+    cell->place = Place::none;
     if (!cell->competes || !cell->value) continue;
-    if (*cell->value == values[0]) cell->place = Place::kFirst;
-    if (values.size() > 1 && *cell->value == values[1]) cell->place = Place::kSecond;
+    if (*cell->value == values[0]) cell->place = Place::first;
+    if (values.size() > 1 && *cell->value == values[1]) cell->place = Place::second;
   }
 }
 
@@ -178,7 +178,7 @@ std::string to_csv(const Table& table) {
       csv += ',' + csv_field(table.columns[column]) + ',';
       if (cell.value) csv += fmt::format("{}", *cell.value);
       csv += ',' + csv_field(cell.text) + ',';
-      if (cell.place != Place::kNone) csv += cell.place == Place::kFirst ? '1' : '2';
+      if (cell.place != Place::none) csv += cell.place == Place::first ? '1' : '2';
       csv += '\n';
     }
   }

@@ -11,13 +11,13 @@
 
 namespace surefoot::evaluation {
 
-enum class Place { kNone, kFirst, kSecond };
+enum class Place { none, first, second };
 
 struct Cell {
   std::string text;                  ///< as shown, without marks
   std::optional<double> value = {};  ///< the number behind the text, where there is one
   bool competes = false;             ///< takes part in the ranking; needs a value
-  Place place = Place::kNone;        ///< set by rank()
+  Place place = Place::none;         ///< set by rank()
 };
 
 struct TableRow {

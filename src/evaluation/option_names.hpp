@@ -18,22 +18,22 @@ template <typename Choice, std::size_t count>
 using ChoiceNames = std::array<std::pair<std::string_view, Choice>, count>;
 
 inline constexpr ChoiceNames<AlignmentMethod, 7> kAlignmentNames = {
-    {{"none", AlignmentMethod::kNone},
-     {"origin", AlignmentMethod::kOrigin},
-     {"yaw", AlignmentMethod::kYawTranslation},
-     {"se3", AlignmentMethod::kRigid},
-     {"poses", AlignmentMethod::kPoses},
-     {"sim3", AlignmentMethod::kSimilarity},
-     {"scale", AlignmentMethod::kScale}}};
+    {{"none", AlignmentMethod::none},
+     {"origin", AlignmentMethod::origin},
+     {"yaw", AlignmentMethod::yaw_translation},
+     {"se3", AlignmentMethod::rigid},
+     {"poses", AlignmentMethod::poses},
+     {"sim3", AlignmentMethod::similarity},
+     {"scale", AlignmentMethod::scale}}};
 
-/// The pairings of stamped poses; kIndex follows from files without stamps.
+/// The pairings of stamped poses; index follows from files without stamps.
 inline constexpr ChoiceNames<AssociationMethod, 2> kPairingNames = {
-    {{"nearest", AssociationMethod::kNearest}, {"interpolate", AssociationMethod::kInterpolate}}};
+    {{"nearest", AssociationMethod::nearest}, {"interpolate", AssociationMethod::interpolate}}};
 
-inline constexpr ChoiceNames<DeltaUnit, 4> kDeltaUnitNames = {{{"frames", DeltaUnit::kFrames},
-                                                               {"m", DeltaUnit::kMetres},
-                                                               {"s", DeltaUnit::kSeconds},
-                                                               {"deg", DeltaUnit::kDegrees}}};
+inline constexpr ChoiceNames<DeltaUnit, 4> kDeltaUnitNames = {{{"frames", DeltaUnit::frames},
+                                                               {"m", DeltaUnit::metres},
+                                                               {"s", DeltaUnit::seconds},
+                                                               {"deg", DeltaUnit::degrees}}};
 
 /// The word for a choice; "" for one that has none.
 template <typename Choice, std::size_t count>

@@ -19,21 +19,21 @@ double rotation_part(const Pose& error) {
 
 double size_of(const Pose& error, Relation relation) {
   switch (relation) {
-    case Relation::kTranslation:
+    case Relation::translation:
       return error.translation.norm();
-    case Relation::kRotationAngle:
+    case Relation::rotation_angle:
       return degrees(so3_log(error.rotation).norm());
-    case Relation::kRotationPart:
+    case Relation::rotation_part:
       return rotation_part(error);
-    case Relation::kFull:
+    case Relation::full:
       return std::hypot(rotation_part(error), error.translation.norm());
   }
   throw std::invalid_argument("unknown relation");
 }
 
 std::string_view unit_of(Relation relation) {
-  if (relation == Relation::kTranslation) return "m";
-  return relation == Relation::kRotationAngle ? "deg" : "";
+  if (relation == Relation::translation) return "m";
+  return relation == Relation::rotation_angle ? "deg" : "";
 }
 
 SplitError split_error(const Pose& reference, const Pose& estimate) {

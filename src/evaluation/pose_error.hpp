@@ -12,10 +12,10 @@ namespace surefoot::evaluation {
 
 /// Sizes of an error pose E; zero for the identity.
 enum class Relation {
-  kTranslation,    ///< |t|, m
-  kRotationAngle,  ///< angle of the rotation, deg
-  kRotationPart,   ///< Frobenius norm of R - I
-  kFull,           ///< Frobenius norm of the 4x4 matrix E - I
+  translation,     ///< |t|, m
+  rotation_angle,  ///< angle of the rotation, deg
+  rotation_part,   ///< Frobenius norm of R - I
+  full,            ///< Frobenius norm of the 4x4 matrix E - I
 };
 
 [[nodiscard]] double size_of(const Pose& error, Relation relation);

@@ -19,16 +19,16 @@ std::vector<double> steps(const Trajectory& trajectory, DeltaUnit unit) {
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
     const StampedPose &from = trajectory[i - 1], &to = trajectory[i];
     switch (unit) {
-      case DeltaUnit::kFrames:
+      case DeltaUnit::frames:
         result.push_back(1.0);
         break;
-      case DeltaUnit::kMetres:
+      case DeltaUnit::metres:
         result.push_back((to.pose.translation - from.pose.translation).norm());
         break;
-      case DeltaUnit::kSeconds:
+      case DeltaUnit::seconds:
         result.push_back(seconds(to.stamp_ns - from.stamp_ns));
         break;
-      case DeltaUnit::kDegrees:
+      case DeltaUnit::degrees:
         result.push_back(
             degrees(so3_log(from.pose.rotation.conjugate() * to.pose.rotation).norm()));
         break;
@@ -40,8 +40,8 @@ std::vector<double> steps(const Trajectory& trajectory, DeltaUnit unit) {
 void check(const PairOptions& options) {
   const double delta = options.delta;
   const bool possible = std::isfinite(delta) && delta > 0.0 &&
-                        (options.unit != DeltaUnit::kFrames || delta == std::floor(delta)) &&
-                        (options.unit != DeltaUnit::kDegrees || delta <= 180.0);
+                        (options.unit != DeltaUnit::frames || delta == std::floor(delta)) &&
+                        (options.unit != DeltaUnit::degrees || delta <= 180.0);
   if (possible) return;
   throw std::invalid_argument("a stretch of " + std::to_string(delta) +
                               " is not possible: expected a positive number, whole for frames, "
@@ -51,7 +51,7 @@ void check(const PairOptions& options) {
 std::vector<IndexPair> one_after_the_other(const Trajectory& trajectory,
                                            const PairOptions& options) {
   std::vector<std::size_t> ends;
-  if (options.unit != DeltaUnit::kMetres) ends.push_back(0);
+  if (options.unit != DeltaUnit::metres) ends.push_back(0);
   double length = 0.0;
   const std::vector<double> step = steps(trajectory, options.unit);
   for (std::size_t i = 0; i < step.size(); ++i) {
@@ -69,7 +69,7 @@ std::vector<IndexPair> one_after_the_other(const Trajectory& trajectory,
 std::vector<IndexPair> nearest_to_delta(const Trajectory& trajectory, const PairOptions& options) {
   std::vector<double> along = {0.0};
   for (const double step : steps(trajectory, options.unit)) along.push_back(along.back() + step);
-  const double limit = options.unit == DeltaUnit::kFrames ? 0.0 : options.tolerance * options.delta;
+  const double limit = options.unit == DeltaUnit::frames ? 0.0 : options.tolerance * options.delta;
   std::vector<IndexPair> pairs;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const auto first_at = [&](double length) {
@@ -122,7 +122,7 @@ Motions motions(const AssociatedTrajectories& pairs, const IndexPair& stretch) {
 std::vector<IndexPair> find_pairs(const Trajectory& trajectory, const PairOptions& options) {
   check(options);
   if (!options.all_pairs) return one_after_the_other(trajectory, options);
-  if (options.unit == DeltaUnit::kDegrees) return turned_by_delta(trajectory, options);
+  if (options.unit == DeltaUnit::degrees) return turned_by_delta(trajectory, options);
   return nearest_to_delta(trajectory, options);
 }
 

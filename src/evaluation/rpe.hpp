@@ -12,11 +12,11 @@
 
 namespace surefoot::evaluation {
 
-enum class DeltaUnit { kFrames, kMetres, kSeconds, kDegrees };
+enum class DeltaUnit { frames, metres, seconds, degrees };
 
 struct PairOptions {
   double delta = 1.0;  ///< length of a stretch; whole and >= 1 for frames, at most 180 deg
-  DeltaUnit unit = DeltaUnit::kFrames;
+  DeltaUnit unit = DeltaUnit::frames;
   bool all_pairs = false;  ///< a stretch from every pose, instead of one after the other
   double tolerance = 0.1;  ///< all_pairs: accepted deviation from delta, as a share of it
 };

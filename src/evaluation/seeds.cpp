@@ -37,7 +37,7 @@ SeedSpread spread_of(const Comparison& comparison, const std::vector<std::size_t
   std::vector<double> values;
   for (const std::size_t r : recordings) {
     const MethodResult& result = comparison.recordings[r].results[method];
-    const bool whole = result.verdict.outcome == Outcome::kWhole && result.evaluation.has_value();
+    const bool whole = result.verdict.outcome == Outcome::whole && result.evaluation.has_value();
     values.push_back(whole ? figure(*result.evaluation) : kLost);
   }
   std::sort(values.begin(), values.end());

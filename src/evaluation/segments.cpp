@@ -26,8 +26,8 @@ void add_stretches(const AssociatedTrajectories& pairs, const std::vector<double
     const Pose reference = pairs.reference[i].pose.inverse() * pairs.reference[j].pose;
     const Pose estimate = pairs.estimate[i].pose.inverse() * pairs.estimate[j].pose;
     const Pose error = estimate.inverse() * reference;
-    sum.translation_percent += 100.0 * size_of(error, Relation::kTranslation) / length;
-    sum.rotation_deg_per_m += size_of(error, Relation::kRotationAngle) / length;
+    sum.translation_percent += 100.0 * size_of(error, Relation::translation) / length;
+    sum.rotation_deg_per_m += size_of(error, Relation::rotation_angle) / length;
     ++sum.count;
   }
 }

@@ -33,12 +33,4 @@ Statistics statistics_of(std::span<const double> errors) {
   return result;
 }
 
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
 }  // namespace surefoot::evaluation

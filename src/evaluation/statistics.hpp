@@ -23,8 +23,4 @@ struct Statistics {
 /// Throws std::invalid_argument if there are no errors.
 [[nodiscard]] Statistics statistics_of(std::span<const double> errors);
 
-/// The value below which the share `q` of the values lies, one of them: of two the lower one. 0 for
-/// no values.
-[[nodiscard]] double quantile(std::vector<double> values, double q);
-
 }  // namespace surefoot::evaluation

@@ -27,15 +27,15 @@ int whole_percent(double share) { return static_cast<int>(std::floor(100.0 * sha
 
 std::string_view to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kWhole:
+    case Outcome::whole:
       return "whole";
-    case Outcome::kStopped:
+    case Outcome::stopped:
       return "stopped";
-    case Outcome::kPartial:
+    case Outcome::partial:
       return "partial";
-    case Outcome::kDiverged:
+    case Outcome::diverged:
       return "diverged";
-    case Outcome::kFailed:
+    case Outcome::failed:
       break;
   }
   return "failed";
@@ -46,28 +46,30 @@ double standing_error(const Trajectory& reference) {
   const auto count = static_cast<double>(std::max<std::size_t>(reference.size(), 1));
   for (const StampedPose& stamped : reference) mean += stamped.pose.translation / count;
   double sum = 0.0;
-  for (const StampedPose& stamped : reference)
+  for (const StampedPose& stamped : reference) {
     sum += (stamped.pose.translation - mean).squaredNorm();
+  }
   return std::sqrt(sum / count);
 }
 
-Verdict judge(const Trajectory& reference, const Trajectory& estimate, const Evaluation& evaluation,
-              const EvaluationOptions& options, const VerdictRules& rules) {
+RunVerdict judge(const Trajectory& reference, const Trajectory& estimate,
+                 const Evaluation& evaluation, const EvaluationOptions& options,
+                 const VerdictRules& rules) {
   if (reference.empty() || estimate.empty()) {
     throw std::invalid_argument("judge: a trajectory has no poses");
   }
   if (evaluation.coverage < rules.full_coverage) {
-    const bool stamped = options.association.method != AssociationMethod::kIndex;
+    const bool stamped = options.association.method != AssociationMethod::index;
     const double end = stamped ? reach(reference, estimate, options.association.offset) : 1.0;
     if (end < rules.full_coverage) {
-      return {Outcome::kStopped, fmt::format("stopped at {} %", whole_percent(end))};
+      return {Outcome::stopped, fmt::format("stopped at {} %", whole_percent(end))};
     }
-    return {Outcome::kPartial, fmt::format("covers only {} %", whole_percent(evaluation.coverage))};
+    return {Outcome::partial, fmt::format("covers only {} %", whole_percent(evaluation.coverage))};
   }
   const double error = evaluation.absolute.front().statistics.rmse;
   const double standing = rules.standing_share * standing_error(reference);
-  if (error >= std::max(standing, rules.least_divergence)) return {Outcome::kDiverged, "diverged"};
-  return {Outcome::kWhole, ""};
+  if (error >= std::max(standing, rules.least_divergence)) return {Outcome::diverged, "diverged"};
+  return {Outcome::whole, ""};
 }
 
 }  // namespace surefoot::evaluation

@@ -12,18 +12,18 @@
 namespace surefoot::evaluation {
 
 enum class Outcome {
-  kWhole,     ///< covers the reference; the only one that is ranked
-  kStopped,   ///< ends before the reference does
-  kPartial,   ///< reaches the end with too many holes
-  kDiverged,  ///< no closer to the reference than an estimate that never moves
-  kFailed     ///< no estimate that could be evaluated
+  whole,     ///< covers the reference; the only one that is ranked
+  stopped,   ///< ends before the reference does
+  partial,   ///< reaches the end with too many holes
+  diverged,  ///< no closer to the reference than an estimate that never moves
+  failed     ///< no estimate that could be evaluated
 };
 /// The word for it in files: whole, stopped, partial, diverged or failed.
 [[nodiscard]] std::string_view to_string(Outcome outcome);
 
-struct Verdict {
-  Outcome outcome = Outcome::kFailed;
-  std::string text;  ///< for people: "stopped at 41 %"; empty for kWhole
+struct RunVerdict {
+  Outcome outcome = Outcome::failed;
+  std::string text;  ///< for people: "stopped at 41 %"; empty for whole
 };
 
 struct VerdictRules {
@@ -37,8 +37,8 @@ struct VerdictRules {
 [[nodiscard]] double standing_error(const Trajectory& reference);
 
 /// Throws std::invalid_argument if one of the trajectories is empty.
-[[nodiscard]] Verdict judge(const Trajectory& reference, const Trajectory& estimate,
-                            const Evaluation& evaluation, const EvaluationOptions& options,
-                            const VerdictRules& rules = {});
+[[nodiscard]] RunVerdict judge(const Trajectory& reference, const Trajectory& estimate,
+                               const Evaluation& evaluation, const EvaluationOptions& options,
+                               const VerdictRules& rules = {});
 
 }  // namespace surefoot::evaluation

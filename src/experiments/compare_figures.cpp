@@ -36,7 +36,7 @@ TrajectoryFigure figure_of(const CompareResults& results, FigureView view) {
     if (paths.truth.empty()) continue;
     std::vector<bool> cut;
     for (const evaluation::MethodResult& result : recording.results) {
-      cut.push_back(result.verdict.outcome == evaluation::Outcome::kDiverged);
+      cut.push_back(result.verdict.outcome == evaluation::Outcome::diverged);
     }
     figure.panels.push_back({view, recording.name, paths.truth, paths.estimates, cut,
                              remarks_of(results.comparison, recording)});
@@ -52,7 +52,7 @@ report::TimeSeries errors_of(const Trajectory& truth, const Trajectory& estimate
   try {
     const evaluation::AssociatedTrajectories pairs =
         evaluation::associate(truth, estimate, options);
-    series.values = absolute_errors(pairs, evaluation::Relation::kTranslation);
+    series.values = absolute_errors(pairs, evaluation::Relation::translation);
     for (const StampedPose& pose : pairs.reference) {
       series.times.push_back(seconds(pose.stamp_ns - truth.front().stamp_ns));
     }
@@ -83,9 +83,9 @@ report::SeriesFigure error_figure_of(const CompareResults& results) {
 }  // namespace
 
 void draw_comparison(const CompareResults& results, const std::filesystem::path& folder) {
-  const std::pair<const char*, FigureView> views[] = {{"trajectories_3d", FigureView::kSpace},
-                                                      {"trajectories_side", FigureView::kSide},
-                                                      {"trajectories_top", FigureView::kTop}};
+  const std::pair<const char*, FigureView> views[] = {{"trajectories_3d", FigureView::space},
+                                                      {"trajectories_side", FigureView::side},
+                                                      {"trajectories_top", FigureView::top}};
   for (const auto& [name, view] : views) {
     const TrajectoryFigure figure = figure_of(results, view);
     if (figure.panels.empty()) return;
@@ -103,9 +103,9 @@ void draw_comparison(const CompareResults& results, const std::filesystem::path&
 void draw_views(const Trajectory& reference, const std::vector<std::string>& names,
                 const std::vector<Trajectory>& estimates, const std::filesystem::path& file) {
   TrajectoryFigure figure{names, {}};
-  const std::pair<const char*, FigureView> views[] = {{"Trajectories", FigureView::kSpace},
-                                                      {"Side view", FigureView::kSide},
-                                                      {"Top view", FigureView::kTop}};
+  const std::pair<const char*, FigureView> views[] = {{"Trajectories", FigureView::space},
+                                                      {"Side view", FigureView::side},
+                                                      {"Top view", FigureView::top}};
   for (const auto& [name, view] : views) {
     figure.panels.push_back({view, name, reference, estimates, {}, {}});
   }

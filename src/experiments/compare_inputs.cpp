@@ -47,8 +47,9 @@ fs::path suite_folder(const CompareOptions& options, const std::string& suite) {
 std::vector<fs::path> suite_recordings(const fs::path& folder) {
   if (!fs::is_directory(folder)) {
     std::string sets;
-    for (const simulation::SuiteSet& set : simulation::kSuiteSets)
+    for (const simulation::SuiteSet& set : simulation::kSuiteSets) {
       sets += fmt::format("{}, ", set.name);
+    }
     throw std::runtime_error(fmt::format(
         "--suite {}: no such folder; expected {}or a folder of recordings", folder.string(), sets));
   }

@@ -50,7 +50,7 @@ Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder) {
 }
 
 bool clips_truth(const CompareOptions& options) {
-  if (options.cover != Cover::kAuto) return options.cover == Cover::kRecording;
+  if (options.cover != Cover::automatic) return options.cover == Cover::recording;
   return options.start > 0 || options.count > 0;
 }
 
@@ -70,7 +70,7 @@ class ResultMaker {
     const bool failed = std::any_of(result.runs.begin(), result.runs.end(),
                                     [](const auto& run) { return !run.error.empty(); });
     if (!failed) evaluate(variant, result, path, truth_part);
-    if (result.verdict.outcome == evaluation::Outcome::kFailed) result.verdict.text = "failed";
+    if (result.verdict.outcome == evaluation::Outcome::failed) result.verdict.text = "failed";
     return result;
   }
 
@@ -97,7 +97,7 @@ class ResultMaker {
       const Trajectory truth = clips_truth(options_) ? between_scans(truth_, folder) : truth_;
       result.evaluation = evaluation::evaluate(variant.label, truth, estimate, options_.evaluation);
       evaluation::EvaluationOptions from_start = options_.evaluation;
-      from_start.alignment = evaluation::AlignmentMethod::kOrigin;
+      from_start.alignment = evaluation::AlignmentMethod::origin;
       result.from_start = evaluation::evaluate(variant.label, truth, estimate, from_start);
       result.verdict = evaluation::judge(truth, estimate, *result.evaluation, options_.evaluation,
                                          options_.rules);
@@ -117,7 +117,7 @@ class ResultMaker {
 MethodResult without_truth(const CompareOptions& options, const CompareInput& input,
                            const MethodVariant& variant, const std::string& reason) {
   evaluation::MeasuredRun run{.folder = run_folder(input, variant, 1).string(), .error = reason};
-  return {.verdict = {evaluation::Outcome::kFailed, "failed"},
+  return {.verdict = {evaluation::Outcome::failed, "failed"},
           .runs = std::vector(static_cast<std::size_t>(options.repeats), run)};
 }
 

@@ -114,7 +114,7 @@ std::optional<CompareResults> compare_variants(const CompareOptions& options,
 int exit_code_of(const evaluation::Comparison& comparison) {
   for (const evaluation::ComparedRecording& recording : comparison.recordings) {
     for (const evaluation::MethodResult& result : recording.results) {
-      if (result.verdict.outcome == evaluation::Outcome::kFailed || !result.repeats_agree) {
+      if (result.verdict.outcome == evaluation::Outcome::failed || !result.repeats_agree) {
         return process::kSomeFailed;
       }
     }

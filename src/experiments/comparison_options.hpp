@@ -15,9 +15,9 @@ namespace surefoot::experiments {
 
 /// How much of the truth a whole run has an estimate for.
 enum class Cover {
-  kAuto,      ///< the truth; the recording's part of it if only a part of the scans is used
-  kTruth,     ///< all of it
-  kRecording  ///< the part between the recording's first and last scan
+  automatic,  ///< the truth; the recording's part of it if only a part of the scans is used
+  truth,      ///< all of it
+  recording   ///< the part between the recording's first and last scan
 };
 
 struct CompareOptions {
@@ -40,10 +40,10 @@ struct CompareOptions {
   std::vector<std::string> passed;  ///< further arguments of `surefoot run`
 
   evaluation::EvaluationOptions evaluation = {
-      .stretches = {.delta = 10.0, .unit = evaluation::DeltaUnit::kMetres, .all_pairs = true},
+      .stretches = {.delta = 10.0, .unit = evaluation::DeltaUnit::metres, .all_pairs = true},
       .stretches_from_reference = true};
   evaluation::VerdictRules rules;
-  Cover cover = Cover::kAuto;
+  Cover cover = Cover::automatic;
   bool needs_every_truth = false;  ///< else a recording without one is a failure among others
 };
 

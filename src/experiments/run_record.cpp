@@ -12,18 +12,19 @@
 #include "io/file_writer.hpp"
 #include "runs/run_files.hpp"
 #include "runs/scans_csv.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::experiments {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
 constexpr const char* kRecordName = "compare_run.json";
 
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+std::string text_of(const OrderedJson& json) {
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 /// The last line of a run's log that says something: why it failed.
@@ -40,7 +41,7 @@ std::string last_words(const fs::path& log) {
 
 std::string run_key(const CompareInput& input, const MethodVariant& variant, const Config& config,
                     const std::vector<std::string>& arguments, const std::string& build) {
-  Json values = Json::object();
+  OrderedJson values = OrderedJson::object();
   for (const ParameterInfo& info : parameters()) {
     values[info.name] = get_parameter(config, info.name);
   }
@@ -54,19 +55,19 @@ std::string run_key(const CompareInput& input, const MethodVariant& variant, con
 }
 
 void write_record(const fs::path& folder, const RunRecord& record) {
-  const Json json = {{"key", Json::parse(record.key)},
-                     {"exit_code", record.end.exit_code},
-                     {"signal", record.end.signal},
-                     {"wall_s", record.end.wall_seconds},
-                     {"processor_s", record.end.processor_seconds},
-                     {"peak_memory_bytes", record.end.peak_memory_bytes},
-                     {"jobs", record.jobs}};
+  const OrderedJson json = {{"key", OrderedJson::parse(record.key)},
+                            {"exit_code", record.end.exit_code},
+                            {"signal", record.end.signal},
+                            {"wall_s", record.end.wall_seconds},
+                            {"processor_s", record.end.processor_seconds},
+                            {"peak_memory_bytes", record.end.peak_memory_bytes},
+                            {"jobs", record.jobs}};
   io::write_whole_file(folder / kRecordName, text_of(json) + '\n');
 }
 
 std::optional<RunRecord> read_record(const fs::path& folder) {
   std::ifstream stream(folder / kRecordName);
-  const Json json = Json::parse(stream, nullptr, false);
+  const OrderedJson json = OrderedJson::parse(stream, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   try {
     return RunRecord{text_of(json.at("key")),
@@ -74,7 +75,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
                       json.at("wall_s").get<double>(), json.at("processor_s").get<double>(),
                       json.at("peak_memory_bytes").get<std::uint64_t>()},
                      json.at("jobs").get<int>()};
-  } catch (const Json::exception&) {
+  } catch (const OrderedJson::exception&) {
     return std::nullopt;  // not what write_record() writes: the run is done anew
   }
 }
@@ -109,8 +110,8 @@ evaluation::MeasuredRun measured_run(const fs::path& folder, const RunRecord& re
     const std::vector<double> milliseconds = runs::scan_milliseconds(scans, file);
     run.scans = scans.size();
     run.statuses = runs::count_statuses(scans);
-    run.median_ms = evaluation::quantile(milliseconds, 0.5);
-    run.p99_ms = evaluation::quantile(milliseconds, 0.99);
+    run.median_ms = quantile(milliseconds, 0.5);
+    run.p99_ms = quantile(milliseconds, 0.99);
   } catch (const std::exception& error) {
     if (run.error.empty()) run.error = error.what();
   }

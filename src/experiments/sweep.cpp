@@ -15,7 +15,7 @@ namespace surefoot::experiments {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kFormatVersion = 1;  // changes when a key changes its meaning or goes
 constexpr int kMostValues = 1000;  // of a range
@@ -80,7 +80,9 @@ std::string text_of(const std::optional<double>& ratio) {
   return ratio ? fmt::format("{:.2f}", *ratio) : "-";
 }
 
-Json json_of(const std::optional<double>& ratio) { return ratio ? Json(*ratio) : Json(nullptr); }
+OrderedJson json_of(const std::optional<double>& ratio) {
+  return ratio ? OrderedJson(*ratio) : OrderedJson(nullptr);
+}
 
 }  // namespace
 
@@ -110,8 +112,9 @@ SweepPlan sweep_plan(const std::string& method, const std::vector<std::string>& 
   return plan;
 }
 
-Sweep sweep_of(const evaluation::Comparison& comparison, const std::vector<std::string>& labels) {
-  Sweep sweep;
+SweepResult sweep_of(const evaluation::Comparison& comparison,
+                     const std::vector<std::string>& labels) {
+  SweepResult sweep;
   for (const auto& recording : comparison.recordings) sweep.recordings.push_back(recording.name);
   for (std::size_t m = 0; m < labels.size(); ++m) {
     SweepRow row{.label = labels[m]};
@@ -124,7 +127,7 @@ Sweep sweep_of(const evaluation::Comparison& comparison, const std::vector<std::
   return sweep;
 }
 
-std::string sweep_markdown(const Sweep& sweep) {
+std::string sweep_markdown(const SweepResult& sweep) {
   std::string text = "| parameter |";
   for (const std::string& name : sweep.recordings) text += fmt::format(" {} |", name);
   text += " APE ratio | step ratio | ms | untrusted |\n|---|";
@@ -142,7 +145,7 @@ std::string sweep_markdown(const Sweep& sweep) {
   return text;
 }
 
-std::string sweep_csv(const Sweep& sweep) {
+std::string sweep_csv(const SweepResult& sweep) {
   std::string text = "parameter,recording,ape_rmse_m,step_rmse_m,lost\n";
   for (const SweepRow& row : sweep.rows) {
     for (std::size_t r = 0; r < row.cells.size(); ++r) {
@@ -155,14 +158,14 @@ std::string sweep_csv(const Sweep& sweep) {
   return text;
 }
 
-std::string sweep_json(const Sweep& sweep, const evaluation::Comparison& comparison) {
-  Json rows = Json::array();
+std::string sweep_json(const SweepResult& sweep, const evaluation::Comparison& comparison) {
+  OrderedJson rows = OrderedJson::array();
   for (std::size_t m = 0; m < sweep.rows.size(); ++m) {
     const SweepRow& row = sweep.rows[m];
-    Json cells = Json::array();
+    OrderedJson cells = OrderedJson::array();
     for (std::size_t r = 0; r < row.cells.size(); ++r) {
       const SweepCell& cell = row.cells[r];
-      Json json = {{"recording", sweep.recordings[r]}};
+      OrderedJson json = {{"recording", sweep.recordings[r]}};
       if (cell.lost.empty()) {
         json["ape_rmse_m"] = cell.ape;
         json["step_rmse_m"] = cell.step;
@@ -179,13 +182,13 @@ std::string sweep_json(const Sweep& sweep, const evaluation::Comparison& compari
                     {"untrusted_scans", row.untrusted},
                     {"recordings", cells}});
   }
-  const Json document = {{"format", "surefoot-sweep"},
-                         {"format_version", kFormatVersion},
-                         {"version", comparison.version},
-                         {"build", comparison.build},
-                         {"run_arguments", comparison.run_arguments},
-                         {"rows", rows}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  const OrderedJson document = {{"format", "surefoot-sweep"},
+                                {"format_version", kFormatVersion},
+                                {"version", comparison.version},
+                                {"build", comparison.build},
+                                {"run_arguments", comparison.run_arguments},
+                                {"rows", rows}};
+  return document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 
 }  // namespace surefoot::experiments

@@ -40,18 +40,19 @@ struct SweepRow {
   std::size_t untrusted = 0;  ///< scans without a measured pose
 };
 
-struct Sweep {
+struct SweepResult {
   std::vector<std::string> recordings;
   std::vector<SweepRow> rows;  ///< the method as it is first
 };
 
 /// From a comparison of the plan's variants, whose relative error is that of one step.
-[[nodiscard]] Sweep sweep_of(const evaluation::Comparison& comparison,
-                             const std::vector<std::string>& labels);
+[[nodiscard]] SweepResult sweep_of(const evaluation::Comparison& comparison,
+                                   const std::vector<std::string>& labels);
 
-[[nodiscard]] std::string sweep_markdown(const Sweep& sweep);
+[[nodiscard]] std::string sweep_markdown(const SweepResult& sweep);
 /// A line for each variant and recording.
-[[nodiscard]] std::string sweep_csv(const Sweep& sweep);
-[[nodiscard]] std::string sweep_json(const Sweep& sweep, const evaluation::Comparison& comparison);
+[[nodiscard]] std::string sweep_csv(const SweepResult& sweep);
+[[nodiscard]] std::string sweep_json(const SweepResult& sweep,
+                                     const evaluation::Comparison& comparison);
 
 }  // namespace surefoot::experiments

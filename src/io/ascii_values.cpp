@@ -91,25 +91,25 @@ bool parse_real(std::string_view word, double& value) { return parse_whole_word(
 
 bool store_number(std::string_view word, ScalarType type, std::byte* out) {
   switch (type) {
-    case ScalarType::kI8:
+    case ScalarType::i8:
       return store_as<std::int8_t>(word, out);
-    case ScalarType::kU8:
+    case ScalarType::u8:
       return store_as<std::uint8_t>(word, out);
-    case ScalarType::kI16:
+    case ScalarType::i16:
       return store_as<std::int16_t>(word, out);
-    case ScalarType::kU16:
+    case ScalarType::u16:
       return store_as<std::uint16_t>(word, out);
-    case ScalarType::kI32:
+    case ScalarType::i32:
       return store_as<std::int32_t>(word, out);
-    case ScalarType::kU32:
+    case ScalarType::u32:
       return store_as<std::uint32_t>(word, out);
-    case ScalarType::kI64:
+    case ScalarType::i64:
       return store_as<std::int64_t>(word, out);
-    case ScalarType::kU64:
+    case ScalarType::u64:
       return store_as<std::uint64_t>(word, out);
-    case ScalarType::kF32:
+    case ScalarType::f32:
       return store_float(word, out);
-    case ScalarType::kF64:
+    case ScalarType::f64:
       return store_as<double>(word, out);
   }
   return false;

@@ -25,7 +25,7 @@ Dataset kitti() {
   Dataset set;
   set.name = "kitti";
   set.what = "car, HDL-64E: a sequence's velodyne/*.bin, times.txt";
-  set.truth = TruthOf::kKittiCamera;
+  set.truth = TruthOf::kitti_camera;
   set.truth_file = "poses/NN.txt, with the sequence's calib.txt";
   set.remark = "scans are deskewed already; --kitti-correction turns them up by 0.205 deg";
   set.tried = "not tried on its real scans or poses; its formats were, made after its description";
@@ -36,9 +36,9 @@ Dataset kitti_raw() {
   Dataset set;
   set.name = "kitti-raw";
   set.what = "car, HDL-64E: a drive's velodyne_points/data/*.bin, timestamps.txt";
-  set.truth = TruthOf::kOxts;
+  set.truth = TruthOf::oxts;
   set.truth_file = "the drive's folder: oxts/data/*.txt, calib_imu_to_velo.txt in or above it";
-  set.derive_times = DeriveTimes::kAzimuth;
+  set.derive_times = DeriveTimes::azimuth;
   set.cut_azimuth_deg = 180.0;
   set.stamps_name = "timestamps_start.txt";
   set.remark = "scans are not deskewed and have no times: they get them by azimuth, from behind";
@@ -114,7 +114,7 @@ Dataset leg_kilo() {
   set.name = "leg-kilo";
   set.what = "Go1, VLP-16";
   set.topics = {"/points_raw"};
-  set.stamp_at = StampAt::kEnd;
+  set.stamp_at = StampAt::end;
   set.T_base_lidar = at(0, 0, 0.20);  // the IMU's frame
   set.truth_file = "TUM's columns";
   set.tried = kUntried;
@@ -125,7 +125,7 @@ Dataset quadruped_slam() {
   Dataset set;
   set.name = "quadruped-slam";
   set.what = "Go2, PandarXT-16";
-  set.truth = TruthOf::kPositions;
+  set.truth = TruthOf::positions;
   set.truth_file = "positions of a prism; where it sits is in its own files";
   set.remark =
       "its data were not public when this was written: the topic is the only one of the bag";
@@ -149,7 +149,7 @@ Dataset diter() {
   set.name = "diter";
   set.what = "Go2 and Spot, Ouster (DiTer++)";
   set.topics = {"/agent1/ouster/points"};
-  set.stamp_at = StampAt::kEnd;
+  set.stamp_at = StampAt::end;
   set.T_base_lidar = at(0.005, 0.00056, 0.299);  // the IMU's frame
   set.truth_file = "TUM's columns; it is another odometry's, not a measurement";
   set.remark = "--topic /agent2/ouster/points for the other robot";
@@ -182,7 +182,7 @@ Dataset ntu_viral() {
   set.name = "ntu-viral";
   set.what = "multicopter, two OS1-16";
   set.topics = {"/os1_cloud_node1/points"};
-  set.truth = TruthOf::kPositions;
+  set.truth = TruthOf::positions;
   const Pose T_body_lidar = at(-0.050, 0.0, 0.055);
   set.T_base_lidar = T_body_lidar;
   set.T_lidar_truth = T_body_lidar.inverse() * at(-0.293656, -0.012288, -0.273095);
@@ -197,7 +197,7 @@ Dataset botanic_garden() {
   set.name = "botanic-garden";
   set.what = "wheeled robot, VLP-16";
   set.topics = {"/velodyne_points"};
-  set.stamp_at = StampAt::kEnd;
+  set.stamp_at = StampAt::end;
   set.truth_file = "..._GT_output.txt: TUM's columns, of the LiDAR";
   set.tried = kUntried;
   return set;
@@ -232,12 +232,12 @@ const Dataset& dataset_named(std::string_view name) {
 OpenOptions with_dataset(OpenOptions options) {
   if (options.dataset.empty()) return options;
   const Dataset& set = dataset_named(options.dataset);
-  if (options.stamp_at == StampAt::kAuto) options.stamp_at = set.stamp_at;
+  if (options.stamp_at == StampAt::automatic) options.stamp_at = set.stamp_at;
   if (options.topic.empty()) options.likely_topics = set.topics;
   if (options.stamps_name.empty()) options.stamps_name = set.stamps_name;
-  const bool derives = set.derive_times != DeriveTimes::kNo &&
-                       options.derive_times == DeriveTimes::kNo &&
-                       options.time_direction != TimeDirection::kNone;
+  const bool derives = set.derive_times != DeriveTimes::no &&
+                       options.derive_times == DeriveTimes::no &&
+                       options.time_direction != TimeDirection::none;
   if (derives) {
     options.derive_times = set.derive_times;
     options.cut_azimuth_deg = set.cut_azimuth_deg;

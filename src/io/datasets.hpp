@@ -17,24 +17,24 @@ namespace surefoot::io {
 
 /// What a data set's truth is of.
 enum class TruthOf {
-  kPoses,        ///< poses, in whichever file
-  kPositions,    ///< of a point, such as a prism
-  kKittiCamera,  ///< poses of KITTI's left camera; its calibration lies beside
-  kOxts,         ///< KITTI's OXTS records: latitude, longitude, height, angles
+  poses,         ///< poses, in whichever file
+  positions,     ///< of a point, such as a prism
+  kitti_camera,  ///< poses of KITTI's left camera; its calibration lies beside
+  oxts,          ///< KITTI's OXTS records: latitude, longitude, height, angles
 };
 
 struct Dataset {
   std::string name;
   std::string what;                 ///< robot and LiDAR
   std::vector<std::string> topics;  ///< of a bag, the first that it has
-  StampAt stamp_at = StampAt::kAuto;
+  StampAt stamp_at = StampAt::automatic;
   std::size_t rows = 0;  ///< of a scan that is stored column by column, with no point times
   std::size_t columns = 0;
-  DeriveTimes derive_times = DeriveTimes::kNo;
+  DeriveTimes derive_times = DeriveTimes::no;
   double cut_azimuth_deg = 0.0;  ///< with it
   std::string stamps_name;       ///< file of stamps that goes before others
   std::optional<Pose> T_base_lidar;
-  TruthOf truth = TruthOf::kPoses;
+  TruthOf truth = TruthOf::poses;
   /// Frame or point that the truth tells, in the LiDAR's frame; nothing: the LiDAR itself.
   std::optional<Pose> T_lidar_truth;
   std::string truth_topic;  ///< in the bag

@@ -14,19 +14,19 @@
 
 namespace surefoot::io {
 
-enum class ScalarType { kI8, kU8, kI16, kU16, kI32, kU32, kI64, kU64, kF32, kF64 };
+enum class ScalarType { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
 
 [[nodiscard]] std::size_t size_of(ScalarType type);
 /// "f32", "u16", ...
 [[nodiscard]] const char* name_of(ScalarType type);
 [[nodiscard]] constexpr bool is_float(ScalarType type) {
-  return type == ScalarType::kF32 || type == ScalarType::kF64;
+  return type == ScalarType::f32 || type == ScalarType::f64;
 }
 
 /// One number of every point: the value of point i lies at first + i * stride.
 struct Column {
   std::string name;
-  ScalarType type = ScalarType::kF32;
+  ScalarType type = ScalarType::f32;
   const std::byte* first = nullptr;
   std::size_t stride = 0;  ///< [bytes]
   bool swapped = false;    ///< stored in the other byte order than this machine's
@@ -62,25 +62,25 @@ void for_each_value(const Column& column, std::size_t count, Visitor&& visitor) 
     }
   };
   switch (column.type) {
-    case ScalarType::kI8:
+    case ScalarType::i8:
       return run(std::int8_t{});
-    case ScalarType::kU8:
+    case ScalarType::u8:
       return run(std::uint8_t{});
-    case ScalarType::kI16:
+    case ScalarType::i16:
       return run(std::int16_t{});
-    case ScalarType::kU16:
+    case ScalarType::u16:
       return run(std::uint16_t{});
-    case ScalarType::kI32:
+    case ScalarType::i32:
       return run(std::int32_t{});
-    case ScalarType::kU32:
+    case ScalarType::u32:
       return run(std::uint32_t{});
-    case ScalarType::kI64:
+    case ScalarType::i64:
       return run(std::int64_t{});
-    case ScalarType::kU64:
+    case ScalarType::u64:
       return run(std::uint64_t{});
-    case ScalarType::kF32:
+    case ScalarType::f32:
       return run(float{});
-    case ScalarType::kF64:
+    case ScalarType::f64:
       return run(double{});
   }
 }

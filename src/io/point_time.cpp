@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdio>
 
+#include "surefoot/seconds.hpp"
+
 namespace surefoot::io {
 namespace {
 
@@ -13,10 +15,10 @@ struct UnitFacts {
   const char* name;
   double per_second;
 };
-constexpr std::array<UnitFacts, 4> kUnits = {{{TimeUnit::kSeconds, "seconds", 1.0},
-                                              {TimeUnit::kMilliseconds, "milliseconds", 1e3},
-                                              {TimeUnit::kMicroseconds, "microseconds", 1e6},
-                                              {TimeUnit::kNanoseconds, "nanoseconds", 1e9}}};
+constexpr std::array<UnitFacts, 4> kUnits = {{{TimeUnit::seconds, "seconds", 1.0},
+                                              {TimeUnit::milliseconds, "milliseconds", 1e3},
+                                              {TimeUnit::microseconds, "microseconds", 1e6},
+                                              {TimeUnit::nanoseconds, "nanoseconds", 1e9}}};
 
 // Epoch times from September 2001 to February 2103 [s].
 constexpr double kEpochLeast = 1e9;
@@ -31,7 +33,7 @@ constexpr double kShortest = 0.01;
 constexpr double kStampNearZero = 2.0 * kNear;
 
 const UnitFacts& facts_of(TimeUnit unit) {
-  return kUnits[static_cast<std::size_t>(unit) - static_cast<std::size_t>(TimeUnit::kSeconds)];
+  return kUnits[static_cast<std::size_t>(unit) - static_cast<std::size_t>(TimeUnit::seconds)];
 }
 
 std::string number(double value) {
@@ -59,22 +61,22 @@ std::optional<TimeUnit> unit_by_epoch(const TimeExtents& extents) {
 // unit that drivers use: seconds if floating, and nanoseconds, for shorter and longer scans.
 std::optional<TimeUnit> unit_by_spread(double spread, ScalarType type) {
   if (spread < 10.0) {
-    return is_float(type) ? std::optional(TimeUnit::kSeconds) : std::nullopt;
+    return is_float(type) ? std::optional(TimeUnit::seconds) : std::nullopt;
   }
   if (spread <= 1e3) {
-    return TimeUnit::kMilliseconds;
+    return TimeUnit::milliseconds;
   }
   if (spread >= 9e3 && spread <= 1e6) {
-    return TimeUnit::kMicroseconds;
+    return TimeUnit::microseconds;
   }
-  return spread > 1e6 && spread <= 1e10 ? std::optional(TimeUnit::kNanoseconds) : std::nullopt;
+  return spread > 1e6 && spread <= 1e10 ? std::optional(TimeUnit::nanoseconds) : std::nullopt;
 }
 
 // All values equal: nothing tells the unit, and for zero nothing depends on it.
 std::optional<TimeUnit> unit_of_constant(double value, std::optional<std::int64_t> stamp_ns,
                                          ScalarType type) {
   if (stamp_ns) {
-    const double stamp = static_cast<double>(*stamp_ns) * 1e-9;
+    const double stamp = seconds(*stamp_ns);
     for (const UnitFacts& facts : kUnits) {
       if (std::abs(value / facts.per_second - stamp) <= kNear) {
         return facts.unit;
@@ -82,9 +84,9 @@ std::optional<TimeUnit> unit_of_constant(double value, std::optional<std::int64_
     }
   }
   if (value == 0.0) {
-    return is_float(type) ? TimeUnit::kSeconds : TimeUnit::kNanoseconds;
+    return is_float(type) ? TimeUnit::seconds : TimeUnit::nanoseconds;
   }
-  return is_float(type) && std::abs(value) <= kNear ? std::optional(TimeUnit::kSeconds)
+  return is_float(type) && std::abs(value) <= kNear ? std::optional(TimeUnit::seconds)
                                                     : std::nullopt;
 }
 
@@ -105,19 +107,19 @@ bool around(double instant, double least, double greatest) {
 // Relative or absolute, from the values in seconds; clears `certain` where both would fit.
 std::optional<TimeReference> find_reference(double least, double greatest,
                                             std::optional<std::int64_t> stamp_ns, bool& certain) {
-  const double stamp = stamp_ns ? static_cast<double>(*stamp_ns) * 1e-9 : 0.0;
+  const double stamp = stamp_ns ? seconds(*stamp_ns) : 0.0;
   const bool fits_relative = around(0.0, least, greatest);
   const bool fits_absolute = stamp_ns && around(stamp, least, greatest);
   if (fits_relative && fits_absolute) {
     certain = std::abs(stamp) > kStampNearZero;
-    return TimeReference::kRelative;
+    return TimeReference::relative;
   }
   if (fits_relative) {
-    return TimeReference::kRelative;
+    return TimeReference::relative;
   }
   const bool is_epoch = least >= kEpochLeast && greatest <= kEpochGreatest;
   if (fits_absolute || (!stamp_ns && is_epoch) || (!stamp_ns && least > kNear)) {
-    return TimeReference::kAbsolute;
+    return TimeReference::absolute;
   }
   return std::nullopt;
 }
@@ -125,7 +127,7 @@ std::optional<TimeReference> find_reference(double least, double greatest,
 [[noreturn]] void fail(const TimeExtents& extents, ScalarType type,
                        std::optional<std::int64_t> stamp_ns, const char* what) {
   throw ReadError("point times: " + seen(extents, type) +
-                  (stamp_ns ? " in a scan stamped " + number(1e-9 * double(*stamp_ns)) + " s"
+                  (stamp_ns ? " in a scan stamped " + number(seconds(*stamp_ns)) + " s"
                             : std::string(" in a scan without a stamp")) +
                   " fit no " + what +
                   "; expected a spread of 0.01 to 1 s in s, ms, us or ns, around zero or around "
@@ -143,7 +145,7 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
   PointTimeRule rule;
   rule.certain = extents.greatest > extents.least;
   std::optional<TimeUnit> unit = options.time_unit;
-  if (unit == TimeUnit::kAuto) {
+  if (unit == TimeUnit::automatic) {
     unit = find_unit(extents, type, stamp_ns);
   }
   if (!unit) {
@@ -151,7 +153,7 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
   }
   rule.unit = *unit;
   std::optional<TimeReference> reference = options.time_reference;
-  if (reference == TimeReference::kAuto) {
+  if (reference == TimeReference::automatic) {
     const double per_second = facts_of(rule.unit).per_second;
     reference = find_reference(extents.least / per_second, extents.greatest / per_second, stamp_ns,
                                rule.certain);
@@ -168,8 +170,8 @@ std::string describe_point_time(const std::string& field, ScalarType type,
   const double duration = (extents.greatest - extents.least) / facts_of(rule.unit).per_second;
   const bool usual = duration == 0.0 || (duration >= kShortest && duration <= kNear);
   return "time field '" + field + "': " + name_of(type) + ", " + facts_of(rule.unit).name +
-         (rule.reference == TimeReference::kRelative ? " relative to the stamp, "
-                                                     : " since the epoch (absolute), ") +
+         (rule.reference == TimeReference::relative ? " relative to the stamp, "
+                                                    : " since the epoch (absolute), ") +
          number(extents.least) + " .. " + number(extents.greatest) +
          (usual ? "" : "; a scan of " + number(duration) + " s is unusual, 0.01 to 1 s expected");
 }

@@ -24,8 +24,8 @@ struct TimeExtents {
 
 /// The meaning of a time field; never "auto".
 struct PointTimeRule {
-  TimeUnit unit = TimeUnit::kSeconds;
-  TimeReference reference = TimeReference::kRelative;
+  TimeUnit unit = TimeUnit::seconds;
+  TimeReference reference = TimeReference::relative;
   /// The values admit only this meaning. Not so where all are equal, or where the stamp is so near
   /// zero that relative and absolute cannot be told apart: then another scan may know better.
   bool certain = true;
@@ -46,7 +46,7 @@ struct PointTimeRule {
                                               const PointTimeRule& rule,
                                               const TimeExtents& extents);
 
-/// Nanoseconds in one unit (not for kAuto).
+/// Nanoseconds in one unit (not for automatic).
 [[nodiscard]] std::int64_t nanoseconds_in(TimeUnit unit);
 
 /// A time value in nanoseconds, exactly rounded; nothing where it is not finite or too large.

@@ -50,9 +50,9 @@ class WatchedRecording : public RecordingFilter {
  public:
   WatchedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
       : RecordingFilter(std::move(recording)), options_(options) {
-    if (options_.time_direction == TimeDirection::kBackward) {
+    if (options_.time_direction == TimeDirection::backward) {
       note("point times: counted back from the stamp, as asked for");
-    } else if (options_.time_direction == TimeDirection::kNone) {
+    } else if (options_.time_direction == TimeDirection::none) {
       note("point times: left out, as asked for");
     }
     merge_notes();
@@ -67,7 +67,7 @@ class WatchedRecording : public RecordingFilter {
 
  private:
   std::optional<ScanItem> take() {
-    const bool derived = options_.derive_times == DeriveTimes::kAzimuth || options_.rows > 0;
+    const bool derived = options_.derive_times == DeriveTimes::azimuth || options_.rows > 0;
     if (derived && period_ns_ == 0) look_ahead();
     if (waiting().empty()) return recording().next();
     ScanItem item = std::move(waiting().front());
@@ -101,16 +101,16 @@ class WatchedRecording : public RecordingFilter {
   }
 
   void watch(Scan& scan) {
-    if (options_.time_direction == TimeDirection::kNone) {
+    if (options_.time_direction == TimeDirection::none) {
       scan.times_ns.clear();
       return;
     }
-    if (options_.time_direction == TimeDirection::kBackward) count_backward(scan);
+    if (options_.time_direction == TimeDirection::backward) count_backward(scan);
     if (options_.rows > 0 && scan.points.size() == options_.rows * options_.columns) {
       time_columns(scan, options_.rows, {{}, 0.0, period_ns_, options_.stamp_at});
       return;
     }
-    if (options_.derive_times == DeriveTimes::kAzimuth) {
+    if (options_.derive_times == DeriveTimes::azimuth) {
       derive_times(scan, {options_.spin, options_.cut_azimuth_deg, period_ns_, options_.stamp_at});
       return;
     }
@@ -118,10 +118,10 @@ class WatchedRecording : public RecordingFilter {
     ++watched_;
     const PointTimes times = point_times_of(scan);
     const bool backward =
-        times == PointTimes::kThere && spin_of(scan) == std::optional(Spin::kCounterclockwise);
-    odd_ = times != PointTimes::kThere || backward ? odd_ + 1 : 0;
+        times == PointTimes::there && spin_of(scan) == std::optional(Spin::counterclockwise);
+    odd_ = times != PointTimes::there || backward ? odd_ + 1 : 0;
     if (odd_ < kHabit) return;
-    note(backward ? kBackward : times == PointTimes::kNone ? kNoTimes : kEqualTimes);
+    note(backward ? kBackward : times == PointTimes::none ? kNoTimes : kEqualTimes);
     said_ = true;
   }
 
@@ -134,13 +134,13 @@ class WatchedRecording : public RecordingFilter {
 }  // namespace
 
 PointTimes point_times_of(const Scan& scan) {
-  if (scan.times_ns.empty()) return PointTimes::kNone;
+  if (scan.times_ns.empty()) return PointTimes::none;
   const auto [least, greatest] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
-  return *least == *greatest ? PointTimes::kEqual : PointTimes::kThere;
+  return *least == *greatest ? PointTimes::equal : PointTimes::there;
 }
 
 std::optional<Spin> spin_of(const Scan& scan) {
-  if (point_times_of(scan) != PointTimes::kThere) return std::nullopt;
+  if (point_times_of(scan) != PointTimes::there) return std::nullopt;
   // All lasers of a spinning LiDAR look about one way at an instant: the mean direction of each
   // stretch of time is sharp, and turns steadily.
   constexpr std::size_t kStretches = 40;
@@ -164,8 +164,8 @@ std::optional<Spin> spin_of(const Scan& scan) {
     if (sharp) ++(std::arg(sums[k] / sums[k - 1]) < 0.0 ? clockwise : counterclockwise);
   }
   constexpr int kMost = static_cast<int>(kStretches) * 3 / 4;
-  if (clockwise >= kMost) return Spin::kClockwise;
-  if (counterclockwise >= kMost) return Spin::kCounterclockwise;
+  if (clockwise >= kMost) return Spin::clockwise;
+  if (counterclockwise >= kMost) return Spin::counterclockwise;
   return std::nullopt;
 }
 
@@ -174,10 +174,10 @@ void count_backward(Scan& scan) {
   for (std::int32_t& time : scan.times_ns) time = -std::max(time, -INT32_MAX);
 }
 
-void derive_times(Scan& scan, const Sweep& sweep) {
+void derive_times(Scan& scan, const SweepTiming& sweep) {
   const double cut = sweep.cut_deg * std::numbers::pi / 180.0;
-  const double sign = sweep.spin == Spin::kClockwise ? -1.0 : 1.0;
-  const std::int64_t first = sweep.stamp_at == StampAt::kEnd ? -sweep.period_ns : 0;
+  const double sign = sweep.spin == Spin::clockwise ? -1.0 : 1.0;
+  const std::int64_t first = sweep.stamp_at == StampAt::end ? -sweep.period_ns : 0;
   scan.times_ns.resize(scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     std::int64_t offset = 0;
@@ -189,8 +189,8 @@ void derive_times(Scan& scan, const Sweep& sweep) {
   }
 }
 
-void time_columns(Scan& scan, std::size_t rows, const Sweep& sweep) {
-  const std::int64_t first = sweep.stamp_at == StampAt::kEnd ? -sweep.period_ns : 0;
+void time_columns(Scan& scan, std::size_t rows, const SweepTiming& sweep) {
+  const std::int64_t first = sweep.stamp_at == StampAt::end ? -sweep.period_ns : 0;
   const std::size_t columns = std::max<std::size_t>(1, scan.points.size() / rows);
   scan.times_ns.resize(scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {

@@ -15,9 +15,9 @@ namespace surefoot::io {
 
 /// What the points of a scan tell about time.
 enum class PointTimes {
-  kThere,
-  kNone,   ///< no field of times
-  kEqual,  ///< one instant for all: the driver left the field empty
+  there,
+  none,   ///< no field of times
+  equal,  ///< one instant for all: the driver left the field empty
 };
 [[nodiscard]] PointTimes point_times_of(const Scan& scan);
 
@@ -26,17 +26,17 @@ enum class PointTimes {
 [[nodiscard]] std::optional<Spin> spin_of(const Scan& scan);
 
 /// How a spinning LiDAR swept.
-struct Sweep {
-  Spin spin = Spin::kClockwise;
+struct SweepTiming {
+  Spin spin = Spin::clockwise;
   double cut_deg = 0.0;        ///< direction of the first point, counter-clockwise from x
   std::int64_t period_ns = 0;  ///< of a revolution
-  StampAt stamp_at = StampAt::kAuto;
+  StampAt stamp_at = StampAt::automatic;
 };
 /// Point times from azimuths: the sweep begins at the cut and takes a period.
-void derive_times(Scan& scan, const Sweep& sweep);
+void derive_times(Scan& scan, const SweepTiming& sweep);
 
 /// Point times from the order of the points, which is column by column: `rows` of an instant.
-void time_columns(Scan& scan, std::size_t rows, const Sweep& sweep);
+void time_columns(Scan& scan, std::size_t rows, const SweepTiming& sweep);
 /// Point times that count back from the stamp, made to count forward.
 void count_backward(Scan& scan);
 

@@ -25,25 +25,25 @@ class ReadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class TimeUnit { kAuto, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
+enum class TimeUnit { automatic, seconds, milliseconds, microseconds, nanoseconds };
 /// What the values of a time field count from: the scan's stamp, or the epoch of the stamps.
-enum class TimeReference { kAuto, kRelative, kAbsolute };
-/// Which instant of a scan its stamp names, where relative point times are all positive. kAuto:
+enum class TimeReference { automatic, relative, absolute };
+/// Which instant of a scan its stamp names, where relative point times are all positive. automatic:
 /// what the data set says, else the start.
-enum class StampAt { kAuto, kStart, kEnd };
+enum class StampAt { automatic, start, end };
 /// Whether point times are made up where the recording has none.
 enum class DeriveTimes {
-  kNo,
-  kAzimuth,  ///< by where a point lies within a revolution
+  no,
+  azimuth,  ///< by where a point lies within a revolution
 };
 /// Which way point times count, and whether they count at all.
 enum class TimeDirection {
-  kForward,
-  kBackward,  ///< back from the stamp, where a field holds how old a point is
-  kNone       ///< left out: the scans are deskewed already
+  forward,
+  backward,  ///< back from the stamp, where a field holds how old a point is
+  none       ///< left out: the scans are deskewed already
 };
 /// How a LiDAR turns, seen from above.
-enum class Spin { kClockwise, kCounterclockwise };
+enum class Spin { clockwise, counterclockwise };
 using sensors::ReturnChoice;
 
 /// How to read. The defaults find everything out from the recording itself.
@@ -60,16 +60,16 @@ struct OpenOptions {
   std::vector<std::string> likely_topics;
   /// Name of the field of point times; empty: the first of the names that drivers use.
   std::string time_field;
-  TimeUnit time_unit = TimeUnit::kAuto;
-  TimeReference time_reference = TimeReference::kAuto;
-  StampAt stamp_at = StampAt::kAuto;
+  TimeUnit time_unit = TimeUnit::automatic;
+  TimeReference time_reference = TimeReference::automatic;
+  StampAt stamp_at = StampAt::automatic;
   /// Scans of so many points, stored column by column as the LiDAR turned, get their times from
   /// that; 0: none do.
   std::size_t rows = 0;
   std::size_t columns = 0;
-  TimeDirection time_direction = TimeDirection::kForward;
-  DeriveTimes derive_times = DeriveTimes::kNo;
-  Spin spin = Spin::kClockwise;  ///< of derived times
+  TimeDirection time_direction = TimeDirection::forward;
+  DeriveTimes derive_times = DeriveTimes::no;
+  Spin spin = Spin::clockwise;  ///< of derived times
   /// Mend stamps that cannot be (stamp_repair.hpp), and say so.
   bool repair_stamps = true;
   /// As the scans come, without a look at the next ones: what a live run does.
@@ -90,7 +90,7 @@ struct OpenOptions {
   /// Let beams start where they leave the sensor, as with a VLP-16: up to 11.2 mm above or below
   /// its centre.
   bool beam_origins = true;
-  ReturnChoice dual_return = ReturnChoice::kStrongest;
+  ReturnChoice dual_return = ReturnChoice::strongest;
   /// Azimuth at which a revolution is cut from the next [deg], in [0, 360). For derived times it is
   /// taken in the points' own frame, counter-clockwise from x.
   double cut_azimuth_deg = 0.0;

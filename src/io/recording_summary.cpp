@@ -7,6 +7,9 @@
 #include <optional>
 #include <set>
 
+#include "surefoot/quantile.hpp"
+#include "surefoot/seconds.hpp"
+
 namespace surefoot::io {
 namespace {
 
@@ -75,7 +78,7 @@ class Summariser {
   void add_stamp(const Scan& scan, const std::string& name) {
     if (last_stamp_ns_) {
       const std::int64_t step = scan.stamp_ns - *last_stamp_ns_;
-      intervals_.push_back(1e-9 * static_cast<double>(step));
+      intervals_.push_back(seconds(step));
       interval_ends_.push_back(name);
       if (step <= 0) {
         note_oddity(step == 0 ? "stamp equal to the one before" : "stamp before the one before",
@@ -127,8 +130,7 @@ class Summariser {
       return;
     }
     const auto [least, greatest] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
-    const double duration =
-        1e-9 * static_cast<double>(std::int64_t{*greatest} - std::int64_t{*least});
+    const double duration = seconds(std::int64_t{*greatest} - std::int64_t{*least});
     durations_.push_back(duration);
     if (duration == 0.0) {
       note_oddity("all point times equal", name);
@@ -171,14 +173,12 @@ class Summariser {
 
 }  // namespace
 
-Spread spread_of(std::vector<double> values) {
+Spread spread_of(const std::vector<double>& values) {
   if (values.empty()) {
     return {};
   }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  return {*least, *middle, *greatest};
+  return {*least, quantile(values, 0.5), *greatest};
 }
 
 RecordingSummary summarise(Recording& recording) {

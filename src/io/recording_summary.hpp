@@ -20,7 +20,7 @@ struct Spread {
   double median = 0.0;
   double greatest = 0.0;
 };
-[[nodiscard]] Spread spread_of(std::vector<double> values);
+[[nodiscard]] Spread spread_of(const std::vector<double>& values);
 
 /// Something odd, how often it occurs, and the first scan that has it.
 struct Oddity {

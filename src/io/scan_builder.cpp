@@ -144,11 +144,11 @@ const Column* times_in_curvature(const PointTable& table, ScanColumns columns) {
 // What has to be taken from the field's times so that they count from the stamp.
 std::int64_t origin_of(const FieldTimes& times, TimeReference reference, std::int64_t stamp_ns,
                        StampAt stamp_at) {
-  if (reference == TimeReference::kAbsolute) {
+  if (reference == TimeReference::absolute) {
     return stamp_ns;
   }
   const bool counts_from_start = times.least >= 0;
-  return stamp_at == StampAt::kEnd && counts_from_start ? times.greatest : 0;
+  return stamp_at == StampAt::end && counts_from_start ? times.greatest : 0;
 }
 
 void check_offsets(const FieldTimes& times, std::int64_t origin) {
@@ -264,7 +264,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
     scan.times_ns.assign(scan.points.size(), 0);
     return built;
   }
-  if (!stamp_ns && rule->reference == TimeReference::kAbsolute) {
+  if (!stamp_ns && rule->reference == TimeReference::absolute) {
     scan.stamp_ns = times.least;
   }
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);

@@ -57,17 +57,17 @@ class FolderSink final : public ScanSink {
   void finish() override { write_whole_file(folder_ / "times.txt", stamps_); }
 
   std::string lost() const override {
-    if (format_ == ScanFormat::kPcd || (!any_times_ && !any_rings_)) return {};
+    if (format_ == ScanFormat::pcd || (!any_times_ && !any_rings_)) return {};
     return std::string(any_times_ ? "the points' times" : "") +
            (any_times_ && any_rings_ ? " and " : "") + (any_rings_ ? "rings" : "") +
-           (format_ == ScanFormat::kPly ? " are not written to PLY"
-                                        : " do not fit into KITTI's .bin");
+           (format_ == ScanFormat::ply ? " are not written to PLY"
+                                       : " do not fit into KITTI's .bin");
   }
 
  private:
   void write(const fs::path& file, const Scan& scan) const {
-    if (format_ == ScanFormat::kPcd) return write_pcd(file, scan);
-    if (format_ == ScanFormat::kPly) return write_ply(file, scan.points, scan.intensities);
+    if (format_ == ScanFormat::pcd) return write_pcd(file, scan);
+    if (format_ == ScanFormat::ply) return write_ply(file, scan.points, scan.intensities);
     std::string bytes;
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) append_bytes(bytes, scan.points[i][axis]);
@@ -101,11 +101,11 @@ ScanFormat scan_format_named(const std::string& name) {
 std::unique_ptr<ScanSink> make_scan_sink(const fs::path& path, ScanFormat format,
                                          const SinkOptions& options) {
   switch (format) {
-    case ScanFormat::kMcap:
+    case ScanFormat::mcap:
       return std::make_unique<BagSink>(make_mcap_bag(path), options);
-    case ScanFormat::kRosbag2:
+    case ScanFormat::rosbag2:
       return std::make_unique<BagSink>(make_sqlite_bag(path), options);
-    case ScanFormat::kRos1Bag:
+    case ScanFormat::ros1_bag:
       return std::make_unique<BagSink>(make_ros1_bag(path), options);
     default:
       return std::make_unique<FolderSink>(path, format);

@@ -13,7 +13,7 @@
 
 namespace surefoot::io {
 
-enum class ScanFormat { kPcd, kPly, kKittiBin, kMcap, kRosbag2, kRos1Bag };
+enum class ScanFormat { pcd, ply, kitti_bin, mcap, rosbag2, ros1_bag };
 
 /// "pcd", "ply", "bin", "mcap", "rosbag2", "bag", in the order of ScanFormat.
 [[nodiscard]] const std::vector<std::string>& scan_format_names();

@@ -35,7 +35,7 @@ std::int64_t nearest_by_hours(std::int64_t difference, std::int64_t target) {
 SensorClock::Reading SensorClock::start(std::int64_t time_ns, TimeBase base,
                                         std::int64_t arrival_ns) {
   started_ = true;
-  const bool past_hour = base == TimeBase::kHour;
+  const bool past_hour = base == TimeBase::hour;
   const std::int64_t by_sensor = past_hour ? nearest_by_hours(time_ns, arrival_ns) : time_ns;
   const std::int64_t difference = by_sensor - arrival_ns;
   const std::string seconds = format_seconds(difference);
@@ -68,7 +68,7 @@ std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, Time
   if (!is_time(time_ns) || arrival_ns < -kGreatestNs || arrival_ns > kGreatestNs) {
     return std::nullopt;
   }
-  const bool past_hour = base == TimeBase::kHour;
+  const bool past_hour = base == TimeBase::hour;
   time_ns = past_hour ? time_ns % kHourNs : time_ns;
   Reading reading;
   if (!started_) {

@@ -11,6 +11,7 @@
 
 #include "io/decimal_time.hpp"
 #include "io/recording_filter.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::io {
 
@@ -95,10 +96,7 @@ class RepairedRecording : public RecordingFilter {
   [[nodiscard]] std::int64_t usual_interval_ns() const {
     if (known_interval_ns_ > 0) return known_interval_ns_;
     if (intervals_.empty()) return kUnknownInterval;
-    std::vector<std::int64_t> sorted(intervals_.begin(), intervals_.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
+    return quantile(std::vector(intervals_.begin(), intervals_.end()), 0.5);
   }
 
   /// The last scan's points again, to the last bit: no sensor measures so.

@@ -301,8 +301,8 @@ Truth parse_truth_table(std::string_view text) {
 
 Truth read_truth(const fs::path& path, const Dataset* set, const std::string& topic) {
   Truth truth;
-  if (set != nullptr && set->truth == TruthOf::kOxts) return read_oxts(path);
-  if (set != nullptr && set->truth == TruthOf::kKittiCamera) return read_kitti(path);
+  if (set != nullptr && set->truth == TruthOf::oxts) return read_oxts(path);
+  if (set != nullptr && set->truth == TruthOf::kitti_camera) return read_kitti(path);
   if (is_bag(path)) {
     const std::string name = topic.empty() && set != nullptr ? set->truth_topic : topic;
     truth.poses = read_pose_topic(path, name);
@@ -311,7 +311,7 @@ Truth read_truth(const fs::path& path, const Dataset* set, const std::string& to
     truth = read_table(path);
   }
   if (set == nullptr) return truth;
-  if (set->truth == TruthOf::kPositions) truth.has_rotations = false;
+  if (set->truth == TruthOf::positions) truth.has_rotations = false;
   truth.T_lidar_truth = set->T_lidar_truth.value_or(Pose{});
   return truth;
 }

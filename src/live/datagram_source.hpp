@@ -22,9 +22,9 @@ struct Arrival {
 };
 
 enum class Received {
-  kSomething,
-  kNothing,  ///< for now: ask again
-  kEnd       ///< nothing will come any more
+  something,
+  nothing,  ///< for now: ask again
+  end       ///< nothing will come any more
 };
 
 class DatagramSource {

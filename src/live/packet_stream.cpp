@@ -56,7 +56,7 @@ class PacketStream final : public ScanStream {
   /// False at the end.
   bool receive() {
     const Received received = source_->receive(arrival_);
-    if (received != Received::kSomething) return received == Received::kNothing;
+    if (received != Received::something) return received == Received::nothing;
     last_ = arrival_.received;
     ++datagrams_;
     if (writer_) writer_->add(arrival_.arrival_ns, arrival_.datagram);

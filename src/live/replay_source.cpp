@@ -21,17 +21,17 @@ class ReplaySource final : public DatagramSource {
 
   Received receive(Arrival& arrival) override {
     if (!waiting_) waiting_ = next();
-    if (!waiting_) return Received::kEnd;
+    if (!waiting_) return Received::end;
     const Clock::time_point due = due_at(waiting_->arrival_ns);
     const Clock::time_point now = Clock::now();
     if (due > now) {
       std::this_thread::sleep_for(std::min(due - now, kLongestWait));
-      if (due - now > kLongestWait) return Received::kNothing;
+      if (due - now > kLongestWait) return Received::nothing;
     }
     arrival = *waiting_;
     arrival.received = Clock::now();
     waiting_.reset();
-    return Received::kSomething;
+    return Received::something;
   }
 
   bool patient() const override { return speed_ <= 0.0; }
@@ -42,8 +42,8 @@ class ReplaySource final : public DatagramSource {
     while (const std::optional<io::CapturedFrame> frame = file_.next()) {
       io::IpFragment fragment;
       io::UdpDatagram datagram = io::find_udp(file_.link(), frame->bytes, &fragment);
-      if (datagram.content == io::FrameContent::kFragment) datagram = fragments_.add(fragment);
-      if (datagram.content != io::FrameContent::kUdp) continue;
+      if (datagram.content == io::FrameContent::fragment) datagram = fragments_.add(fragment);
+      if (datagram.content != io::FrameContent::udp) continue;
       return Arrival{datagram, frame->stamp_ns, {}};
     }
     return std::nullopt;

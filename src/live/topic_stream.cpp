@@ -93,8 +93,8 @@ class LiveMessages final : public io::MessageSource {
     while (!ended_ && (*go_on_)()) {
       TopicArrival arrival;
       const Received received = source_->receive(arrival);
-      ended_ = received == Received::kEnd;
-      if (received != Received::kSomething) continue;
+      ended_ = received == Received::end;
+      if (received != Received::something) continue;
       ++messages_;
       last_ = arrival.received;
       if (record_) record_->add(source_->topic(), arrival);

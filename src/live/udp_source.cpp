@@ -73,7 +73,7 @@ class UdpSource final : public DatagramSource {
 
   Received receive(Arrival& arrival) override {
     pollfd waiting{socket_.id(), POLLIN, 0};
-    if (::poll(&waiting, 1, kWaitMs) <= 0) return Received::kNothing;
+    if (::poll(&waiting, 1, kWaitMs) <= 0) return Received::nothing;
     sockaddr_in sender{};
     iovec buffer{bytes_.data(), bytes_.size()};
     alignas(cmsghdr) std::array<char, 256> control;
@@ -85,11 +85,11 @@ class UdpSource final : public DatagramSource {
     message.msg_control = control.data();
     message.msg_controllen = control.size();
     const ssize_t size = ::recvmsg(socket_.id(), &message, MSG_DONTWAIT);
-    if (size < 0) return Received::kNothing;  // a refusal that came back, or a bad checksum
+    if (size < 0) return Received::nothing;  // a refusal that came back, or a bad checksum
     stamp(message, arrival);
-    arrival.datagram = {io::FrameContent::kUdp, ntohl(sender.sin_addr.s_addr), port_,
+    arrival.datagram = {io::FrameContent::udp, ntohl(sender.sin_addr.s_addr), port_,
                         std::span(bytes_).first(static_cast<std::size_t>(size))};
-    return Received::kSomething;
+    return Received::something;
   }
 
   std::uint64_t overflowed() const override { return overflowed_; }

@@ -186,8 +186,9 @@ std::vector<std::vector<bool>> pairwise_agreement(const PoseGraph& graph,
                                                   const std::vector<std::size_t>& loops) {
   const Chain chain(graph);
   std::vector<Matrix6> covariances;
-  for (const std::size_t e : loops)
+  for (const std::size_t e : loops) {
     covariances.push_back(covariance_of(graph.edges[e].information));
+  }
   std::vector<std::vector<bool>> result(loops.size(), std::vector<bool>(loops.size(), false));
   for (std::size_t i = 0; i < loops.size(); ++i) {
     for (std::size_t k = i + 1; k < loops.size(); ++k) {

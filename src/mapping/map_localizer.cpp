@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPieces = 2;  // finished ones that are kept besides the one being walked
 constexpr double kSameArea = 7.0;   // places so near each other are one candidate [m]
 constexpr double kNearest = 8.0;    // a known pose is checked against a place so near [m]
-constexpr double kSway = 0.2;       // smaller steps are no way [m]
+constexpr double kLeastStep = 0.2;  // smaller steps are no way [m]
 constexpr double kTurn = 6.0 * std::numbers::pi / 180.0;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
@@ -47,7 +47,7 @@ void MapLocalizer::add(const PlacedScan& scan, const DeskewedScan& points) {
   collect(scan, points);
   const Eigen::Vector3d& here = scan.T_world_lidar.translation;
   if (!last_) last_ = here;
-  if (const double step = (here - *last_).norm(); step > kSway) {
+  if (const double step = (here - *last_).norm(); step > kLeastStep) {
     way_ += step;
     last_ = here;
   }

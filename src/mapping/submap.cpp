@@ -8,6 +8,7 @@
 
 #include "core/voxel_key.hpp"
 #include "core/voxel_table.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::mapping {
 
@@ -22,10 +23,7 @@ double ground_height(const std::vector<Eigen::Vector3f>& points) {
       heights.push_back(point.z());
     }
   }
-  if (heights.empty()) return 0.0;
-  const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
-  std::nth_element(heights.begin(), low, heights.end());
-  return *low;
+  return quantile(std::move(heights), 0.1);
 }
 
 /// Whether there is something above most of the ground about the middle, at a ceiling's height.

@@ -62,7 +62,7 @@ void draw_animation(const RecordingRequest& request, const std::filesystem::path
   const double step = turn / kFramesPerTurn;
   for (int frame = 1; frame <= frames; ++frame) {
     const double time = begin + step * frame;
-    report::Canvas canvas(kWidth, kHeight, report::PageFormat::kPng);
+    report::Canvas canvas(kWidth, kHeight, report::PageFormat::png);
     scene_panel.draw(canvas, time, title);
     robot_panel.draw(canvas, time);
     gait_panel.draw(canvas, time);

@@ -234,7 +234,7 @@ void GaitPanel::draw(Canvas& canvas, double time) const {
     canvas.circle(curve[now], 3.2, kBright, {kPaper, 1.0});
     canvas.text(kNames[row], {area.x, area.y - 3.0}, {11.0, kText});
     canvas.text(fmt::format("{:+.1f}", values_[now][row]), {area.right(), area.y - 3.0},
-                {11.0, kText, report::Anchor::kRight});
+                {11.0, kText, report::Anchor::right});
   }
   const std::array<Pixel, 2> border = {Pixel(rect_.x, rect_.y), Pixel(rect_.right(), rect_.y)};
   canvas.line(border, {kFrame, 1.0});

@@ -23,9 +23,9 @@ RecordingWriter::RecordingWriter(const fs::path& folder, const RecordingFormat& 
     : folder_(folder), format_(format), encoder_(options.start_ns, options.dual_return) {
   if (format_.true_points) fs::create_directories(folder_ / kTrueFolder);
   using Format = io::ScanFormat;
-  if (format_.pcd) sinks_.push_back(io::make_scan_sink(folder_, Format::kPcd));
-  if (format_.mcap) sinks_.push_back(io::make_scan_sink(folder_ / kMcapFile, Format::kMcap));
-  if (format_.rosbag2) sinks_.push_back(io::make_scan_sink(folder_ / kBagFolder, Format::kRosbag2));
+  if (format_.pcd) sinks_.push_back(io::make_scan_sink(folder_, Format::pcd));
+  if (format_.mcap) sinks_.push_back(io::make_scan_sink(folder_ / kMcapFile, Format::mcap));
+  if (format_.rosbag2) sinks_.push_back(io::make_scan_sink(folder_ / kBagFolder, Format::rosbag2));
   if (format_.pcap) {
     capture_ = std::make_unique<simulation::CaptureWriter>(folder_ / kCaptureFile, vlp16::kUdpPort);
   }

@@ -24,8 +24,6 @@ constexpr double kNumberOffset = 22.0;         // [px] from an edge
 constexpr double kLabelOffset = 58.0;          // [px] from an edge
 constexpr double kLabelGap = 18.0;             // [px] of a label that stands beside the numbers
 
-const Stroke kGrid{{0.88, 0.89, 0.91}, 1.0};
-const Stroke kEdge{{0.45, 0.48, 0.53}, 1.5};
 const Color kFace{0.975, 0.977, 0.982};
 
 /// A corner of the box: for each axis its low (0) or high (1) end.
@@ -86,7 +84,7 @@ void draw_axis(Canvas& canvas, const BoxView& view, int axis, const Eigen::Vecto
   static constexpr std::array<const char*, 3> kLabels = {"x [m]", "y [m]", "z [m]"};
   Eigen::Vector3d to = from;
   to[axis] = view.range(axis).high;
-  draw_segment(canvas, view, from, to, kEdge);
+  draw_segment(canvas, view, from, to, kFrame);
   const Pixel down(0.0, 7.0);  // from a text's middle to its base line
   const Ticks ticks = ticks_of(view, axis);
   const TextStyle style{.size = 19.0, .anchor = anchor};
@@ -95,7 +93,7 @@ void draw_axis(Canvas& canvas, const BoxView& view, int axis, const Eigen::Vecto
     Eigen::Vector3d point = from;
     point[axis] = value;
     const std::array<Pixel, 2> tick = {view.at(point), view.at(point) + 6.0 * outward};
-    canvas.line(tick, kEdge);
+    canvas.line(tick, kFrame);
     const std::string number = tick_label(value, ticks.step);
     canvas.text(number, view.at(point) + kNumberOffset * outward + down, style);
     widest = std::max(widest, canvas.text_width(number, style));
@@ -103,13 +101,13 @@ void draw_axis(Canvas& canvas, const BoxView& view, int axis, const Eigen::Vecto
   // Numbers beside an edge are cleared to the side, those below it downwards. Beside a slanted edge
   // the next number reaches farther out than the one at the middle.
   const double clear = widest + kLabelGap;
-  const Pixel offset = anchor == Anchor::kCenter ? Pixel(kLabelOffset * outward)
-                       : anchor == Anchor::kLeft
+  const Pixel offset = anchor == Anchor::center ? Pixel(kLabelOffset * outward)
+                       : anchor == Anchor::left
                            ? Pixel(kNumberOffset * outward + Pixel(clear + kLabelGap, 0.0))
                            : Pixel((kNumberOffset + clear) * outward);
   canvas.text(kLabels[static_cast<std::size_t>(axis)], view.at(0.5 * (from + to)) + offset + down,
               {.size = 21.0,
-               .anchor = anchor == Anchor::kLeft ? Anchor::kLeft : Anchor::kCenter,
+               .anchor = anchor == Anchor::left ? Anchor::left : Anchor::center,
                .upward = axis == 2});
 }
 
@@ -158,9 +156,9 @@ void draw_box(Canvas& canvas, const BoxView& view) {
     return Pixel(side.y() < 0.0 ? -side : side);
   };
   const Eigen::Vector3d front = corner(view, 0, 0, 0), right = corner(view, 1, 0, 0);
-  draw_axis(canvas, view, 0, front, outward(front, right), Anchor::kCenter);
-  draw_axis(canvas, view, 1, right, outward(right, corner(view, 1, 1, 0)), Anchor::kLeft);
-  draw_axis(canvas, view, 2, front, Pixel(-1.0, 0.0), Anchor::kRight);
+  draw_axis(canvas, view, 0, front, outward(front, right), Anchor::center);
+  draw_axis(canvas, view, 1, right, outward(right, corner(view, 1, 1, 0)), Anchor::left);
+  draw_axis(canvas, view, 2, front, Pixel(-1.0, 0.0), Anchor::right);
 }
 
 }  // namespace surefoot::report

@@ -58,15 +58,15 @@ void set_source(cairo_t* cairo, const Color& color) {
 /// Lengths of strokes and gaps, in line widths.
 std::vector<double> dashes_of(LineStyle style) {
   switch (style) {
-    case LineStyle::kDashed:
+    case LineStyle::dashed:
       return {3.5, 2.5};
-    case LineStyle::kDotted:
+    case LineStyle::dotted:
       return {1.2, 1.6};
-    case LineStyle::kDashDotted:
+    case LineStyle::dash_dotted:
       return {5.0, 1.8, 1.2, 1.8};
-    case LineStyle::kLongDashed:
+    case LineStyle::long_dashed:
       return {8.0, 2.5};
-    case LineStyle::kSolid:
+    case LineStyle::solid:
       break;
   }
   return {};
@@ -90,11 +90,11 @@ void set_font(cairo_t* cairo, const TextStyle& style) {
 cairo_surface_t* make_surface(PageFormat format, std::string& bytes, int width, int height,
                               int scale) {
   switch (format) {
-    case PageFormat::kSvg:
+    case PageFormat::svg:
       return cairo_svg_surface_create_for_stream(append, &bytes, width, height);
-    case PageFormat::kPdf:
+    case PageFormat::pdf:
       return cairo_pdf_surface_create_for_stream(append, &bytes, width, height);
-    case PageFormat::kPng:
+    case PageFormat::png:
       break;
   }
   return cairo_image_surface_create(CAIRO_FORMAT_RGB24, scale * width, scale * height);
@@ -109,7 +109,7 @@ struct Canvas::Page {
 
   Page(int width, int height, PageFormat format, int scale)
       : surface(make_surface(format, bytes, width, height, scale)), cairo(cairo_create(surface)) {
-    if (format == PageFormat::kPng) cairo_scale(cairo, scale, scale);
+    if (format == PageFormat::png) cairo_scale(cairo, scale, scale);
   }
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
@@ -123,9 +123,9 @@ PageFormat page_format_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (extension == ".png") return PageFormat::kPng;
-  if (extension == ".svg") return PageFormat::kSvg;
-  if (extension == ".pdf") return PageFormat::kPdf;
+  if (extension == ".png") return PageFormat::png;
+  if (extension == ".svg") return PageFormat::svg;
+  if (extension == ".pdf") return PageFormat::pdf;
   throw std::runtime_error(path.string() +
                            ": a picture's name ends in .png, .svg or .pdf, not in \"" + extension +
                            "\"");
@@ -208,9 +208,9 @@ void Canvas::image(const Raster& raster, const Rect& rect, double opacity) {
 
 void Canvas::text(const std::string& text, const Pixel& at, const TextStyle& style) {
   const double width = text_width(text, style);
-  const double shift = style.anchor == Anchor::kLeft     ? 0.0
-                       : style.anchor == Anchor::kCenter ? -0.5 * width
-                                                         : -width;
+  const double shift = style.anchor == Anchor::left     ? 0.0
+                       : style.anchor == Anchor::center ? -0.5 * width
+                                                        : -width;
   cairo_save(page_->cairo);
   cairo_translate(page_->cairo, at.x(), at.y());
   if (style.upward) cairo_rotate(page_->cairo, -0.5 * std::numbers::pi);

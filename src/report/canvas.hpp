@@ -28,12 +28,12 @@ struct Rect {
   [[nodiscard]] Pixel center() const { return {x + 0.5 * width, y + 0.5 * height}; }
 };
 
-enum class LineStyle { kSolid, kDashed, kDotted, kDashDotted, kLongDashed };
+enum class LineStyle { solid, dashed, dotted, dash_dotted, long_dashed };
 
 struct Stroke {
   Color color;
   double width = 1.0;
-  LineStyle style = LineStyle::kSolid;
+  LineStyle style = LineStyle::solid;
 };
 
 /// Colours of an image's pixels, premultiplied ARGB, row by row from the top.
@@ -42,17 +42,17 @@ struct Raster {
   std::vector<std::uint32_t> argb;
 };
 
-enum class Anchor { kLeft, kCenter, kRight };
+enum class Anchor { left, center, right };
 
 struct TextStyle {
   double size = 22.0;
   Color color{0.13, 0.15, 0.19};
-  Anchor anchor = Anchor::kLeft;
+  Anchor anchor = Anchor::left;
   bool bold = false;
   bool upward = false;  ///< turned by 90 degrees, read from below to above
 };
 
-enum class PageFormat { kPng, kSvg, kPdf };
+enum class PageFormat { png, svg, pdf };
 /// By the extension of a picture's name, in any case. Throws std::runtime_error if it is none of
 /// .png, .svg and .pdf.
 [[nodiscard]] PageFormat page_format_of(const std::filesystem::path& path);

@@ -15,7 +15,7 @@ constexpr double kSmallestHeight = 0.1;  // [m]
 constexpr double kLeastStep = 0.4;       // [px] between two points that are drawn
 constexpr double kFarOff = 0.5;          // of the reference's extent: estimates beyond are cut
 
-const Stroke kReference{{0.0, 0.0, 0.0}, 2.5, LineStyle::kDashed};
+const Stroke kReference{{0.0, 0.0, 0.0}, 2.5, LineStyle::dashed};
 const Stroke kMarkerEdge{{0.1, 0.1, 0.12}, 1.5};
 
 /// After Okabe and Ito (2008), without black, which is the reference's.
@@ -25,8 +25,8 @@ constexpr std::array<Color, 6> kColors = {{{0.0, 0.447, 0.698},
                                            {0.8, 0.475, 0.655},
                                            {0.902, 0.624, 0.0},
                                            {0.337, 0.706, 0.914}}};
-constexpr std::array<LineStyle, 4> kStyles = {LineStyle::kSolid, LineStyle::kDashDotted,
-                                              LineStyle::kLongDashed, LineStyle::kDotted};
+constexpr std::array<LineStyle, 4> kStyles = {LineStyle::solid, LineStyle::dash_dotted,
+                                              LineStyle::long_dashed, LineStyle::dotted};
 
 std::vector<Eigen::Vector3d> drawable_points(const Trajectory& trajectory) {
   std::vector<Eigen::Vector3d> points;

@@ -28,7 +28,7 @@ Layout layout_for(std::size_t panels) {
 }
 
 double sample_width(const LegendEntry& entry) {
-  return entry.kind == LegendEntry::Kind::kLine ? kLegendSample : 22.0;
+  return entry.kind == LegendEntry::Kind::line ? kLegendSample : 22.0;
 }
 
 /// The entries that share a line, and how long it is.
@@ -61,9 +61,9 @@ void draw_legend(Canvas& canvas, const std::vector<LegendLine>& lines, double pa
       const Pixel middle(x + 0.5 * sample_width(entry), baseline - 7.0);
       const std::array<Pixel, 2> sample = {Pixel(x, middle.y()),
                                            Pixel(x + sample_width(entry), middle.y())};
-      if (entry.kind == LegendEntry::Kind::kLine) canvas.line(sample, entry.stroke);
-      if (entry.kind == LegendEntry::Kind::kStart) draw_start(canvas, middle);
-      if (entry.kind == LegendEntry::Kind::kEnd) draw_end(canvas, middle);
+      if (entry.kind == LegendEntry::Kind::line) canvas.line(sample, entry.stroke);
+      if (entry.kind == LegendEntry::Kind::start) draw_start(canvas, middle);
+      if (entry.kind == LegendEntry::Kind::end) draw_end(canvas, middle);
       x += sample_width(entry) + kSampleGap;
       canvas.text(entry.name, {x, baseline}, {.size = kTextSize});
       x += canvas.text_width(entry.name, {.size = kTextSize}) + kEntryGap;
@@ -82,7 +82,7 @@ std::string numbered_title(std::size_t panel, std::size_t count, const std::stri
 void draw_remarks(Canvas& canvas, const Rect& rect, const std::vector<std::string>& remarks) {
   double baseline = rect.y + 24.0;
   for (const std::string& remark : remarks) {
-    const TextStyle text{.size = 17.0, .color = {0.35, 0.37, 0.42}, .anchor = Anchor::kRight};
+    const TextStyle text{.size = 17.0, .color = {0.35, 0.37, 0.42}, .anchor = Anchor::right};
     const double width = canvas.text_width(remark, text);
     canvas.fill({rect.right() - width - 14.0, baseline - 17.0, width + 8.0, 23.0},
                 {1.0, 1.0, 1.0, 0.8});
@@ -97,7 +97,7 @@ void draw_figure_page(const FigurePage& page, const std::filesystem::path& path)
   const Layout layout = layout_for(count);
   const auto columns = static_cast<std::size_t>(layout.columns);
   const double page_width = 2.0 * kPageMargin + layout.columns * layout.panel_width;
-  Canvas ruler(1, 1, PageFormat::kPng);  // measures text before the page's height is known
+  Canvas ruler(1, 1, PageFormat::png);  // measures text before the page's height is known
   const std::vector<LegendLine> legend =
       legend_lines(ruler, page.legend, page_width - 2.0 * kPageMargin);
   std::vector<double> tops = {kPageMargin + kLegendLine * static_cast<double>(legend.size())};

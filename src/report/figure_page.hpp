@@ -15,10 +15,10 @@ namespace surefoot::report {
 
 /// An entry of the legend: a line, or one of the two markers.
 struct LegendEntry {
-  enum class Kind { kLine, kStart, kEnd };
+  enum class Kind { line, start, end };
   std::string name;
   Stroke stroke;
-  Kind kind = Kind::kLine;
+  Kind kind = Kind::line;
 };
 
 struct FigurePage {

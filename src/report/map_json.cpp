@@ -9,6 +9,7 @@
 
 #include "report/base64.hpp"
 #include "report/map_thinning.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::report {
 
@@ -42,12 +43,7 @@ std::vector<T> chosen(const std::vector<T>& values, const std::vector<std::uint3
 Interval between_quantiles(std::vector<float> values, double low, double high) {
   std::erase_if(values, [](float value) { return !std::isfinite(value); });
   if (values.empty()) return {};
-  const auto quantile = [&](double share) {
-    const auto nth = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), nth, values.end());
-    return static_cast<double>(*nth);
-  };
-  return {quantile(low), quantile(high)};
+  return {quantile(values, low), quantile(values, high)};
 }
 
 template <typename Step>

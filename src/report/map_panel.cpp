@@ -17,7 +17,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTurn = 0.35;  // [rad] from the map's long side, so that walls show two faces
 
-std::vector<Eigen::Vector3d> sample_in_view(const Run& run) {
+std::vector<Eigen::Vector3d> sample_in_view(const DrawnRun& run) {
   std::vector<Eigen::Vector3d> sample;
   const std::size_t stride = run.map_points.size() / kSampledPoints + 1;
   for (std::size_t i = 0; i < run.map_points.size(); i += stride) {
@@ -54,8 +54,8 @@ Eigen::Matrix3d oblique_axes(double heading, double elevation) {
   return axes;
 }
 
-View fitted_view(const Rect& rect, const std::vector<Eigen::Vector3d>& points,
-                 const Eigen::Matrix3d& axes) {
+ParallelView fitted_view(const Rect& rect, const std::vector<Eigen::Vector3d>& points,
+                         const Eigen::Matrix3d& axes) {
   std::vector<double> right, up;
   for (const Eigen::Vector3d& point : points) {
     right.push_back(axes.row(0).dot(point));
@@ -71,18 +71,19 @@ View fitted_view(const Rect& rect, const std::vector<Eigen::Vector3d>& points,
 }
 
 /// The steepest view that shows the map as large as the flattest one does.
-View oblique_view(const Rect& rect, const Run& run) {
+ParallelView oblique_view(const Rect& rect, const DrawnRun& run) {
   const std::vector<Eigen::Vector3d> sample = sample_in_view(run);
   const double heading = long_side(sample) + kTurn;
-  View best = fitted_view(rect, sample, oblique_axes(heading, 30.0 * kDegree));
+  ParallelView best = fitted_view(rect, sample, oblique_axes(heading, 30.0 * kDegree));
   for (const double elevation : {34.0, 38.0, 42.0}) {
-    const View view = fitted_view(rect, sample, oblique_axes(heading, elevation * kDegree));
+    const ParallelView view = fitted_view(rect, sample, oblique_axes(heading, elevation * kDegree));
     if (view.pixels_per_metre >= 0.98 * best.pixels_per_metre) best = view;
   }
   return best;
 }
 
-std::vector<Pixel> to_pixels(const Trajectory& trajectory, const View& view, const Rect& rect) {
+std::vector<Pixel> to_pixels(const Trajectory& trajectory, const ParallelView& view,
+                             const Rect& rect) {
   std::vector<Pixel> pixels;
   pixels.reserve(trajectory.size());
   for (const StampedPose& stamped : trajectory) {
@@ -91,7 +92,7 @@ std::vector<Pixel> to_pixels(const Trajectory& trajectory, const View& view, con
   return pixels;
 }
 
-void draw_scale_bar(Canvas& canvas, const Rect& rect, const View& view) {
+void draw_scale_bar(Canvas& canvas, const Rect& rect, const ParallelView& view) {
   // One tick of a range a quarter of the panel wide is a round length of that order.
   const double metres = nice_ticks({0.0, 0.25 * rect.width / view.pixels_per_metre}, 1).step;
   const double pixels = metres * view.pixels_per_metre;
@@ -100,7 +101,7 @@ void draw_scale_bar(Canvas& canvas, const Rect& rect, const View& view) {
                                     left + Pixel(pixels, -8.0)};
   canvas.line(bar, {{0.13, 0.15, 0.19}, 2.5});
   canvas.text(tick_label(metres, metres) + " m", left + Pixel(0.5 * pixels, -12.0),
-              {.size = 20.0, .anchor = Anchor::kCenter});
+              {.size = 20.0, .anchor = Anchor::center});
 }
 
 void draw_color_bar(Canvas& canvas, const Rect& rect, const Range& heights) {
@@ -124,15 +125,15 @@ void draw_color_bar(Canvas& canvas, const Rect& rect, const Range& heights) {
     canvas.text(tick_label(value, ticks.step), at + Pixel(12.0, 7.0), {.size = 19.0});
   }
   canvas.text("height z [m]", {rect.right() + 8.0, rect.y - 14.0},
-              {.size = 20.0, .anchor = Anchor::kRight});
+              {.size = 20.0, .anchor = Anchor::right});
 }
 
 }  // namespace
 
-void draw_map_panel(Canvas& canvas, const Rect& rect, const Run& run) {
+void draw_map_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
   constexpr double kBarSpace = 90.0;
   const Rect scene{rect.x, rect.y, rect.width - kBarSpace, rect.height};
-  const View view = oblique_view(scene, run);
+  const ParallelView view = oblique_view(scene, run);
   canvas.image(draw_points(run.map_points, view, run.heights), scene);
   canvas.clip(scene);
   draw_path(canvas, to_pixels(run.path, view, scene), to_pixels(run.reference, view, scene), run);

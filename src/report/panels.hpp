@@ -28,7 +28,7 @@ inline constexpr double kMarkerRadius = 12.0;
 inline constexpr std::size_t kSampledPoints = 200'000;
 
 /// The input without what cannot be drawn, and the ranges that several panels use.
-struct Run {
+struct DrawnRun {
   Trajectory path;
   std::vector<bool> untrusted;  // as long as `path`
   std::vector<int> segments;    // likewise
@@ -38,18 +38,18 @@ struct Run {
   Range heights;       // z of the colour map
 };
 
-[[nodiscard]] Run prepare_run(const PictureInput& input);
+[[nodiscard]] DrawnRun prepare_run(const PictureInput& input);
 
 /// The map, seen obliquely, with the path and a colour bar.
-void draw_map_panel(Canvas& canvas, const Rect& rect, const Run& run);
+void draw_map_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run);
 /// Top view x-y into `top`, and height over the way into `side`.
-void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const Run& run);
+void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const DrawnRun& run);
 /// z, roll and pitch over time.
-void draw_time_panels(Canvas& canvas, const Rect& rect, const Run& run);
+void draw_time_panels(Canvas& canvas, const Rect& rect, const DrawnRun& run);
 
 /// Path with halo, reference, untrusted stretches, start and end, with a pixel for each of the
 /// run's poses.
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
-               const Run& run);
+               const DrawnRun& run);
 
 }  // namespace surefoot::report

@@ -11,11 +11,11 @@ namespace surefoot::report {
 
 namespace {
 
-constexpr double kSmallestExtent = 2.0;  // [m] a shorter path is not blown up beyond this
+constexpr double kShortestWay = 2.0;  // [m] a shorter path is not blown up beyond this
 // A level floor must look level: its centimetres are not stretched to a hill.
-constexpr double kSmallestHeight = 1.0;  // [m]
+constexpr double kLeastHeight = 1.0;  // [m]
 
-std::vector<double> coordinates(const Run& run, int axis) {
+std::vector<double> coordinates(const DrawnRun& run, int axis) {
   std::vector<double> values;
   for (const Trajectory* trajectory : {&run.path, &run.reference}) {
     for (const StampedPose& stamped : *trajectory) {
@@ -50,7 +50,7 @@ std::vector<double> distances_along(const Trajectory& path) {
 
 /// The reference is laid out by the path's distance at the same instant, since a denser or less
 /// shaken trajectory has another length. What it has before and after the path is left out.
-std::vector<Pixel> unrolled_reference(const Run& run, const std::vector<double>& distances,
+std::vector<Pixel> unrolled_reference(const DrawnRun& run, const std::vector<double>& distances,
                                       const PlotArea& area) {
   std::vector<Pixel> pixels;
   std::size_t next = 0;
@@ -80,7 +80,7 @@ struct HeightRange {
 
 HeightRange height_range(const Rect& rect, const Range& way, const Range& z) {
   const double equal_height = way.width() * rect.height / rect.width;
-  const Range needed = padded(z, 0.12, kSmallestHeight);
+  const Range needed = padded(z, 0.12, kLeastHeight);
   double exaggeration = 1.0;
   const double possible = equal_height / needed.width();
   for (const double factor : {2.0, 5.0, 10.0, 20.0}) {
@@ -113,9 +113,9 @@ void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::ve
 
 /// The path unrolled: height over the way, so that a ramp is a ramp in whichever direction it
 /// leads.
-void draw_height_panel(Canvas& canvas, const Rect& rect, const Run& run) {
+void draw_height_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
   const std::vector<double> distances = distances_along(run.path);
-  const Range way = padded(range_of(distances), 0.03, kSmallestExtent);
+  const Range way = padded(range_of(distances), 0.03, kShortestWay);
   const HeightRange range = height_range(rect, way, range_of(coordinates(run, 2)));
   const PlotArea area{rect, way, range.z};
   const AxisLabels labels{.x = "way [m]", .y = "z [m]", .y_ticks = 5};
@@ -138,7 +138,7 @@ void draw_height_panel(Canvas& canvas, const Rect& rect, const Run& run) {
 }  // namespace
 
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
-               const Run& run) {
+               const DrawnRun& run) {
   draw_untrusted(canvas, path, run.untrusted);
   draw_segments(canvas, path, run.segments, {style::kHalo, 9.0});
   canvas.line(reference, {style::kReference, style::kReferenceWidth});
@@ -149,9 +149,9 @@ void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector
   canvas.triangle(path.back(), 1.35 * style::kMarkerRadius, style::kEnd, edge);
 }
 
-void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const Run& run) {
-  const Range x = padded(range_of(coordinates(run, 0)), 0.12, kSmallestExtent);
-  const Range y = padded(range_of(coordinates(run, 1)), 0.12, kSmallestExtent);
+void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const DrawnRun& run) {
+  const Range x = padded(range_of(coordinates(run, 0)), 0.12, kShortestWay);
+  const Range y = padded(range_of(coordinates(run, 1)), 0.12, kShortestWay);
   const PlotArea area = equal_aspect(top, x, y);
   const AxisLabels labels{.x = "x [m]", .y = "y [m]"};
   draw_grid(canvas, area, labels);

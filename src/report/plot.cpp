@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "surefoot/quantile.hpp"
+
 namespace surefoot::report {
 
 namespace {
-const Stroke kGrid{{0.90, 0.91, 0.93}, 1.0};
-const Stroke kFrame{{0.45, 0.48, 0.53}, 1.5};
 constexpr double kTickSize = 19.0;
 constexpr double kLabelSize = 21.0;
 }  // namespace
@@ -28,15 +28,8 @@ Range range_of(std::span<const double> values) {
   return {*low, *high};
 }
 
-Range range_within(std::vector<double> values, double tail) {
-  if (values.empty()) return {0.0, 0.0};
-  const auto quantile = [&](double share) {
-    const double index = share * static_cast<double>(values.size() - 1);
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::lround(index));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-  };
-  return {quantile(tail), quantile(1.0 - tail)};
+Range range_within(const std::vector<double>& values, double tail) {
+  return {quantile(values, tail), quantile(values, 1.0 - tail)};
 }
 
 Range padded(const Range& range, double share, double min_width) {
@@ -95,7 +88,7 @@ void draw_grid(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
 
 void draw_axes(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
   canvas.outline(area.rect, kFrame);
-  TextStyle number{.size = kTickSize, .anchor = Anchor::kCenter};
+  TextStyle number{.size = kTickSize, .anchor = Anchor::center};
   if (!labels.x.empty()) {
     const Ticks ticks = nice_ticks(area.x, labels.x_ticks);
     for (const double value : ticks.values) {
@@ -103,16 +96,16 @@ void draw_axes(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
                   number);
     }
     canvas.text(labels.x, {area.rect.center().x(), area.rect.bottom() + 56.0},
-                {.size = kLabelSize, .anchor = Anchor::kCenter});
+                {.size = kLabelSize, .anchor = Anchor::center});
   }
-  number.anchor = Anchor::kRight;
+  number.anchor = Anchor::right;
   const Ticks ticks = nice_ticks(area.y, labels.y_ticks);
   for (const double value : ticks.values) {
     canvas.text(tick_label(value, ticks.step), area.at(area.x.low, value) + Pixel(-10.0, 7.0),
                 number);
   }
   canvas.text(labels.y, {area.rect.x - 74.0, area.rect.center().y()},
-              {.size = kLabelSize, .anchor = Anchor::kCenter, .upward = true});
+              {.size = kLabelSize, .anchor = Anchor::center, .upward = true});
 }
 
 void draw_heading(Canvas& canvas, const Rect& rect, const std::string& heading) {

@@ -25,10 +25,14 @@ struct Range {
   [[nodiscard]] double center() const { return low + 0.5 * (high - low); }
 };
 
+/// What grids and frames of all figures are drawn with.
+inline constexpr Stroke kGrid{{0.88, 0.89, 0.91}, 1.0};
+inline constexpr Stroke kFrame{{0.45, 0.48, 0.53}, 1.5};
+
 /// Smallest range that holds all values, [0, 0] if there are none.
 [[nodiscard]] Range range_of(std::span<const double> values);
 /// The range between the quantiles `tail` and 1 - `tail` of the values, [0, 0] if there are none.
-[[nodiscard]] Range range_within(std::vector<double> values, double tail);
+[[nodiscard]] Range range_within(const std::vector<double>& values, double tail);
 /// The range made wider by `share` of its width at both ends, and at least `min_width` wide.
 [[nodiscard]] Range padded(const Range& range, double share, double min_width);
 

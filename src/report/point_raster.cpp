@@ -41,7 +41,7 @@ struct Sample {
 
 /// Calls use(Sample) for every point that falls into the buffer.
 template <typename Use>
-void for_each_sample(std::span<const Eigen::Vector3f> points, const View& view, Use use) {
+void for_each_sample(std::span<const Eigen::Vector3f> points, const ParallelView& view, Use use) {
   for (const Eigen::Vector3f& point_f : points) {
     const Eigen::Vector3d point = point_f.cast<double>();
     if (!is_drawable(point)) continue;
@@ -56,7 +56,7 @@ void for_each_sample(std::span<const Eigen::Vector3f> points, const View& view, 
 }
 
 /// Side of the square that stands for a point, so that surfaces close where points are dense.
-int splat_size(std::span<const Eigen::Vector3f> points, const View& view) {
+int splat_size(std::span<const Eigen::Vector3f> points, const ParallelView& view) {
   // Coverage is counted in cells of 8 x 8 samples: the area that has points at all.
   constexpr int kCell = 8;
   const int columns = kOversampling * view.width / kCell + 1;
@@ -75,7 +75,7 @@ int splat_size(std::span<const Eigen::Vector3f> points, const View& view) {
   return std::clamp(static_cast<int>(std::lround(side)), 2, kLargestSplat);
 }
 
-DepthBuffer splat(std::span<const Eigen::Vector3f> points, const View& view) {
+DepthBuffer splat(std::span<const Eigen::Vector3f> points, const ParallelView& view) {
   DepthBuffer buffer(kOversampling * view.width, kOversampling * view.height);
   const int size = splat_size(points, view);
   for_each_sample(points, view, [&](const Sample& sample) {
@@ -128,19 +128,19 @@ std::uint32_t premultiplied(const Eigen::Vector4d& sum_rgba, double samples) {
 
 }  // namespace
 
-Pixel View::project(const Eigen::Vector3d& point) const {
+Pixel ParallelView::project(const Eigen::Vector3d& point) const {
   const Eigen::Vector2d seen = axes.topRows<2>() * point - center;
   return {0.5 * width + pixels_per_metre * seen.x(), 0.5 * height - pixels_per_metre * seen.y()};
 }
 
-View top_view(const PlotArea& area) {
+ParallelView top_view(const PlotArea& area) {
   return {.center = {area.x.center(), area.y.center()},
           .pixels_per_metre = area.rect.width / area.x.width(),
           .width = static_cast<int>(area.rect.width),
           .height = static_cast<int>(area.rect.height)};
 }
 
-Raster draw_points(std::span<const Eigen::Vector3f> points, const View& view,
+Raster draw_points(std::span<const Eigen::Vector3f> points, const ParallelView& view,
                    const Range& heights) {
   const DepthBuffer buffer = splat(points, view);
   const double metres_per_sample = 1.0 / (kOversampling * view.pixels_per_metre);

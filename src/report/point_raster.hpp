@@ -14,7 +14,7 @@
 namespace surefoot::report {
 
 /// A parallel projection of the map frame to an image.
-struct View {
+struct ParallelView {
   /// Rows: image right, image up, towards the viewer; orthonormal, in the map frame.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< [m] right and up, at the image's centre
@@ -26,11 +26,11 @@ struct View {
 };
 
 /// Seen from above, x to the right and y up.
-[[nodiscard]] View top_view(const PlotArea& area);
+[[nodiscard]] ParallelView top_view(const PlotArea& area);
 
 /// The points as an image of the view's size; where there is no point, it is transparent.
 /// Colours run from `heights.low` to `heights.high` (z [m], map frame).
-[[nodiscard]] Raster draw_points(std::span<const Eigen::Vector3f> points, const View& view,
+[[nodiscard]] Raster draw_points(std::span<const Eigen::Vector3f> points, const ParallelView& view,
                                  const Range& heights);
 
 }  // namespace surefoot::report

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "report/canvas.hpp"
+#include "report/plot.hpp"
 
 namespace surefoot::report {
 
@@ -33,9 +34,7 @@ const Color kGrey{0.45, 0.48, 0.53};
 const Color kWorse{0.835, 0.369, 0.0};  // after Okabe and Ito (2008)
 const Color kBetter{0.0, 0.447, 0.698};
 const Color kBand{0.90, 0.92, 0.95};
-const Stroke kGrid{{0.88, 0.89, 0.91}, 1.0};
 const Stroke kOne{{0.25, 0.27, 0.32}, 1.8};
-const Stroke kFrame{{0.45, 0.48, 0.53}, 1.5};
 
 /// The axes, as far as all rows share them.
 struct Axis {
@@ -77,24 +76,24 @@ void draw_axes(Canvas& canvas, const Axis& axis, const RatioFigure& figure) {
     const std::array<Pixel, 2> ends = {Pixel(x, rect.y), Pixel(x, rect.bottom())};
     canvas.line(ends, tick == 1.0 ? kOne : kGrid);
     canvas.text(tick_text(tick), {x, rect.bottom() + 24.0},
-                {.size = kSmallSize, .anchor = Anchor::kCenter});
+                {.size = kSmallSize, .anchor = Anchor::center});
   }
   canvas.outline(rect, kFrame);
   canvas.text(figure.axis, {rect.center().x(), rect.bottom() + 54.0},
-              {.size = kTextSize, .anchor = Anchor::kCenter});
+              {.size = kTextSize, .anchor = Anchor::center});
   canvas.text("dot: a recording; bar: their median; shaded: below the spread",
               {rect.center().x(), rect.bottom() + 80.0},
-              {.size = kSmallSize, .color = kGrey, .anchor = Anchor::kCenter});
+              {.size = kSmallSize, .color = kGrey, .anchor = Anchor::center});
   canvas.text("\u2190 better", {rect.x, rect.y - 14.0}, {.size = kSmallSize, .color = kBetter});
   canvas.text("worse \u2192", {rect.right(), rect.y - 14.0},
-              {.size = kSmallSize, .color = kWorse, .anchor = Anchor::kRight});
+              {.size = kSmallSize, .color = kWorse, .anchor = Anchor::right});
 }
 
 void draw_row(Canvas& canvas, const Axis& axis, const RatioRow& row, double y) {
   const Color color = !row.notable ? kGrey : row.median > 1.0 ? kWorse : kBetter;
   canvas.text(row.label, {kMargin + 16.0, y + 6.0}, {.size = kTextSize, .color = kText});
   canvas.text(row.remark, {kLeft - 14.0, y + 6.0},
-              {.size = kSmallSize, .color = kGrey, .anchor = Anchor::kRight});
+              {.size = kSmallSize, .color = kGrey, .anchor = Anchor::right});
   for (const double ratio : row.ratios) {
     if (!std::isfinite(ratio)) continue;
     canvas.circle({axis.x(ratio), y}, 4.5, color.with_alpha(0.35), {color.with_alpha(0.55), 0.8});
@@ -107,9 +106,8 @@ void draw_row(Canvas& canvas, const Axis& axis, const RatioRow& row, double y) {
   double x = kLeft + kWidth;
   for (const std::string& text : row.figures) {
     x += kFigureWidth;
-    canvas.text(
-        text, {x, y + 6.0},
-        {.size = kTextSize, .color = row.notable ? color : kText, .anchor = Anchor::kRight});
+    canvas.text(text, {x, y + 6.0},
+                {.size = kTextSize, .color = row.notable ? color : kText, .anchor = Anchor::right});
   }
 }
 
@@ -119,7 +117,7 @@ void draw_head(Canvas& canvas, const RatioFigure& figure) {
   for (const std::string& name : figure.figure_names) {
     x += kFigureWidth;
     canvas.text(name, {x, kTop - 14.0},
-                {.size = kSmallSize, .color = kGrey, .anchor = Anchor::kRight});
+                {.size = kSmallSize, .color = kGrey, .anchor = Anchor::right});
   }
 }
 

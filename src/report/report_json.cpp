@@ -11,6 +11,7 @@
 
 #include "report/base64.hpp"
 #include "report/map_json.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::report {
 
@@ -30,11 +31,11 @@ void expect_length(const char* what, std::size_t seen, std::size_t expected) {
 Json floats(const std::vector<float>& values) { return base64_of(std::span<const float>(values)); }
 
 Json times(const std::vector<std::int64_t>& stamps_ns, std::int64_t start_ns) {
-  std::vector<float> seconds;
+  std::vector<float> result;
   for (const std::int64_t stamp : stamps_ns) {
-    seconds.push_back(static_cast<float>(1e-9 * static_cast<double>(stamp - start_ns)));
+    result.push_back(static_cast<float>(seconds(stamp - start_ns)));
   }
-  return floats(seconds);
+  return floats(result);
 }
 
 /// Positions [m] and roll, pitch, yaw [deg], three numbers a pose.
@@ -172,8 +173,9 @@ Json table_json(const ReportTable& table) {
   for (const std::vector<ReportCell>& row : table.rows) {
     expect_length(table.title.c_str(), row.size(), table.columns.size());
     Json cells = Json::array();
-    for (const ReportCell& cell : row)
+    for (const ReportCell& cell : row) {
       cells.push_back({{"text", cell.text}, {"place", cell.place}});
+    }
     json["rows"].push_back(std::move(cells));
   }
   return json;

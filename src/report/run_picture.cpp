@@ -17,9 +17,9 @@ namespace {
 // The page, from the top: title and legend; map | top view; time plots | height along the way.
 constexpr Rect kHeader{48.0, 40.0, 1904.0, 80.0};
 constexpr Rect kMap{48.0, 140.0, 1190.0, 780.0};
-constexpr Rect kTop{1345.0, 180.0, 607.0, 680.0};
+constexpr Rect kTopView{1345.0, 180.0, 607.0, 680.0};
 constexpr Rect kTime{135.0, 990.0, 1080.0, 420.0};
-constexpr Rect kSide{1345.0, 990.0, 607.0, 420.0};
+constexpr Rect kSideView{1345.0, 990.0, 607.0, 420.0};
 
 bool is_drawable_pose(const Pose& pose) {
   return is_drawable(pose.translation) && pose.rotation.coeffs().allFinite() &&
@@ -27,7 +27,7 @@ bool is_drawable_pose(const Pose& pose) {
 }
 
 /// Ranges of nearly all of the map: single far returns would shrink everything else.
-void find_map_ranges(Run& run) {
+void find_map_ranges(DrawnRun& run) {
   constexpr double kTail = 0.005;
   std::array<std::vector<double>, 3> values;
   const std::size_t stride = run.map_points.size() / kSampledPoints + 1;
@@ -60,7 +60,7 @@ std::string with_thousands(std::size_t number) {
   return digits;
 }
 
-std::string summary(const Run& run) {
+std::string summary(const DrawnRun& run) {
   std::string text = with_thousands(run.path.size()) + " poses";
   if (!run.path.empty()) {
     const double seconds = 1e-9 * (static_cast<double>(run.path.back().stamp_ns) -
@@ -76,7 +76,7 @@ std::string summary(const Run& run) {
 /// One entry of the legend; returns where the next one to its left may end.
 double draw_entry(Canvas& canvas, double right, const std::string& name, const Stroke& stroke) {
   constexpr double kSample = 46.0;
-  const TextStyle text{.size = 22.0, .anchor = Anchor::kRight};
+  const TextStyle text{.size = 22.0, .anchor = Anchor::right};
   const double baseline = kHeader.bottom() - 8.0;
   canvas.text(name, {right, baseline}, text);
   const double end = right - canvas.text_width(name, text) - 12.0;
@@ -88,7 +88,7 @@ double draw_entry(Canvas& canvas, double right, const std::string& name, const S
 
 /// Start and end as they are marked on the path; returns where the next entry may end.
 double draw_marker_entries(Canvas& canvas, double right) {
-  const TextStyle text{.size = 22.0, .anchor = Anchor::kRight};
+  const TextStyle text{.size = 22.0, .anchor = Anchor::right};
   const Stroke edge{{0.1, 0.1, 0.12}, 1.5};
   const double baseline = kHeader.bottom() - 8.0;
   canvas.text("end", {right, baseline}, text);
@@ -101,7 +101,7 @@ double draw_marker_entries(Canvas& canvas, double right) {
   return right - 42.0;
 }
 
-void draw_header(Canvas& canvas, const std::string& title, const Run& run) {
+void draw_header(Canvas& canvas, const std::string& title, const DrawnRun& run) {
   TextStyle heading{.size = 38.0, .bold = true};
   heading.size *= std::min(1.0, kHeader.width / std::max(canvas.text_width(title, heading), 1.0));
   canvas.text(title, {kHeader.x, kHeader.y + 34.0}, heading);
@@ -121,7 +121,7 @@ void draw_header(Canvas& canvas, const std::string& title, const Run& run) {
 
 }  // namespace
 
-Run prepare_run(const PictureInput& input) {
+DrawnRun prepare_run(const PictureInput& input) {
   if (!input.untrusted.empty() && input.untrusted.size() != input.trajectory.size()) {
     throw std::invalid_argument("draw_run_picture: " + std::to_string(input.untrusted.size()) +
                                 " flags for " + std::to_string(input.trajectory.size()) + " poses");
@@ -131,7 +131,7 @@ Run prepare_run(const PictureInput& input) {
                                 " segments for " + std::to_string(input.trajectory.size()) +
                                 " poses");
   }
-  Run run;
+  DrawnRun run;
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
     if (!is_drawable_pose(input.trajectory[i].pose)) continue;
     run.path.push_back(input.trajectory[i]);
@@ -147,11 +147,11 @@ Run prepare_run(const PictureInput& input) {
 
 void draw_run_picture(const PictureInput& input, const std::filesystem::path& path) {
   const PageFormat format = page_format_of(path);
-  const Run run = prepare_run(input);
+  const DrawnRun run = prepare_run(input);
   Canvas canvas(kPictureWidth, kPictureHeight, format);
   draw_header(canvas, input.title, run);
   draw_map_panel(canvas, kMap, run);
-  draw_path_panels(canvas, kTop, kSide, run);
+  draw_path_panels(canvas, kTopView, kSideView, run);
   draw_time_panels(canvas, kTime, run);
   canvas.save(path);
 }

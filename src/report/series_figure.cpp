@@ -21,9 +21,6 @@ constexpr double kHeight = 0.6;            // of a panel, as a share of its widt
 constexpr double kLargestSpan = 1e5;       // from the axis' lower end to its upper one at most
 constexpr std::size_t kMostPoints = 4000;  // of a curve
 
-const Stroke kGrid{{0.88, 0.89, 0.91}, 1.0};
-const Stroke kFrame{{0.45, 0.48, 0.53}, 1.5};
-
 bool is_shown(double time, double value) {
   return is_drawable(time) && is_drawable(value) && value > 0.0;
 }
@@ -50,7 +47,7 @@ std::string number_text(double value) {
 }
 
 void draw_frame(Canvas& canvas, const PlotArea& area, const std::string& quantity) {
-  const TextStyle number{.size = 18.0, .anchor = Anchor::kCenter};
+  const TextStyle number{.size = 18.0, .anchor = Anchor::center};
   const Ticks times = nice_ticks(area.x, 6);
   for (const double time : times.values) {
     const std::array<Pixel, 2> ends = {area.at(time, area.y.low), area.at(time, area.y.high)};
@@ -65,13 +62,13 @@ void draw_frame(Canvas& canvas, const PlotArea& area, const std::string& quantit
     const std::array<Pixel, 2> ends = {area.at(area.x.low, decade), area.at(area.x.high, decade)};
     canvas.line(ends, kGrid);
     canvas.text(number_text(value), ends[0] + Pixel(-10.0, 7.0),
-                {.size = 18.0, .anchor = Anchor::kRight});
+                {.size = 18.0, .anchor = Anchor::right});
   }
   canvas.outline(area.rect, kFrame);
   canvas.text("time [s]", {area.rect.center().x(), area.rect.bottom() + 56.0},
-              {.size = 20.0, .anchor = Anchor::kCenter});
+              {.size = 20.0, .anchor = Anchor::center});
   canvas.text(quantity, {area.rect.x - 74.0, area.rect.center().y()},
-              {.size = 20.0, .anchor = Anchor::kCenter, .upward = true});
+              {.size = 20.0, .anchor = Anchor::center, .upward = true});
 }
 
 void draw_series(Canvas& canvas, const PlotArea& area, const TimeSeries& curve,

@@ -70,7 +70,7 @@ void shade_untrusted(Canvas& canvas, const PlotArea& area, const std::vector<dou
   }
 }
 
-void draw_quantity(Canvas& canvas, const Rect& rect, const Run& run, const Quantity& quantity,
+void draw_quantity(Canvas& canvas, const Rect& rect, const DrawnRun& run, const Quantity& quantity,
                    const std::string& time_label) {
   const std::int64_t start = run.path.empty() ? 0 : run.path.front().stamp_ns;
   const Series path = series_of(run.path, start, quantity);
@@ -94,7 +94,7 @@ void draw_quantity(Canvas& canvas, const Rect& rect, const Run& run, const Quant
 
 }  // namespace
 
-void draw_time_panels(Canvas& canvas, const Rect& rect, const Run& run) {
+void draw_time_panels(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
   constexpr double kGap = 18.0;
   const auto& all = quantities();
   const auto count = static_cast<double>(all.size());

@@ -24,11 +24,11 @@ struct Frame {
 
 Frame frame_of(FigureView view) {
   switch (view) {
-    case FigureView::kSpace:
+    case FigureView::space:
       return {0.72, 0.0, 0.0, 44.0, 0.0};
-    case FigureView::kSide:
+    case FigureView::side:
       return {0.55, 96.0, 18.0, 44.0, 74.0};
-    case FigureView::kTop:
+    case FigureView::top:
       break;
   }
   return {0.82, 96.0, 18.0, 44.0, 74.0};
@@ -68,10 +68,10 @@ void draw_panel(Canvas& canvas, const Rect& rect, const FigurePanel& panel,
   canvas.text(title, {rect.x + (frame.left > 0.0 ? frame.left : 16.0), rect.y + 28.0},
               {.size = 23.0, .bold = true});
   const Curves curves = curves_of(panel);
-  if (panel.view == FigureView::kSpace) {
+  if (panel.view == FigureView::space) {
     draw_space(canvas, axes, curves);
   } else {
-    draw_plane(canvas, axes, curves, panel.view == FigureView::kTop ? 1 : 2);
+    draw_plane(canvas, axes, curves, panel.view == FigureView::top ? 1 : 2);
   }
   draw_remarks(canvas, axes, panel.remarks);
 }
@@ -81,8 +81,8 @@ std::vector<LegendEntry> legend_entries(const TrajectoryFigure& figure) {
   for (std::size_t i = 0; i < figure.names.size(); ++i) {
     entries.push_back({figure.names[i], stroke_of(i)});
   }
-  entries.push_back({"start", {}, LegendEntry::Kind::kStart});
-  entries.push_back({"end", {}, LegendEntry::Kind::kEnd});
+  entries.push_back({"start", {}, LegendEntry::Kind::start});
+  entries.push_back({"end", {}, LegendEntry::Kind::end});
   return entries;
 }
 
@@ -107,8 +107,9 @@ void check(const TrajectoryFigure& figure) {
 void draw_trajectory_figure(const TrajectoryFigure& figure, const std::filesystem::path& path) {
   check(figure);
   FigurePage page{.legend = legend_entries(figure)};
-  for (const FigurePanel& panel : figure.panels)
+  for (const FigurePanel& panel : figure.panels) {
     page.heights.push_back(frame_of(panel.view).height);
+  }
   page.draw = [&](Canvas& canvas, const Rect& rect, std::size_t i) {
     const FigurePanel& panel = figure.panels[i];
     draw_panel(canvas, rect, panel, numbered_title(i, figure.panels.size(), panel.title));

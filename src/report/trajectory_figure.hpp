@@ -14,14 +14,14 @@
 namespace surefoot::report {
 
 enum class FigureView {
-  kSpace,  ///< x, y and z, seen obliquely; z is stretched
-  kSide,   ///< x to the right, z up; both axes fill the panel
-  kTop     ///< x to the right, y up; one scale
+  space,  ///< x, y and z, seen obliquely; z is stretched
+  side,   ///< x to the right, z up; both axes fill the panel
+  top     ///< x to the right, y up; one scale
 };
 
 /// The reference's start is marked by a blue circle, its end by a yellow triangle.
 struct FigurePanel {
-  FigureView view = FigureView::kTop;
+  FigureView view = FigureView::top;
   std::string title = {};  ///< UTF-8, one line
   Trajectory reference = {};
   /// One for each of the figure's names, aligned to the reference; empty: none. What lies far off

@@ -195,7 +195,7 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
   publications_ =
       dds_create_reader(participant_, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr);
   discovery_ = add({kDiscoveryTopic, wire_type(kDiscoveryType), type_hash_data(kDiscoveryType)},
-                   Direction::kOut, kDiscoveryQos);
+                   Direction::out, kDiscoveryQos);
   introduce();
 }
 
@@ -234,7 +234,7 @@ Participant::Endpoint Participant::add(const WireTopic& wire, Direction directio
   if (topic < 0) ddsi_sertype_unref(endpoint.type);
   check(topic);
   const Qos settings = qos_of(qos, wire.hash_data);
-  endpoint.entity = direction == Direction::kIn
+  endpoint.entity = direction == Direction::in
                         ? dds_create_reader(participant_, topic, settings.get(), nullptr)
                         : dds_create_writer(participant_, topic, settings.get(), nullptr);
   (void)dds_delete(topic);  // lives as long as its endpoint
@@ -245,7 +245,7 @@ Participant::Endpoint Participant::add(const WireTopic& wire, Direction directio
 Participant::Endpoint Participant::add_reader(std::string_view topic, std::string_view type,
                                               const TopicQos& qos) {
   const Endpoint reader =
-      add({wire_topic(topic), wire_type(type), type_hash_data(type)}, Direction::kIn, qos);
+      add({wire_topic(topic), wire_type(type), type_hash_data(type)}, Direction::in, qos);
   const std::lock_guard lock(mutex_);
   readers_.push_back(guid_of(reader.entity));
   introduce();
@@ -255,7 +255,7 @@ Participant::Endpoint Participant::add_reader(std::string_view topic, std::strin
 Participant::Endpoint Participant::add_writer(std::string_view topic, std::string_view type,
                                               const TopicQos& qos) {
   const Endpoint writer =
-      add({wire_topic(topic), wire_type(type), type_hash_data(type)}, Direction::kOut, qos);
+      add({wire_topic(topic), wire_type(type), type_hash_data(type)}, Direction::out, qos);
   const std::lock_guard lock(mutex_);
   writers_.push_back(guid_of(writer.entity));
   introduce();

@@ -69,7 +69,7 @@ class Participant {
     std::string type;
     std::string hash_data;
   };
-  enum class Direction { kIn, kOut };
+  enum class Direction { in, out };
   [[nodiscard]] Endpoint add(const WireTopic& topic, Direction direction,
                              const TopicQos& qos) const;
   void introduce();

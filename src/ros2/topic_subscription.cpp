@@ -38,14 +38,14 @@ class TopicSubscription final : public live::TopicSource {
   live::Received receive(live::TopicArrival& arrival) override {
     if (reader_.entity == 0 && !find_topic()) {
       std::this_thread::sleep_for(kLongestWait / 2);
-      return live::Received::kNothing;
+      return live::Received::nothing;
     }
-    if (take(arrival)) return live::Received::kSomething;
+    if (take(arrival)) return live::Received::something;
     dds_attach_t attached = 0;
     (void)dds_waitset_wait(waitset_, &attached, 1, DDS_MSECS(kLongestWait.count()));
-    if (take(arrival)) return live::Received::kSomething;
+    if (take(arrival)) return live::Received::something;
     look_around();
-    return live::Received::kNothing;
+    return live::Received::nothing;
   }
 
   const io::Topic& topic() const override { return topic_; }
@@ -99,7 +99,7 @@ class TopicSubscription final : public live::TopicSource {
   }
 
   void begin(const SeenTopic& topic) {
-    topic_ = {topic.name, topic.type, io::MessageEncoding::kCdr};
+    topic_ = {topic.name, topic.type, io::MessageEncoding::cdr};
     reader_ =
         participant_->add_reader(topic.name, topic.type,
                                  {options_.reliable, options_.reliable ? kReliableDepth : kDepth,

@@ -8,6 +8,7 @@
 
 #include "evaluation/statistics.hpp"
 #include "io/recording.hpp"
+#include "surefoot/quantile.hpp"
 
 namespace surefoot::runs {
 
@@ -32,7 +33,7 @@ void refuse_other_units(const Scan& scan, const std::string& where) {
   for (const Eigen::Vector3f& point : scan.points) {
     if (point.allFinite() && !point.isZero()) ranges.push_back(point.cast<double>().norm());
   }
-  if (const auto odd = odd_range(evaluation::quantile(ranges, 0.5))) {
+  if (const auto odd = odd_range(quantile(ranges, 0.5))) {
     throw io::ReadError(where + ": " + *odd);
   }
 }

@@ -18,7 +18,7 @@ std::vector<Pose> true_pieces(const std::vector<mapping::Piece>& pieces, const T
   Trajectory wanted;
   for (const mapping::Piece& piece : pieces) wanted.push_back({piece.stamp_ns, {}});
   evaluation::AssociationOptions options;
-  options.method = evaluation::AssociationMethod::kInterpolate;
+  options.method = evaluation::AssociationMethod::interpolate;
   const Trajectory found = evaluation::associate(truth, wanted, options).reference;
   if (found.size() != pieces.size()) {
     throw std::runtime_error("the truth does not reach over all of the recording");

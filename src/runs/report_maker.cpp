@@ -29,7 +29,7 @@ namespace {
 
 report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
   report::ErrorSeries series;
-  const std::vector<double> translations = absolute_errors(pairs, Relation::kTranslation);
+  const std::vector<double> translations = absolute_errors(pairs, Relation::translation);
   const std::vector<evaluation::SplitError> split = absolute_split_errors(pairs);
   for (std::size_t i = 0; i < split.size(); ++i) {
     const Pose& estimate = pairs.estimate[i].pose;

@@ -46,9 +46,9 @@ Twist moved_twist(const Twist& twist, const Pose& T_lidar_written) {
 }
 
 io::Diagnostic::Level level_of(const Estimate& estimate) {
-  if (!estimate.trusted()) return io::Diagnostic::Level::kError;
-  return estimate.status == Status::degenerate ? io::Diagnostic::Level::kWarn
-                                               : io::Diagnostic::Level::kOk;
+  if (!estimate.trusted()) return io::Diagnostic::Level::error;
+  return estimate.status == Status::degenerate ? io::Diagnostic::Level::warn
+                                               : io::Diagnostic::Level::ok;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ fs::path truth_beside(const fs::path& input) {
 }
 
 Pose laid_on_truth(const evaluation::AssociatedTrajectories& pairs) {
-  return find_alignment(pairs, evaluation::AlignmentMethod::kPoses).pose;
+  return find_alignment(pairs, evaluation::AlignmentMethod::poses).pose;
 }
 
 Trajectory truth_between(const Trajectory& truth, std::int64_t first_ns, std::int64_t last_ns) {

@@ -14,8 +14,8 @@ namespace surefoot::runs {
 namespace {
 
 /// Tells `visit` every entry with its section, in the order in which they are written.
-template <typename Run, typename Visit>
-void each_entry(Run& run, Visit&& visit) {
+template <typename Record, typename Visit>
+void each_entry(Record& run, Visit&& visit) {
   visit("", "surefoot", run.version);
   visit("", "method", run.method);
   visit("input", "path", run.input);

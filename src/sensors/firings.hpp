@@ -32,13 +32,13 @@ struct Firing {
 
 /// What the time in a packet counts from.
 enum class TimeBase {
-  kHour,     ///< GPS or the sensor's start, modulo one hour
-  kAbsolute  ///< the epoch (GPS, PTP), or the sensor's start where it is too small for that
+  hour,     ///< GPS or the sensor's start, modulo one hour
+  absolute  ///< the epoch (GPS, PTP), or the sensor's start where it is too small for that
 };
 
 struct Firings {
   std::int64_t time_ns = 0;  ///< the packet's time, by the sensor's clock
-  TimeBase base = TimeBase::kAbsolute;
+  TimeBase base = TimeBase::absolute;
   std::int64_t period_ns = 0;  ///< until the next packet's time; 0: not known
   /// Number of the packet, counted modulo `numbers`; 0 numbers: it has none.
   std::uint64_t number = 0;

@@ -21,10 +21,10 @@ class CalibrationError : public std::runtime_error {
 };
 
 /// Which of several returns of one laser pulse are kept.
-enum class ReturnChoice { kStrongest, kLast, kBoth };
+enum class ReturnChoice { strongest, last, both };
 
 struct DecoderOptions {
-  ReturnChoice returns = ReturnChoice::kStrongest;
+  ReturnChoice returns = ReturnChoice::strongest;
   /// Let beams start where they leave the sensor, where the maker's formula leaves that open.
   bool beam_origins = true;
   /// Content of the unit's calibration or metadata file; empty: the table of its manual.
@@ -35,15 +35,15 @@ struct DecoderOptions {
 
 /// What ends a sweep.
 enum class SweepEnd {
-  kAzimuth,  ///< the head passes the azimuth of the cut
-  kFrame,    ///< the sensor counts the next frame
-  kTime      ///< a tenth of a second is over
+  azimuth,  ///< the head passes the azimuth of the cut
+  frame,    ///< the sensor counts the next frame
+  time      ///< a tenth of a second is over
 };
 
 enum class PacketKind {
-  kData,      ///< firings
-  kOther,     ///< the sensor's or another's, but no firings: IMU, status, another product
-  kMalformed  ///< firings by its size, but its content contradicts itself
+  data,      ///< firings
+  other,     ///< the sensor's or another's, but no firings: IMU, status, another product
+  malformed  ///< firings by its size, but its content contradicts itself
 };
 
 /// Knows one sensor's packets. Keeps what has to be known from earlier packets.

@@ -128,7 +128,7 @@ std::unique_ptr<PacketDecoder> find_decoder(std::span<const std::byte> payload,
   }
   Firings firings;
   for (std::unique_ptr<PacketDecoder>& decoder : candidates) {
-    if (decoder != nullptr && decoder->decode(payload, firings) == PacketKind::kData) {
+    if (decoder != nullptr && decoder->decode(payload, firings) == PacketKind::data) {
       return std::move(decoder);
     }
   }

@@ -24,7 +24,7 @@ SweepCutter::SweepCutter(SweepEnd end, double cut_azimuth_deg, double sweep_deg)
     : end_(end), cut_deg_(cut_azimuth_deg), sweep_deg_(sweep_deg) {}
 
 void SweepCutter::add(const Firings& packet, std::int64_t stamp_ns, std::int64_t since_last_ns) {
-  const std::int64_t turn_ns = end_ == SweepEnd::kTime ? kSweepNs : turn_ns_;
+  const std::int64_t turn_ns = end_ == SweepEnd::time ? kSweepNs : turn_ns_;
   if (turn_ns > 0 && since_last_ns > turn_ns) {
     finish();  // the azimuth alone would not show that whole turns are missing
   }
@@ -64,11 +64,11 @@ bool SweepCutter::starts_sweep(const Firing& firing, double past_cut_deg,
     return true;
   }
   switch (end_) {
-    case SweepEnd::kAzimuth:
+    case SweepEnd::azimuth:
       return past_cut_deg < last_past_cut_deg_ - kJitterDeg;
-    case SweepEnd::kFrame:
+    case SweepEnd::frame:
       return firing.frame != frame_;
-    case SweepEnd::kTime:
+    case SweepEnd::time:
       return lasted_ns >= kSweepNs;
   }
   return false;
@@ -86,8 +86,8 @@ void SweepCutter::begin(std::int64_t stamp_ns, std::uint32_t frame) {
 }
 
 bool SweepCutter::is_whole(const Sweep& sweep) const {
-  return end_ == SweepEnd::kTime ? sweep.duration_ns > kSweepNs * 99 / 100
-                                 : sweep.turned_deg > sweep_deg_ - kSlackDeg;
+  return end_ == SweepEnd::time ? sweep.duration_ns > kSweepNs * 99 / 100
+                                : sweep.turned_deg > sweep_deg_ - kSlackDeg;
 }
 
 void SweepCutter::finish() {

@@ -93,7 +93,7 @@ void MeshCollector::add_polygon(const std::vector<std::int64_t>& corners) {
     mesh_.triangles.emplace_back(static_cast<std::uint32_t>(corners[0]),
                                  static_cast<std::uint32_t>(corners[i - 1]),
                                  static_cast<std::uint32_t>(corners[i]));
-    mesh_.materials.push_back(Material::kConcrete);
+    mesh_.materials.push_back(Material::concrete);
   }
 }
 

@@ -38,8 +38,9 @@ GridHeader read_grid_header(const std::filesystem::path& file, std::string_view&
   while (!rest.empty()) {
     const std::size_t letter = rest.find_first_not_of(" \t\r\n");
     if (letter == std::string_view::npos ||
-        std::isalpha(static_cast<unsigned char>(rest[letter])) == 0)
+        std::isalpha(static_cast<unsigned char>(rest[letter])) == 0) {
       break;
+    }
     Words words(file, take_line(rest));
     std::string name(words.next());
     std::transform(name.begin(), name.end(), name.begin(),

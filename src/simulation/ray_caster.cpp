@@ -109,7 +109,7 @@ struct RayCaster::Impl {
       : device(rtcNewDevice("threads=1")), static_materials(scene.mesh.materials) {
     if (device == nullptr) throw std::runtime_error("Embree did not start");
     fixed = make_scene(device, scene.mesh);
-    has_panes = std::find(static_materials.begin(), static_materials.end(), Material::kPane) !=
+    has_panes = std::find(static_materials.begin(), static_materials.end(), Material::pane) !=
                 static_materials.end();
     if (std::any_of(static_materials.begin(), static_materials.end(), is_soft)) {
       firm = make_scene(device, firm_part(scene.mesh));
@@ -211,7 +211,7 @@ void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
     normals[i] = normal;
     const unsigned instance = packet.hit.instID[0][i];
     const bool moving = instance != RTC_INVALID_GEOMETRY_ID;
-    hits[i].met = moving ? Met::kMoving : Met::kStatic;
+    hits[i].met = moving ? Met::moving : Met::still;
     // A normal met inside an instance is in the object's frame, so the ray must be too; objects
     // only turn about the vertical or not at all, and the ratio below needs the rotation alone.
     Eigen::Vector3f direction = rays[i].direction;
@@ -251,8 +251,8 @@ void RayCaster::Impl::go_on_behind_panes(std::span<const Ray> rays,
   std::array<std::size_t, kPacket> whose{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool pane = hits[i].valid() && hits[i].material == Material::kPane;
-    if (!pane || hits[i].met == Met::kMoving || hits[i].cos_incidence > kGlint) continue;
+    const bool pane = hits[i].valid() && hits[i].material == Material::pane;
+    if (!pane || hits[i].met == Met::moving || hits[i].cos_incidence > kGlint) continue;
     const float reflectance = pane_reflectance(hits[i].cos_incidence);
     const bool mirrored = reflectance > kMirrors;
     const float there = mirrored ? reflectance : 1.0F - reflectance;
@@ -262,7 +262,7 @@ void RayCaster::Impl::go_on_behind_panes(std::span<const Ray> rays,
     if (mirrored) ray.direction -= 2.0F * normals[i].dot(ray.direction) * normals[i];
     ray.origin += kClear * ray.direction;
     hits[i].passed = there * there;
-    hits[i].met = mirrored ? Met::kMirrored : Met::kStatic;
+    hits[i].met = mirrored ? Met::mirrored : Met::still;
     whose[count++] = i;
   }
   if (count == 0) return;

@@ -23,14 +23,14 @@ struct Ray {
 };
 
 /// What a ray can meet; of several, the greatest names a return. Mirrored: seen in a pane.
-enum class Met : std::uint8_t { kStatic, kMoving, kRobot, kMirrored, kAir };
+enum class Met : std::uint8_t { still, moving, robot, mirrored, air };
 
 struct Hit {
   float distance = 0.0F;       ///< [m]; not positive: nothing was met
   float cos_incidence = 0.0F;  ///< |cos| of the angle between ray and normal
   float passed = 1.0F;         ///< share of the light that panes let there and back
-  Material material = Material::kAsphalt;
-  Met met = Met::kStatic;
+  Material material = Material::asphalt;
+  Met met = Met::still;
   [[nodiscard]] bool valid() const { return distance > 0.0F; }
 };
 

@@ -35,7 +35,7 @@ struct Echo {
   double weighted_reflectivity = 0.0;
   double nearest = 0.0;
   double farthest = 0.0;
-  Met met = Met::kStatic;
+  Met met = Met::still;
 
   [[nodiscard]] double range() const { return weighted_range / power; }
 };

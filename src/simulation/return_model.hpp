@@ -30,7 +30,7 @@ struct BeamReturn {
   double true_range = 0.0;     ///< what was reported without noise and quantisation [m]
   std::uint8_t intensity = 0;  ///< calibrated reflectivity [%]
   bool mixed = false;          ///< of surfaces at different distances
-  Met met = Met::kStatic;
+  Met met = Met::still;
 };
 
 /// What one beam reports: none, one or two returns, the strongest first.

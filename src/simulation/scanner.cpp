@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "surefoot/seconds.hpp"
+
 namespace surefoot::simulation {
 
 namespace {
@@ -24,17 +26,17 @@ constexpr std::size_t kMaxFootprint = 8;
 Scene robot_body() {
   Scene scene;
   scene.name = "robot body";
-  scene.mesh.add_box({-0.45, -0.09, -0.25}, {0.25, 0.09, -0.085}, Material::kPaintedMetal);
-  scene.mesh.add_box({0.25, -0.05, -0.20}, {0.42, 0.05, -0.075}, Material::kPaintedMetal);
+  scene.mesh.add_box({-0.45, -0.09, -0.25}, {0.25, 0.09, -0.085}, Material::painted_metal);
+  scene.mesh.add_box({0.25, -0.05, -0.20}, {0.42, 0.05, -0.075}, Material::painted_metal);
   return scene;
 }
 
 PointLabel label_of(const BeamReturn& value) {
-  if (value.met == Met::kRobot) return kLabelRobot;
-  if (value.met == Met::kAir) return kLabelAir;
-  if (value.met == Met::kMirrored) return kLabelMirrored;
+  if (value.met == Met::robot) return kLabelRobot;
+  if (value.met == Met::air) return kLabelAir;
+  if (value.met == Met::mirrored) return kLabelMirrored;
   if (value.mixed) return kLabelMixed;
-  return value.met == Met::kMoving ? kLabelMoving : kLabelStatic;
+  return value.met == Met::moving ? kLabelMoving : kLabelStatic;
 }
 
 std::uint64_t first_at_or_after(double time_ns, double sequence_ns) {
@@ -190,7 +192,7 @@ void Scanner::add_airborne(std::uint64_t sequence, std::size_t laser, BeamReturn
   returns.values[0].true_range = *range;
   returns.values[0].range = std::round(*range / model_.range_unit) * model_.range_unit;
   returns.values[0].intensity = 1;
-  returns.values[0].met = Met::kAir;
+  returns.values[0].met = Met::air;
   returns.count = std::min(returns.count + 1, 2);
 }
 
@@ -203,7 +205,7 @@ void Scanner::collect(const Block& block, SimulatedScan& result) const {
       for (std::size_t part = 0; part < parts; ++part) {
         const bool body_hit = body_ && body_hits_[first + part].valid();
         met[part] = body_hit ? body_hits_[first + part] : hits_[first + part];
-        if (body_hit) met[part].met = Met::kRobot;
+        if (body_hit) met[part].met = Met::robot;
       }
       const std::uint64_t sequence = block.first + i;
       BeamReturns returns = detect(model_, footprint_, {met.data(), parts}, random_,
@@ -264,8 +266,8 @@ Trajectory true_trajectory(const Scanner& scanner, std::uint64_t scans) {
   Trajectory truth;
   truth.reserve(stamps_ns.size());
   for (const std::int64_t stamp : stamps_ns) {
-    truth.push_back({stamp + scanner.options().start_ns,
-                     scanner.motion().T_map_lidar(1e-9 * static_cast<double>(stamp))});
+    truth.push_back(
+        {stamp + scanner.options().start_ns, scanner.motion().T_map_lidar(seconds(stamp))});
   }
   return truth;
 }

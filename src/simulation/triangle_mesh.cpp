@@ -39,7 +39,7 @@ const Surface& surface(Material material) {
 
 double reflectivity(Material material) { return surface(material).reflectivity; }
 bool is_soft(Material material) {
-  return material == Material::kFoliage || material == Material::kBlade;
+  return material == Material::foliage || material == Material::blade;
 }
 std::uint32_t color(Material material) { return surface(material).color; }
 

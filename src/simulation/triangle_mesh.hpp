@@ -14,20 +14,20 @@ namespace surefoot::simulation {
 /// What a surface sends back at the LiDAR's wavelength: diffuse reflectivity in [0, 1].
 /// Values after Kashani et al., "A review of LiDAR radiometric processing", Sensors 15 (2015) 11.
 enum class Material : std::uint8_t {
-  kAsphalt,
-  kConcrete,
-  kBrick,
-  kGrass,
-  kFoliage,
-  kBark,
-  kGlass,
-  kPaintedMetal,
-  kCloth,
-  kRock,
-  kRubber,
-  kEarth,
-  kBlade,  ///< of grass, straw
-  kPane,   ///< clear glass: seen through, or a mirror where it is met at a low angle
+  asphalt,
+  concrete,
+  brick,
+  grass,
+  foliage,
+  bark,
+  glass,
+  painted_metal,
+  cloth,
+  rock,
+  rubber,
+  earth,
+  blade,  ///< of grass, straw
+  pane,   ///< clear glass: seen through, or a mirror where it is met at a low angle
 };
 [[nodiscard]] double reflectivity(Material material);
 /// Whether a foot sinks through it: leaves, grass.

@@ -34,7 +34,7 @@ std::string ply(const std::string& format, const std::string& vertices, const st
          "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + data;
 }
 
-std::string good_pcd() { return io::format_pcd(hall_scans(1).front(), io::PcdData::kBinary); }
+std::string good_pcd() { return io::format_pcd(hall_scans(1).front(), io::PcdData::binary); }
 
 Scan uniform_scan(std::size_t points, const Eigen::Vector3f& point) {
   Scan scan;
@@ -43,7 +43,7 @@ Scan uniform_scan(std::size_t points, const Eigen::Vector3f& point) {
 }
 
 std::string uniform_pcd(std::size_t points, const Eigen::Vector3f& point) {
-  return io::format_pcd(uniform_scan(points, point), io::PcdData::kBinary);
+  return io::format_pcd(uniform_scan(points, point), io::PcdData::binary);
 }
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();

@@ -22,7 +22,7 @@ constexpr int kScans = 5;
 
 void compress_file(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
-  write_content(to, io::compress(io::Compression::kZstd, file_content(from)));
+  write_content(to, io::compress(io::Compression::zstd, file_content(from)));
 }
 
 TEST(Bags, EveryContainerGivesTheTrajectoryOfThePcdFiles) {
@@ -174,7 +174,7 @@ TEST(Bags, OneBadMessageIsNamedAndCountedAndTheRunGoesOn) {
   const std::size_t topic = bag->add_topic("/points", io::point_cloud2_definition());
   for (std::size_t i = 0; i < scans.size(); ++i) {
     std::string message =
-        io::format_point_cloud2(scans[i], "lidar", io::MessageWriter::Flavour::kCdr);
+        io::format_point_cloud2(scans[i], "lidar", io::MessageWriter::Flavour::cdr);
     if (i == 2) message.resize(message.size() / 2);
     bag->write(topic, scans[i].stamp_ns, message);
   }

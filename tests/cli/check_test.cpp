@@ -71,8 +71,8 @@ TEST(Check, TimesThatCountBackAreTold) {
   std::vector<Scan> scans = trot_scans();
   for (Scan& scan : scans) {
     for (std::int32_t& time : scan.times_ns) time = 100'000'000 - time;  // as ages, positive
+    write_pcd_recording(scratch.path() / "in", scans);
   }
-  write_pcd_recording(scratch.path() / "in", scans);
   const nlohmann::json json = check_json({"in"}, 1, scratch);
   EXPECT_NE(detail_of(json, "point times that the motion").find("--point-times backward"),
             std::string::npos)

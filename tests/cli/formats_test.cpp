@@ -35,15 +35,14 @@ std::string ply(const Scan& scan, io::PlyFlavour flavour) {
 
 const ScanFormat kFormats[] = {
     {"pcd_ascii", ".pcd", true,
-     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::kAscii); }},
+     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::ascii); }},
     {"pcd_binary", ".pcd", true,
-     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::kBinary); }},
+     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::binary); }},
     {"pcd_compressed", ".pcd", true,
-     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::kBinaryCompressed); }},
-    {"ply_ascii", ".ply", false,
-     [](const Scan& scan) { return ply(scan, io::PlyFlavour::kAscii); }},
+     [](const Scan& scan) { return io::format_pcd(scan, io::PcdData::binary_compressed); }},
+    {"ply_ascii", ".ply", false, [](const Scan& scan) { return ply(scan, io::PlyFlavour::ascii); }},
     {"ply_little", ".ply", false,
-     [](const Scan& scan) { return ply(scan, io::PlyFlavour::kBinary); }},
+     [](const Scan& scan) { return ply(scan, io::PlyFlavour::binary); }},
     {"ply_big", ".ply", false, big_endian_ply},
     {"kitti", ".bin", false, kitti_bin},
 };

@@ -49,7 +49,7 @@ std::vector<std::string> live(std::vector<std::string> more) {
 class Ros2Test : public testing::Test {
  protected:
   void offline(const std::vector<Scan>& scans) {
-    const auto sink = io::make_scan_sink(scratch_.path() / "scans.mcap", io::ScanFormat::kMcap);
+    const auto sink = io::make_scan_sink(scratch_.path() / "scans.mcap", io::ScanFormat::mcap);
     for (const Scan& scan : scans) sink->add(scan);
     sink->finish();
     const ProcessResult result =

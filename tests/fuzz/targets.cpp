@@ -46,7 +46,7 @@ void read_scan(io::ScanFileKind kind, Bytes bytes) {
       const io::TimeExtents extents = io::time_extents(table, columns);
       rule = io::decide_point_time(extents, columns.time->type, std::nullopt, {});
     }
-    (void)io::build_scan(table, columns, rule, std::nullopt, io::StampAt::kStart);
+    (void)io::build_scan(table, columns, rule, std::nullopt, io::StampAt::start);
   } catch (const io::ReadError&) {
   }
 }
@@ -62,31 +62,31 @@ Scan small_scan() {
   return scan;
 }
 
-void read_pcd(Bytes bytes) { read_scan(io::ScanFileKind::kPcd, bytes); }
+void read_pcd(Bytes bytes) { read_scan(io::ScanFileKind::pcd, bytes); }
 Seeds pcd_seeds() {
   using enum io::PcdData;
   const Scan scan = small_scan();
-  return {io::format_pcd(scan, kAscii), io::format_pcd(scan, kBinary),
-          io::format_pcd(scan, kBinaryCompressed)};
+  return {io::format_pcd(scan, ascii), io::format_pcd(scan, binary),
+          io::format_pcd(scan, binary_compressed)};
 }
 
-void read_ply(Bytes bytes) { read_scan(io::ScanFileKind::kPly, bytes); }
+void read_ply(Bytes bytes) { read_scan(io::ScanFileKind::ply, bytes); }
 Seeds ply_seeds() {
   const Scan scan = small_scan();
   const std::string lists =
       "element face 1\nproperty list uchar int v\nelement vertex 1\nproperty list ushort float "
       "l\nproperty float x\nproperty double y\nproperty int16 z\nproperty uint t\nend_header\n";
-  return {io::format_ply(scan.points, scan.intensities, io::PlyFlavour::kAscii),
-          io::format_ply(scan.points, scan.intensities, io::PlyFlavour::kBinary),
+  return {io::format_ply(scan.points, scan.intensities, io::PlyFlavour::ascii),
+          io::format_ply(scan.points, scan.intensities, io::PlyFlavour::binary),
           "ply\nformat ascii 1.0\n" + lists + "2 0 1\n1 5 1 2 3 4\n",
           "ply\nformat binary_big_endian 1.0\n" + lists + std::string("\1\0\0\0\0\0\0", 7) +
               std::string(18, '\0')};
 }
 
-void read_kitti(Bytes bytes) { read_scan(io::ScanFileKind::kKittiBin, bytes); }
+void read_kitti(Bytes bytes) { read_scan(io::ScanFileKind::kitti_bin, bytes); }
 Seeds kitti_seeds() { return {std::string(64, '\x3f')}; }
 
-void read_las(Bytes bytes) { read_scan(io::ScanFileKind::kLas, bytes); }
+void read_las(Bytes bytes) { read_scan(io::ScanFileKind::las, bytes); }
 Seeds las_seeds() {
   Seeds seeds;
   for (const unsigned format : {0U, 1U, 6U}) {
@@ -121,7 +121,7 @@ std::string packet(unsigned mode, unsigned azimuth, std::uint32_t time) {
 void read_packets(Bytes bytes, std::size_t size, const std::string& sensor = "",
                   const std::string& metadata = "") {
   io::OpenOptions options;
-  options.dual_return = io::ReturnChoice::kBoth;
+  options.dual_return = io::ReturnChoice::both;
   options.sensor = sensor;
   io::PacketScans scans(options, metadata);
   std::int64_t arrival_ns = 0;
@@ -375,7 +375,7 @@ Seeds ros1_seeds() {
       std::string("\x42\x5a\x68\x39\x17\x72\x45\x38\x50\x90\x00\x00\x00\x00", 14);  // of nothing
   Seeds seeds;
   for (const std::string name : {"none", "lz4", "bz2"}) {
-    const std::string data = name == "lz4"   ? io::compress(io::Compression::kLz4, inside)
+    const std::string data = name == "lz4"   ? io::compress(io::Compression::lz4, inside)
                              : name == "bz2" ? bzip2
                                              : inside;
     seeds.push_back(std::string(io::kRos1BagMagic) + ros1_record({"op=\3"}, std::string(20, ' ')) +
@@ -390,8 +390,7 @@ void read_cloud_bytes(Bytes bytes) {
   const auto choice = std::to_integer<unsigned>(bytes[0]);
   const char* const type =
       choice % 2 == 0 ? "sensor_msgs/PointCloud2" : "livox_ros_driver2/CustomMsg";
-  const auto encoding =
-      choice / 2 % 2 == 0 ? io::MessageEncoding::kCdr : io::MessageEncoding::kRos1;
+  const auto encoding = choice / 2 % 2 == 0 ? io::MessageEncoding::cdr : io::MessageEncoding::ros1;
   try {
     const io::CloudMessage cloud = io::read_cloud(type, encoding, bytes.subspan(1));
     const io::ScanColumns columns = io::find_scan_columns(cloud.table, {});
@@ -400,7 +399,7 @@ void read_cloud_bytes(Bytes bytes) {
       const io::TimeExtents extents = io::time_extents(cloud.table, columns);
       rule = io::decide_point_time(extents, columns.time->type, cloud.stamp_ns, {});
     }
-    (void)io::build_scan(cloud.table, columns, rule, cloud.stamp_ns, io::StampAt::kEnd);
+    (void)io::build_scan(cloud.table, columns, rule, cloud.stamp_ns, io::StampAt::end);
   } catch (const io::ReadError&) {
   }
 }
@@ -410,8 +409,8 @@ Seeds cloud_seeds() {
   io::MessageWriter livox;
   livox.header(5, "l").number(std::uint64_t{5}).number(1U).number(0U).count(1);
   livox.number(7U).number(1.0F).number(2.0F).number(3.0F).raw("abc");
-  return {std::string(1, '\0') + io::format_point_cloud2(scan, "f", Flavour::kCdr),
-          std::string(1, '\2') + io::format_point_cloud2(scan, "f", Flavour::kRos1),
+  return {std::string(1, '\0') + io::format_point_cloud2(scan, "f", Flavour::cdr),
+          std::string(1, '\2') + io::format_point_cloud2(scan, "f", Flavour::ros1),
           std::string(1, '\1') + livox.take()};
 }
 
@@ -422,7 +421,7 @@ void read_packet_bytes(Bytes bytes) {
                                     "ouster_ros/PacketMsg"};
   const auto choice = std::to_integer<unsigned>(bytes[0]);
   const io::Topic topic{"/t", kTypes[choice / 2 % 5],
-                        choice % 2 == 0 ? io::MessageEncoding::kCdr : io::MessageEncoding::kRos1};
+                        choice % 2 == 0 ? io::MessageEncoding::cdr : io::MessageEncoding::ros1};
   std::size_t total = 0;
   try {
     io::for_each_packet({&topic, 0, bytes.subspan(1)},

@@ -29,7 +29,7 @@ class BagWriter {
   /// Whether who comes late gets what was written before: what never changes is written once.
   [[nodiscard]] virtual bool is_latched() const { return false; }
   [[nodiscard]] virtual MessageWriter::Flavour flavour() const {
-    return MessageWriter::Flavour::kCdr;
+    return MessageWriter::Flavour::cdr;
   }
 };
 

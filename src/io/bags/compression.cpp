@@ -27,8 +27,9 @@ class Zstd {
     ZSTD_inBuffer from{in.data(), in.size(), 0};
     ZSTD_outBuffer to{out.data(), out.size(), 0};
     const std::size_t result = ZSTD_decompressStream(context_.get(), &to, &from);
-    if (ZSTD_isError(result) != 0)
+    if (ZSTD_isError(result) != 0) {
       throw ReadError(std::string("zstd: ") + ZSTD_getErrorName(result));
+    }
     return {from.pos, to.pos};
   }
 
@@ -51,8 +52,9 @@ class Lz4 {
     std::size_t produced = out.size();
     const std::size_t result =
         LZ4F_decompress(context_, out.data(), &produced, in.data(), &consumed, nullptr);
-    if (LZ4F_isError(result) != 0)
+    if (LZ4F_isError(result) != 0) {
       throw ReadError(std::string("lz4: ") + LZ4F_getErrorName(result));
+    }
     return {consumed, produced};
   }
 
@@ -126,7 +128,7 @@ class DecompressingStream final : public ByteStream {
 class ZstdFile final : public ByteStream {
  public:
   explicit ZstdFile(const std::filesystem::path& file)
-      : file_(file), inside_(decompress(Compression::kZstd, file_)) {}
+      : file_(file), inside_(decompress(Compression::zstd, file_)) {}
   std::size_t read(std::span<std::byte> to) override { return inside_->read(to); }
   double progress() const override { return file_.progress(); }
 
@@ -157,22 +159,22 @@ std::string compress_zstd(std::string_view bytes) {
 }  // namespace
 
 std::optional<Compression> compression_named(std::string_view name) {
-  if (name.empty() || name == "none") return Compression::kNone;
-  if (name == "lz4") return Compression::kLz4;
-  if (name == "zstd") return Compression::kZstd;
-  if (name == "bz2") return Compression::kBzip2;
+  if (name.empty() || name == "none") return Compression::none;
+  if (name == "lz4") return Compression::lz4;
+  if (name == "zstd") return Compression::zstd;
+  if (name == "bz2") return Compression::bzip2;
   return std::nullopt;
 }
 
 std::unique_ptr<ByteStream> decompress(Compression compression, ByteStream& compressed) {
   switch (compression) {
-    case Compression::kLz4:
+    case Compression::lz4:
       return std::make_unique<DecompressingStream<Lz4>>(compressed);
-    case Compression::kZstd:
+    case Compression::zstd:
       return std::make_unique<DecompressingStream<Zstd>>(compressed);
-    case Compression::kBzip2:
+    case Compression::bzip2:
       return std::make_unique<DecompressingStream<Bzip2>>(compressed);
-    case Compression::kNone:
+    case Compression::none:
       break;
   }
   throw std::invalid_argument("nothing to decompress");
@@ -193,13 +195,13 @@ std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file) {
 
 std::string compress(Compression compression, std::string_view bytes) {
   switch (compression) {
-    case Compression::kLz4:
+    case Compression::lz4:
       return compress_lz4(bytes);
-    case Compression::kZstd:
+    case Compression::zstd:
       return compress_zstd(bytes);
-    case Compression::kNone:
+    case Compression::none:
       return std::string(bytes);
-    case Compression::kBzip2:
+    case Compression::bzip2:
       break;
   }
   throw std::invalid_argument("bzip2 is not written");

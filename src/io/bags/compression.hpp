@@ -13,14 +13,14 @@
 
 namespace surefoot::io {
 
-enum class Compression { kNone, kLz4, kZstd, kBzip2 };
+enum class Compression { none, lz4, zstd, bzip2 };
 
 /// "", "none", "lz4", "zstd", "bz2"; nothing for another name.
 [[nodiscard]] std::optional<Compression> compression_named(std::string_view name);
 
 /// What `compressed` holds, decompressed while it is read with memory of a fixed size; several
 /// frames may follow each other. Where the compressed bytes end too early, what they held until
-/// then is there. Not for kNone. `compressed` must outlive the stream.
+/// then is there. Not for none. `compressed` must outlive the stream.
 [[nodiscard]] std::unique_ptr<ByteStream> decompress(Compression compression,
                                                      ByteStream& compressed);
 
@@ -31,7 +31,7 @@ enum class Compression { kNone, kLz4, kZstd, kBzip2 };
 /// file's first bytes say so). Throws ReadError without the file's name.
 [[nodiscard]] std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file);
 
-/// One frame that holds `bytes`. kNone, kLz4, kZstd.
+/// One frame that holds `bytes`. none, lz4, zstd.
 [[nodiscard]] std::string compress(Compression compression, std::string_view bytes);
 
 }  // namespace surefoot::io

@@ -16,21 +16,21 @@ using namespace std::string_view_literals;
 inline constexpr std::string_view kMagic = "\x89MCAP0\r\n"sv;
 
 enum class Opcode : std::uint8_t {
-  kHeader = 0x01,
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kChunk = 0x06,
-  kMessageIndex = 0x07,
-  kChunkIndex = 0x08,
-  kAttachment = 0x09,
-  kAttachmentIndex = 0x0a,
-  kStatistics = 0x0b,
-  kMetadata = 0x0c,
-  kMetadataIndex = 0x0d,
-  kSummaryOffset = 0x0e,
-  kDataEnd = 0x0f,
+  header = 0x01,
+  footer = 0x02,
+  schema = 0x03,
+  channel = 0x04,
+  message = 0x05,
+  chunk = 0x06,
+  message_index = 0x07,
+  chunk_index = 0x08,
+  attachment = 0x09,
+  attachment_index = 0x0a,
+  statistics = 0x0b,
+  metadata = 0x0c,
+  metadata_index = 0x0d,
+  summary_offset = 0x0e,
+  data_end = 0x0f,
 };
 
 /// Of a message before its data: channel, sequence, two times.

@@ -100,17 +100,17 @@ class McapReader final : public MessageSource {
     LimitedStream record(data_, head->length);
     std::optional<Message> message;
     switch (head->opcode) {
-      case Opcode::kHeader:
+      case Opcode::header:
         if (const auto body = read_body(record)) read_file_header(*body);
         break;
-      case Opcode::kChunk:
+      case Opcode::chunk:
         open_chunk(head->length);
         return std::nullopt;
-      case Opcode::kDataEnd:
+      case Opcode::data_end:
         if (const auto body = read_body(record)) check_data(*body, crc);
         ended_ = true;
         return std::nullopt;
-      case Opcode::kFooter:
+      case Opcode::footer:
         ended_ = true;
         return std::nullopt;
       default:
@@ -136,13 +136,13 @@ class McapReader final : public MessageSource {
   // A schema, a channel or a message, which may be in a chunk or not.
   std::optional<Message> read_data_record(const RecordHead& head, LimitedStream& record) {
     switch (head.opcode) {
-      case Opcode::kSchema:
+      case Opcode::schema:
         if (const auto body = read_body(record)) read_schema(*body);
         return std::nullopt;
-      case Opcode::kChannel:
+      case Opcode::channel:
         if (const auto body = read_body(record)) read_channel(*body);
         return std::nullopt;
-      case Opcode::kMessage:
+      case Opcode::message:
         return read_message(record);
       default:
         return std::nullopt;
@@ -172,9 +172,9 @@ class McapReader final : public MessageSource {
     Topic& topic = channels_[id];
     topic.name = reader.string("channel's topic").substr(0, kMostNameBytes);
     const std::string_view encoding = reader.string("channel's encoding");
-    topic.encoding = encoding == "cdr"    ? MessageEncoding::kCdr
-                     : encoding == "ros1" ? MessageEncoding::kRos1
-                                          : MessageEncoding::kOther;
+    topic.encoding = encoding == "cdr"    ? MessageEncoding::cdr
+                     : encoding == "ros1" ? MessageEncoding::ros1
+                                          : MessageEncoding::other;
     const auto type = schemas_.find(schema);
     if (type != schemas_.end()) topic.type = type->second;
   }
@@ -220,7 +220,7 @@ class McapReader final : public MessageSource {
     const std::optional<Compression> compression = compression_named(name);
     if (!compression) throw ReadError("its compression is '" + name + "'; expected lz4 or zstd");
     chunk_->compressed.emplace(chunk_->record, load<std::uint64_t>(size.data(), false));
-    if (*compression == Compression::kNone) {
+    if (*compression == Compression::none) {
       chunk_->content.emplace(*chunk_->compressed);
     } else {
       chunk_->inside = decompress(*compression, *chunk_->compressed);

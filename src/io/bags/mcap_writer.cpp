@@ -38,7 +38,7 @@ McapWriter::McapWriter(const std::filesystem::path& file, McapOptions options)
   std::string body;
   append_string(body, options_.profile);
   append_string(body, options_.library);
-  put_record(Opcode::kHeader, std::move(body));
+  put_record(Opcode::header, std::move(body));
 }
 
 McapWriter::~McapWriter() {
@@ -56,7 +56,7 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
   append_string(body, name);
   append_string(body, encoding);
   append_string(body, data);
-  put_data(Opcode::kSchema, body, true);
+  put_data(Opcode::schema, body, true);
   schemas_.push_back(std::move(body));
   return id;
 }
@@ -70,7 +70,7 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view top
   append_string(body, topic);
   append_string(body, encoding);
   append_map(body, metadata);
-  put_data(Opcode::kChannel, body, true);
+  put_data(Opcode::channel, body, true);
   channels_.push_back(std::move(body));
   return id;
 }
@@ -85,7 +85,7 @@ void McapWriter::write(std::uint16_t channel, std::uint32_t sequence, std::uint6
   append_bytes(body, publish_time);
   body += data;
   if (options_.chunks) chunk_.index[channel].emplace_back(log_time, chunk_.records.size());
-  put_data(Opcode::kMessage, body, false);
+  put_data(Opcode::message, body, false);
   chunk_.start_time = chunk_.any_message ? std::min(chunk_.start_time, log_time) : log_time;
   chunk_.end_time = chunk_.any_message ? std::max(chunk_.end_time, log_time) : log_time;
   chunk_.any_message = true;
@@ -108,7 +108,7 @@ void McapWriter::attach(std::uint64_t log_time, std::uint64_t create_time, std::
   body += data;
   append_bytes(body, crc32(bytes_of(body)));
   const std::uint64_t offset = position_;
-  put_record(Opcode::kAttachment, std::move(body));
+  put_record(Opcode::attachment, std::move(body));
   ++attachments_;
   if (!options_.attachment_index) return;
   std::string index;
@@ -128,7 +128,7 @@ void McapWriter::add_metadata(std::string_view name, const Metadata& metadata) {
   append_string(body, name);
   append_map(body, metadata);
   const std::uint64_t offset = position_;
-  put_record(Opcode::kMetadata, std::move(body));
+  put_record(Opcode::metadata, std::move(body));
   ++metadata_;
   if (!options_.metadata_index) return;
   std::string index;
@@ -150,9 +150,9 @@ void McapWriter::put_data(Opcode opcode, const std::string& body, bool may_have_
 void McapWriter::finish_chunk() {
   if (!options_.chunks || chunk_.records.empty()) return;
   const std::string compressed = compress(options_.compression, chunk_.records);
-  const std::string name = options_.compression == Compression::kZstd  ? "zstd"
-                           : options_.compression == Compression::kLz4 ? "lz4"
-                                                                       : "";
+  const std::string name = options_.compression == Compression::zstd  ? "zstd"
+                           : options_.compression == Compression::lz4 ? "lz4"
+                                                                      : "";
   std::string body;
   append_bytes(body, chunk_.start_time);
   append_bytes(body, chunk_.end_time);
@@ -162,7 +162,7 @@ void McapWriter::finish_chunk() {
   append_bytes(body, static_cast<std::uint64_t>(compressed.size()));
   body += compressed;
   const std::uint64_t chunk_start = position_;
-  put_record(Opcode::kChunk, std::move(body), false);
+  put_record(Opcode::chunk, std::move(body), false);
   const std::uint64_t chunk_end = position_;
   std::string offsets;
   for (const auto& [channel, messages] : chunk_.index) {
@@ -177,7 +177,7 @@ void McapWriter::finish_chunk() {
     std::string index;
     append_bytes(index, channel);
     append_string(index, entries);
-    put_record(Opcode::kMessageIndex, std::move(index));
+    put_record(Opcode::message_index, std::move(index));
   }
   ++chunks_;
   if (options_.chunk_index) {
@@ -203,18 +203,18 @@ void McapWriter::finish() {
   finish_chunk();
   std::string data_end;
   append_bytes(data_end, crc_);
-  put_record(Opcode::kDataEnd, std::move(data_end), false);
+  put_record(Opcode::data_end, std::move(data_end), false);
   crc_ = 0;
   const std::uint64_t summary_start = position_;
-  if (options_.repeated_schemas) put_group(Opcode::kSchema, schemas_);
-  if (options_.repeated_channels) put_group(Opcode::kChannel, channels_);
-  if (options_.statistics) put_group(Opcode::kStatistics, {statistics()});
-  put_group(Opcode::kMetadataIndex, metadata_indexes_);
-  put_group(Opcode::kAttachmentIndex, attachment_indexes_);
-  put_group(Opcode::kChunkIndex, chunk_indexes_);
+  if (options_.repeated_schemas) put_group(Opcode::schema, schemas_);
+  if (options_.repeated_channels) put_group(Opcode::channel, channels_);
+  if (options_.statistics) put_group(Opcode::statistics, {statistics()});
+  put_group(Opcode::metadata_index, metadata_indexes_);
+  put_group(Opcode::attachment_index, attachment_indexes_);
+  put_group(Opcode::chunk_index, chunk_indexes_);
   const std::uint64_t offsets_start = options_.summary_offsets ? position_ : 0;
   const bool has_summary = position_ > summary_start;
-  for (const std::string& offset : summary_offsets_) put_record(Opcode::kSummaryOffset, offset);
+  for (const std::string& offset : summary_offsets_) put_record(Opcode::summary_offset, offset);
   put_footer(has_summary ? summary_start : 0, offsets_start);
   put(mcap::kMagic);
   file_.close();
@@ -223,7 +223,7 @@ void McapWriter::finish() {
 
 void McapWriter::put_footer(std::uint64_t summary_start, std::uint64_t offsets_start) {
   // The summary's checksum is of all of it, and of the footer up to the checksum itself.
-  std::string footer(1, static_cast<char>(Opcode::kFooter));
+  std::string footer(1, static_cast<char>(Opcode::footer));
   append_bytes(footer, std::uint64_t{8 + 8 + 4});
   append_bytes(footer, summary_start);
   append_bytes(footer, offsets_start);

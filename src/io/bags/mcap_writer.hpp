@@ -23,7 +23,7 @@ struct McapOptions {
   std::string library = "surefoot";
   bool chunks = true;
   std::uint64_t chunk_bytes = 1 << 20;
-  Compression compression = Compression::kZstd;  ///< of chunks
+  Compression compression = Compression::zstd;  ///< of chunks
   bool message_index = true;
   bool chunk_index = true;
   bool attachment_index = true;

@@ -15,12 +15,12 @@
 
 namespace surefoot::io {
 
-enum class MessageEncoding { kCdr, kRos1, kOther };
+enum class MessageEncoding { cdr, ros1, other };
 
 struct Topic {
   std::string name;
   std::string type;  ///< "sensor_msgs/PointCloud2", for ROS 2 as well
-  MessageEncoding encoding = MessageEncoding::kOther;
+  MessageEncoding encoding = MessageEncoding::other;
 };
 
 struct Message {

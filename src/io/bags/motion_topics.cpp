@@ -8,6 +8,7 @@
 #include "io/bags/bag_files.hpp"
 #include "io/messages/message_reader.hpp"
 #include "io/recording.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -90,7 +91,7 @@ void go_on(Trajectory& turning, const Turning& next) {
     turning.push_back({next.stamp_ns, {}});
     return;
   }
-  const double step = 1e-9 * static_cast<double>(next.stamp_ns - turning.back().stamp_ns);
+  const double step = seconds(next.stamp_ns - turning.back().stamp_ns);
   if (!(step > 0.0)) return;  // out of order, or twice
   StampedPose pose = turning.back();
   pose.stamp_ns = next.stamp_ns;

@@ -69,14 +69,14 @@ class PacketTopic final : public Recording {
     ++counts_.packets;
     const std::int64_t stamp_ns = packet.stamp_ns == 0 ? message.logged_ns : packet.stamp_ns;
     switch (scans_.add(stamp_ns, packet.bytes)) {
-      case PacketUse::kUsed:
+      case PacketUse::used:
         ++counts_.data_packets;
         break;
-      case PacketUse::kMalformed:
+      case PacketUse::malformed:
         ++counts_.truncated;
         break;
-      case PacketUse::kLate:
-      case PacketUse::kOther:
+      case PacketUse::late:
+      case PacketUse::other:
         ++counts_.other;
         break;
     }

@@ -14,13 +14,7 @@ namespace surefoot::io {
 namespace {
 
 // rosbag_storage, constants.h.
-enum class Op : std::uint8_t {
-  kNone = 0,
-  kMessage = 2,
-  kFileHeader = 3,
-  kChunk = 5,
-  kConnection = 7
-};
+enum class Op : std::uint8_t { none = 0, message = 2, file_header = 3, chunk = 5, connection = 7 };
 
 constexpr std::uint32_t kMostHeaderBytes = 1 << 20;
 constexpr std::uint32_t kMostConnectionBytes = 16 << 20;
@@ -64,7 +58,7 @@ class Fields {
 struct OpenChunk {
   OpenChunk(ByteStream& file, std::uint32_t size, Compression compression)
       : record(file, size),
-        inside(compression == Compression::kNone ? nullptr : decompress(compression, record)) {}
+        inside(compression == Compression::none ? nullptr : decompress(compression, record)) {}
   [[nodiscard]] ByteStream& content() {
     return inside ? *inside : static_cast<ByteStream&>(record);
   }
@@ -149,14 +143,14 @@ class Ros1BagReader final : public MessageSource {
     }
     const Fields fields(*header);
     const auto op = static_cast<Op>(fields.number<std::uint8_t>("op"));
-    if (op == Op::kChunk && !chunk_) {
+    if (op == Op::chunk && !chunk_) {
       open_chunk(fields, *data_bytes);
       return std::nullopt;
     }
     LimitedStream data(stream, *data_bytes);
     std::optional<Message> message;
-    if (op == Op::kConnection) read_connection(fields, data);
-    if (op == Op::kMessage) message = read_message(fields, data);
+    if (op == Op::connection) read_connection(fields, data);
+    if (op == Op::message) message = read_message(fields, data);
     data.skip(data.left());
     return message;
   }
@@ -164,7 +158,7 @@ class Ros1BagReader final : public MessageSource {
   void open_chunk(const Fields& fields, std::uint32_t size) {
     const std::string name(fields.find("compression").substr(0, kMostNameBytes));
     const std::optional<Compression> compression = compression_named(name);
-    chunk_.emplace(*file_, size, compression.value_or(Compression::kNone));
+    chunk_.emplace(*file_, size, compression.value_or(Compression::none));
     chunk_->number = chunks_++;
     if (!compression) throw ReadError("its compression is '" + name + "'; expected bz2 or lz4");
   }
@@ -178,15 +172,16 @@ class Ros1BagReader final : public MessageSource {
     const auto bytes = read_bytes(data, data.left(), data_);
     if (!bytes) return;
     topic.type = plain_type_name(Fields(*bytes).find("type").substr(0, kMostNameBytes));
-    topic.encoding = MessageEncoding::kRos1;
+    topic.encoding = MessageEncoding::ros1;
     topics_.emplace(id, std::move(topic));
   }
 
   std::optional<Message> read_message(const Fields& fields, LimitedStream& data) {
     const auto topic = topics_.find(fields.number<std::uint32_t>("conn"));
     if (topic == topics_.end()) {
-      if (!lost_connection_)
+      if (!lost_connection_) {
         note("messages of a connection that was not announced are passed over");
+      }
       lost_connection_ = true;
       return std::nullopt;
     }

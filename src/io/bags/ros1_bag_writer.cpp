@@ -16,12 +16,12 @@ namespace surefoot::io {
 namespace {
 
 enum class Op : char {
-  kMessage = 2,
-  kFileHeader = 3,
-  kIndex = 4,
-  kChunk = 5,
-  kChunkInfo = 6,
-  kConnection = 7
+  message = 2,
+  file_header = 3,
+  index = 4,
+  chunk = 5,
+  chunk_info = 6,
+  connection = 7
 };
 
 constexpr std::size_t kFileHeaderBytes = 4096;
@@ -78,7 +78,7 @@ class Ros1Bag final : public BagWriter {
     Fields data;
     data.add("topic", name).add("type", definition.type).add("md5sum", definition.ros1_md5);
     data.add("message_definition", definition.ros1_text);
-    Fields header(Op::kConnection);
+    Fields header(Op::connection);
     header.add("conn", bytes_of(id)).add("topic", name);
     connections_.push_back(record(header, data.bytes()));
     chunk_.content += connections_.back();
@@ -91,7 +91,7 @@ class Ros1Bag final : public BagWriter {
     const auto offset = static_cast<std::uint32_t>(chunk_.content.size());
     std::string& index = chunk_.index[id];
     index += time + bytes_of(offset);
-    Fields header(Op::kMessage);
+    Fields header(Op::message);
     header.add("conn", bytes_of(id)).add("time", time);
     chunk_.content += record(header, message);
     const bool first = chunk_.first_ns > chunk_.last_ns;
@@ -114,7 +114,7 @@ class Ros1Bag final : public BagWriter {
   }
 
   [[nodiscard]] MessageWriter::Flavour flavour() const override {
-    return MessageWriter::Flavour::kRos1;
+    return MessageWriter::Flavour::ros1;
   }
 
  private:
@@ -127,7 +127,7 @@ class Ros1Bag final : public BagWriter {
 
   // Always of one size, so that it can be written again at the end.
   [[nodiscard]] std::string file_header(std::uint64_t index_position) const {
-    Fields fields(Op::kFileHeader);
+    Fields fields(Op::file_header);
     fields.add("index_pos", bytes_of(index_position));
     fields.add("conn_count", bytes_of(static_cast<std::uint32_t>(connections_.size())));
     fields.add("chunk_count", bytes_of(static_cast<std::uint32_t>(chunk_infos_.size())));
@@ -138,7 +138,7 @@ class Ros1Bag final : public BagWriter {
   void finish_chunk() {
     if (chunk_.content.empty()) return;
     const std::uint64_t chunk_position = position_;
-    Fields header(Op::kChunk);
+    Fields header(Op::chunk);
     header.add("compression", "none");
     header.add("size", bytes_of(static_cast<std::uint32_t>(chunk_.content.size())));
     put(record(header, chunk_.content));
@@ -146,13 +146,13 @@ class Ros1Bag final : public BagWriter {
     for (const auto& [id, entries] : chunk_.index) {
       constexpr std::size_t kEntryBytes = 12;
       const auto count = static_cast<std::uint32_t>(entries.size() / kEntryBytes);
-      Fields index(Op::kIndex);
+      Fields index(Op::index);
       index.add("ver", bytes_of(std::uint32_t{1})).add("conn", bytes_of(id));
       index.add("count", bytes_of(count));
       put(record(index, entries));
       counts += bytes_of(id) + bytes_of(count);
     }
-    Fields info(Op::kChunkInfo);
+    Fields info(Op::chunk_info);
     info.add("ver", bytes_of(std::uint32_t{1})).add("chunk_pos", bytes_of(chunk_position));
     info.add("start_time", ros_time(chunk_.first_ns)).add("end_time", ros_time(chunk_.last_ns));
     info.add("count", bytes_of(static_cast<std::uint32_t>(chunk_.index.size())));

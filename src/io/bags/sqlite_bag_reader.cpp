@@ -56,8 +56,9 @@ class TemporaryFile {
     std::vector<std::byte> part(1 << 18);
     while (const std::size_t got = content.read(part)) {
       file.write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(got));
-      if (!file.flush())
+      if (!file.flush()) {
         throw ReadError(path_.string() + ": no room to decompress it into (disk full?)");
+      }
     }
   }
   void remove() const {
@@ -172,10 +173,10 @@ class SqliteBagReader final : public MessageSource {
     const Statement rows = prepare("SELECT id, name, type, serialization_format FROM topics");
     while (sqlite3_step(rows.get()) == SQLITE_ROW && topics_.size() < kMostTopics) {
       Topic topic{text_of(rows.get(), 1), plain_type_name(text_of(rows.get(), 2)),
-                  MessageEncoding::kOther};
+                  MessageEncoding::other};
       const std::string encoding = text_of(rows.get(), 3);
-      if (encoding == "cdr" || encoding.empty()) topic.encoding = MessageEncoding::kCdr;
-      if (encoding == "ros1" || encoding == "rosmsg_v2") topic.encoding = MessageEncoding::kRos1;
+      if (encoding == "cdr" || encoding.empty()) topic.encoding = MessageEncoding::cdr;
+      if (encoding == "ros1" || encoding == "rosmsg_v2") topic.encoding = MessageEncoding::ros1;
       topics_.insert_or_assign(sqlite3_column_int64(rows.get(), 0), std::move(topic));
     }
   }
@@ -208,7 +209,7 @@ class SqliteBagReader final : public MessageSource {
     if (!is_zstd(bytes)) return bytes;
     compressed_messages_ = true;
     MemoryStream frame(bytes);
-    const std::unique_ptr<ByteStream> content = decompress(Compression::kZstd, frame);
+    const std::unique_ptr<ByteStream> content = decompress(Compression::zstd, frame);
     try {
       const std::span<const std::byte> plain = read_all(*content, plain_, kMostMessageBytes);
       if (plain.size() < kMostMessageBytes) return plain;

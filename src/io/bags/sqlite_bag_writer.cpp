@@ -45,8 +45,9 @@ class SqliteBag final : public BagWriter {
 
   ~SqliteBag() override {
     sqlite3_finalize(insert_);
-    if (database_ != nullptr && !finished_)
+    if (database_ != nullptr && !finished_) {
       sqlite3_exec(database_, "COMMIT;", nullptr, nullptr, nullptr);
+    }
     sqlite3_close(database_);
   }
   SqliteBag(const SqliteBag&) = delete;

@@ -10,6 +10,7 @@
 #include "io/messages/packet_message.hpp"
 #include "io/packets/packet_scans.hpp"
 #include "io/printable.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -94,7 +95,7 @@ std::string list(const std::vector<TopicSurvey>& topics) {
 double TopicSurvey::rate_hz() const {
   return messages < 2 || last_ns <= first_ns
              ? 0.0
-             : static_cast<double>(messages - 1) / (1e-9 * static_cast<double>(last_ns - first_ns));
+             : static_cast<double>(messages - 1) / seconds(last_ns - first_ns);
 }
 
 BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {

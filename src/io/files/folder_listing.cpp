@@ -10,8 +10,8 @@
 namespace surefoot::io {
 namespace {
 
-constexpr std::array<ScanFileKind, 4> kKinds = {ScanFileKind::kPcd, ScanFileKind::kPly,
-                                                ScanFileKind::kKittiBin, ScanFileKind::kLas};
+constexpr std::array<ScanFileKind, 4> kKinds = {ScanFileKind::pcd, ScanFileKind::ply,
+                                                ScanFileKind::kitti_bin, ScanFileKind::las};
 
 // Where KITTI's, MulRan's and Newer College's recordings have their scans.
 constexpr std::array<const char*, 6> kBelow = {

@@ -14,7 +14,7 @@ namespace surefoot::io {
 /// The scans of a folder, in natural order of their names.
 struct FolderListing {
   std::filesystem::path folder;  ///< where the files are: the folder given or one of KITTI's below
-  ScanFileKind kind = ScanFileKind::kPcd;
+  ScanFileKind kind = ScanFileKind::pcd;
   std::vector<std::filesystem::path> files;
 };
 

@@ -148,7 +148,7 @@ class FolderRecording final : public Recording {
     if (!stamps_.empty()) {
       return;
     }
-    if (rule_ && rule_->reference == TimeReference::kAbsolute) {
+    if (rule_ && rule_->reference == TimeReference::absolute) {
       notes_.push_back("stamps: from the points' absolute times");
       return;
     }

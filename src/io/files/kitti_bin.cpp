@@ -22,7 +22,7 @@ PointTable parse_kitti_bin(std::span<const std::byte> file) {
   const bool swapped = std::endian::native != std::endian::little;
   std::size_t offset = 0;
   for (const char* name : {"x", "y", "z", "intensity"}) {
-    table.columns.push_back({name, ScalarType::kF32, file.data() + offset, kPointBytes, swapped});
+    table.columns.push_back({name, ScalarType::f32, file.data() + offset, kPointBytes, swapped});
     offset += sizeof(float);
   }
   return table;

@@ -123,16 +123,16 @@ PointTable parse_las(std::span<const std::byte> file) {
   table.storage = coordinates(file, header);
   const std::array<const char*, 3> names = {"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    table.columns.push_back({names[axis], ScalarType::kF64,
+    table.columns.push_back({names[axis], ScalarType::f64,
                              table.storage.data() + axis * table.size * sizeof(double),
                              sizeof(double), false});
   }
   const std::byte* first = file.data() + header.first;
-  table.columns.push_back({"intensity", ScalarType::kU16, first + 12, header.record, kSwapped});
+  table.columns.push_back({"intensity", ScalarType::u16, first + 12, header.record, kSwapped});
   const bool timed = header.format != 0 && header.format != 2;
   const std::size_t place = header.format < 6 ? 20 : 22;
   if (timed) {
-    table.columns.push_back({"time", ScalarType::kF64, first + place, header.record, kSwapped});
+    table.columns.push_back({"time", ScalarType::f64, first + place, header.record, kSwapped});
   }
   return table;
 }

@@ -27,11 +27,11 @@ std::optional<ScalarType> scalar_type(std::string_view type, std::size_t size) {
     std::size_t size;
     ScalarType type;
   };
-  static constexpr Known kKnown[] = {{'I', 1, ScalarType::kI8},  {'I', 2, ScalarType::kI16},
-                                     {'I', 4, ScalarType::kI32}, {'I', 8, ScalarType::kI64},
-                                     {'U', 1, ScalarType::kU8},  {'U', 2, ScalarType::kU16},
-                                     {'U', 4, ScalarType::kU32}, {'U', 8, ScalarType::kU64},
-                                     {'F', 4, ScalarType::kF32}, {'F', 8, ScalarType::kF64}};
+  static constexpr Known kKnown[] = {{'I', 1, ScalarType::i8},  {'I', 2, ScalarType::i16},
+                                     {'I', 4, ScalarType::i32}, {'I', 8, ScalarType::i64},
+                                     {'U', 1, ScalarType::u8},  {'U', 2, ScalarType::u16},
+                                     {'U', 4, ScalarType::u32}, {'U', 8, ScalarType::u64},
+                                     {'F', 4, ScalarType::f32}, {'F', 8, ScalarType::f64}};
   for (const Known& known : kKnown) {
     if (type.size() == 1 && type[0] == known.letter && size == known.size) {
       return known.type;
@@ -114,13 +114,13 @@ class HeaderLines {
   PcdData data_kind(const Words& words) const {
     const std::string_view kind = words.size() == 2 ? words[1] : std::string_view{};
     if (kind == "ascii") {
-      return PcdData::kAscii;
+      return PcdData::ascii;
     }
     if (kind == "binary") {
-      return PcdData::kBinary;
+      return PcdData::binary;
     }
     if (kind == "binary_compressed") {
-      return PcdData::kBinaryCompressed;
+      return PcdData::binary_compressed;
     }
     fail(reader_.line_number(),
          "DATA is " + in_quotes(kind) + "; expected ascii, binary or binary_compressed");

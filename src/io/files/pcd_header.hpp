@@ -11,11 +11,11 @@
 
 namespace surefoot::io {
 
-enum class PcdData { kAscii, kBinary, kBinaryCompressed };
+enum class PcdData { ascii, binary, binary_compressed };
 
 struct PcdField {
   std::string name;
-  ScalarType type = ScalarType::kF32;
+  ScalarType type = ScalarType::f32;
   std::size_t count = 1;   ///< elements a point
   std::size_t offset = 0;  ///< from the point's first byte [bytes]
 };
@@ -25,7 +25,7 @@ struct PcdHeader {
   std::vector<PcdField> fields;
   std::size_t points = 0;
   std::size_t point_step = 0;  ///< [bytes] of one point in binary data
-  PcdData data = PcdData::kAscii;
+  PcdData data = PcdData::ascii;
   std::size_t lines = 0;        ///< of the header
   std::size_t data_offset = 0;  ///< where the data begin [bytes]
 };

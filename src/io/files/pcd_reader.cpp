@@ -149,15 +149,15 @@ PointTable parse_pcd(std::span<const std::byte> file) {
   PointTable table;
   table.size = header.points;
   switch (header.data) {
-    case PcdData::kAscii:
+    case PcdData::ascii:
       table.format = "PCD ascii";
       read_ascii(header, data, table);
       break;
-    case PcdData::kBinary:
+    case PcdData::binary:
       table.format = "PCD binary";
       read_binary(header, data, table);
       break;
-    case PcdData::kBinaryCompressed:
+    case PcdData::binary_compressed:
       table.format = "PCD binary_compressed";
       read_compressed(header, data, table);
       break;

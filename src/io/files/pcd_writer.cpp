@@ -124,15 +124,15 @@ std::string format_pcd(const Scan& scan, PcdData flavour) {
   std::string out;
   out.reserve(1024 + 32 * scan.points.size());
   switch (flavour) {
-    case PcdData::kAscii:
+    case PcdData::ascii:
       out = header_of(scan, "ascii");
       append_ascii(scan, out);
       break;
-    case PcdData::kBinary:
+    case PcdData::binary:
       out = header_of(scan, "binary");
       append_binary(scan, out);
       break;
-    case PcdData::kBinaryCompressed:
+    case PcdData::binary_compressed:
       out = header_of(scan, "binary_compressed");
       append_compressed(scan, out);
       break;

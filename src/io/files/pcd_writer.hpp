@@ -16,6 +16,6 @@ namespace surefoot::io {
 [[nodiscard]] std::string format_pcd(const Scan& scan, PcdData flavour);
 /// Throws WriteError.
 void write_pcd(const std::filesystem::path& file, const Scan& scan,
-               PcdData flavour = PcdData::kBinary);
+               PcdData flavour = PcdData::binary);
 
 }  // namespace surefoot::io

@@ -24,11 +24,11 @@ ScalarType scalar_type(std::string_view word, std::size_t line) {
     ScalarType type;
   };
   static constexpr Known kKnown[] = {
-      {"char", "int8", ScalarType::kI8},      {"uchar", "uint8", ScalarType::kU8},
-      {"short", "int16", ScalarType::kI16},   {"ushort", "uint16", ScalarType::kU16},
-      {"int", "int32", ScalarType::kI32},     {"uint", "uint32", ScalarType::kU32},
-      {"long", "int64", ScalarType::kI64},    {"ulong", "uint64", ScalarType::kU64},
-      {"float", "float32", ScalarType::kF32}, {"double", "float64", ScalarType::kF64}};
+      {"char", "int8", ScalarType::i8},      {"uchar", "uint8", ScalarType::u8},
+      {"short", "int16", ScalarType::i16},   {"ushort", "uint16", ScalarType::u16},
+      {"int", "int32", ScalarType::i32},     {"uint", "uint32", ScalarType::u32},
+      {"long", "int64", ScalarType::i64},    {"ulong", "uint64", ScalarType::u64},
+      {"float", "float32", ScalarType::f32}, {"double", "float64", ScalarType::f64}};
   for (const Known& known : kKnown) {
     if (word == known.name || word == known.sized_name) {
       return known.type;
@@ -40,13 +40,13 @@ ScalarType scalar_type(std::string_view word, std::size_t line) {
 PlyFormat format_of(const Words& words, std::size_t line) {
   if (words.size() == 3 && words[2] == "1.0") {
     if (words[1] == "ascii") {
-      return PlyFormat::kAscii;
+      return PlyFormat::ascii;
     }
     if (words[1] == "binary_little_endian") {
-      return PlyFormat::kLittleEndian;
+      return PlyFormat::little_endian;
     }
     if (words[1] == "binary_big_endian") {
-      return PlyFormat::kBigEndian;
+      return PlyFormat::big_endian;
     }
   }
   fail(line, "format " + in_quotes(words.size() > 1 ? words[1] : std::string_view{}) +

@@ -12,11 +12,11 @@
 
 namespace surefoot::io {
 
-enum class PlyFormat { kAscii, kLittleEndian, kBigEndian };
+enum class PlyFormat { ascii, little_endian, big_endian };
 
 struct PlyProperty {
   std::string name;
-  ScalarType type = ScalarType::kF32;         ///< of the number, or of a list's items
+  ScalarType type = ScalarType::f32;          ///< of the number, or of a list's items
   std::optional<ScalarType> list_count_type;  ///< set for a list
 };
 
@@ -31,7 +31,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-  PlyFormat format = PlyFormat::kAscii;
+  PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
   std::size_t lines = 0;        ///< of the header
   std::size_t data_offset = 0;  ///< where the data begin [bytes]

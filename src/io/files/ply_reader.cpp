@@ -191,12 +191,12 @@ PointTable parse_ply(std::span<const std::byte> file) {
   const PlyHeader header = parse_ply_header(text_of(file));
   const Bytes data = file.subspan(header.data_offset);
   PointTable table;
-  if (header.format == PlyFormat::kAscii) {
+  if (header.format == PlyFormat::ascii) {
     table.format = "PLY ascii";
     read_vertices(header, AsciiElements(text_of(data), header.lines), table);
     return table;
   }
-  const bool big = header.format == PlyFormat::kBigEndian;
+  const bool big = header.format == PlyFormat::big_endian;
   table.format = big ? "PLY binary_big_endian" : "PLY binary_little_endian";
   const bool swapped = big == (std::endian::native == std::endian::little);
   read_vertices(header, BinaryElements(data, swapped), table);

@@ -37,7 +37,7 @@ std::vector<PlyColumn> filled(std::span<const PlyColumn> columns, std::size_t po
 
 std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const PlyColumn> columns,
                        PlyFlavour flavour) {
-  const bool ascii = flavour == PlyFlavour::kAscii;
+  const bool ascii = flavour == PlyFlavour::ascii;
   const std::vector<PlyColumn> extra = filled(columns, points.size());
   std::string out = header(points.size(), extra, ascii);
   out.reserve(out.size() + (ascii ? 10 : 4) * (3 + extra.size()) * points.size());
@@ -65,7 +65,7 @@ std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const 
 
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3f> points,
                std::span<const PlyColumn> columns) {
-  write_whole_file(file, format_ply(points, columns, PlyFlavour::kBinary));
+  write_whole_file(file, format_ply(points, columns, PlyFlavour::binary));
 }
 
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3f> points,

@@ -9,7 +9,7 @@
 
 namespace surefoot::io {
 
-enum class PlyFlavour { kAscii, kBinary };  ///< binary is little-endian
+enum class PlyFlavour { ascii, binary };  ///< binary is little-endian
 
 /// One number of every point.
 struct PlyColumn {
@@ -28,6 +28,6 @@ struct PlyColumn {
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3f> points,
                std::span<const PlyColumn> columns);
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3f> points,
-               std::span<const float> intensities = {}, PlyFlavour flavour = PlyFlavour::kBinary);
+               std::span<const float> intensities = {}, PlyFlavour flavour = PlyFlavour::binary);
 
 }  // namespace surefoot::io

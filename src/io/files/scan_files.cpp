@@ -44,26 +44,26 @@ bool is_capture(const std::filesystem::path& file) {
 std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file) {
   const std::string extension = lower_extension(file);
   if (extension == ".pcd") {
-    return ScanFileKind::kPcd;
+    return ScanFileKind::pcd;
   }
   if (extension == ".ply") {
-    return ScanFileKind::kPly;
+    return ScanFileKind::ply;
   }
   if (extension == ".las" || extension == ".laz") {
-    return ScanFileKind::kLas;
+    return ScanFileKind::las;
   }
-  return extension == ".bin" ? std::optional(ScanFileKind::kKittiBin) : std::nullopt;
+  return extension == ".bin" ? std::optional(ScanFileKind::kitti_bin) : std::nullopt;
 }
 
 const char* name_of(ScanFileKind kind) {
   switch (kind) {
-    case ScanFileKind::kPcd:
+    case ScanFileKind::pcd:
       return "PCD";
-    case ScanFileKind::kPly:
+    case ScanFileKind::ply:
       return "PLY";
-    case ScanFileKind::kKittiBin:
+    case ScanFileKind::kitti_bin:
       return "KITTI .bin";
-    case ScanFileKind::kLas:
+    case ScanFileKind::las:
       return "LAS";
   }
   return "";
@@ -74,13 +74,13 @@ PointTable parse_scan_file(ScanFileKind kind, std::span<const std::byte> bytes) 
     throw ReadError(std::string("empty file; expected ") + name_of(kind));
   }
   switch (kind) {
-    case ScanFileKind::kPcd:
+    case ScanFileKind::pcd:
       return parse_pcd(bytes);
-    case ScanFileKind::kPly:
+    case ScanFileKind::ply:
       return parse_ply(bytes);
-    case ScanFileKind::kKittiBin:
+    case ScanFileKind::kitti_bin:
       return parse_kitti_bin(bytes);
-    case ScanFileKind::kLas:
+    case ScanFileKind::las:
       return parse_las(bytes);
   }
   return {};

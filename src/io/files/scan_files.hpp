@@ -15,7 +15,7 @@
 
 namespace surefoot::io {
 
-enum class ScanFileKind { kPcd, kPly, kKittiBin, kLas };
+enum class ScanFileKind { pcd, ply, kitti_bin, las };
 
 /// By the extension, in any case.
 [[nodiscard]] std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file);

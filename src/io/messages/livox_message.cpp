@@ -15,13 +15,13 @@ struct Member {
   ScalarType type;
   std::size_t offset;
 };
-constexpr std::array<Member, 7> kMembers = {{{"offset_time", ScalarType::kU32, 0},
-                                             {"x", ScalarType::kF32, 4},
-                                             {"y", ScalarType::kF32, 8},
-                                             {"z", ScalarType::kF32, 12},
-                                             {"reflectivity", ScalarType::kU8, 16},
-                                             {"tag", ScalarType::kU8, 17},
-                                             {"line", ScalarType::kU8, 18}}};
+constexpr std::array<Member, 7> kMembers = {{{"offset_time", ScalarType::u32, 0},
+                                             {"x", ScalarType::f32, 4},
+                                             {"y", ScalarType::f32, 8},
+                                             {"z", ScalarType::f32, 12},
+                                             {"reflectivity", ScalarType::u8, 16},
+                                             {"tag", ScalarType::u8, 17},
+                                             {"line", ScalarType::u8, 18}}};
 constexpr std::size_t kPointBytes = 19;
 constexpr std::int64_t kSameClockNs = 1'000'000'000;
 

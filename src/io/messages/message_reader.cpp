@@ -19,8 +19,8 @@ enum Representation : unsigned { kCdr = 0x0, kCdr2 = 0x6, kDelimitedCdr2 = 0x8 }
 
 MessageReader::MessageReader(MessageEncoding encoding, std::span<const std::byte> bytes)
     : bytes_(bytes) {
-  if (encoding == MessageEncoding::kRos1) return;
-  if (encoding != MessageEncoding::kCdr) {
+  if (encoding == MessageEncoding::ros1) return;
+  if (encoding != MessageEncoding::cdr) {
     throw ReadError("the message's encoding is neither cdr nor ros1");
   }
   if (bytes.size() < kEncapsulation) {

@@ -24,7 +24,7 @@ class MessageReader {
   MessageReader(MessageEncoding encoding, std::span<const std::byte> bytes);
   /// Packed little-endian values: a ROS 1 message, a record of MCAP.
   [[nodiscard]] static MessageReader packed(std::span<const std::byte> bytes) {
-    return {MessageEncoding::kRos1, bytes};
+    return {MessageEncoding::ros1, bytes};
   }
 
   /// Every reading function throws ReadError naming `what` where the message ends before.

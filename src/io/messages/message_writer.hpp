@@ -14,8 +14,8 @@ namespace surefoot::io {
 /// ROS 2's, or packed, which is ROS 1's.
 class MessageWriter {
  public:
-  enum class Flavour { kCdr, kRos1 };
-  explicit MessageWriter(Flavour flavour = Flavour::kCdr) : cdr_(flavour == Flavour::kCdr) {
+  enum class Flavour { cdr, ros1 };
+  explicit MessageWriter(Flavour flavour = Flavour::cdr) : cdr_(flavour == Flavour::cdr) {
     if (cdr_) bytes_.assign("\0\1\0\0", kEncapsulation);
   }
 

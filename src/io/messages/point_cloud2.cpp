@@ -11,9 +11,9 @@ namespace surefoot::io {
 namespace {
 
 // sensor_msgs/PointField: INT8 = 1 ... FLOAT64 = 8.
-constexpr std::array<ScalarType, 8> kDatatypes = {
-    ScalarType::kI8,  ScalarType::kU8,  ScalarType::kI16, ScalarType::kU16,
-    ScalarType::kI32, ScalarType::kU32, ScalarType::kF32, ScalarType::kF64};
+constexpr std::array<ScalarType, 8> kDatatypes = {ScalarType::i8,  ScalarType::u8,  ScalarType::i16,
+                                                  ScalarType::u16, ScalarType::i32, ScalarType::u32,
+                                                  ScalarType::f32, ScalarType::f64};
 
 // A name, and three numbers.
 constexpr std::size_t kLeastFieldBytes = 13;

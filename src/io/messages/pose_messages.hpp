@@ -40,9 +40,9 @@ struct Transform {
 
 /// diagnostic_msgs/DiagnosticArray of one status.
 struct Diagnostic {
-  enum class Level : std::uint8_t { kOk = 0, kWarn = 1, kError = 2 };
+  enum class Level : std::uint8_t { ok = 0, warn = 1, error = 2 };
   std::int64_t stamp_ns = 0;
-  Level level = Level::kOk;
+  Level level = Level::ok;
   std::string name;
   std::string message;
   std::vector<std::pair<std::string, std::string>> values;

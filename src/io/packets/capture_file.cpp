@@ -22,17 +22,17 @@ pcap_t* pcap_of(const Handle& handle) {
 LinkLayer link_layer(int type) {
   switch (type) {
     case DLT_EN10MB:
-      return LinkLayer::kEthernet;
+      return LinkLayer::ethernet;
     case DLT_LINUX_SLL:
-      return LinkLayer::kLinuxCooked;
+      return LinkLayer::linux_cooked;
     case DLT_LINUX_SLL2:
-      return LinkLayer::kLinuxCooked2;
+      return LinkLayer::linux_cooked2;
     case DLT_NULL:
     case DLT_LOOP:
-      return LinkLayer::kLoopback;
+      return LinkLayer::loopback;
     case DLT_RAW:
     case DLT_IPV4:
-      return LinkLayer::kRawIp;
+      return LinkLayer::raw_ip;
     default:
       break;
   }

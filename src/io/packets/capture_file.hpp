@@ -43,7 +43,7 @@ class CaptureFile {
   void open(std::FILE* file);
 
   std::unique_ptr<void, Close> handle_;  ///< a pcap_t, which nobody outside has to know
-  LinkLayer link_ = LinkLayer::kEthernet;
+  LinkLayer link_ = LinkLayer::ethernet;
   std::string cut_short_;
   double size_ = 0.0;
 };

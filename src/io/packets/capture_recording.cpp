@@ -82,9 +82,9 @@ class CaptureRecording final : public Recording {
     ++packets_;
     IpFragment fragment;
     UdpDatagram datagram = find_udp(file_.link(), frame->bytes, &fragment);
-    if (datagram.content == FrameContent::kFragment) {
+    if (datagram.content == FrameContent::fragment) {
       datagram = fragments_.add(fragment);
-      if (datagram.content == FrameContent::kFragment) {
+      if (datagram.content == FrameContent::fragment) {
         ++fragments_seen_;
         return true;
       }

@@ -12,9 +12,9 @@ constexpr std::uint16_t kPositionPort = 8308;
 
 void PacketIntake::add(std::int64_t arrival_ns, const UdpDatagram& datagram) {
   const Stream stream = {datagram.source_address, datagram.destination_port};
-  if (datagram.content == FrameContent::kTruncated) {
+  if (datagram.content == FrameContent::truncated) {
     ++counts_.truncated;
-  } else if (datagram.content == FrameContent::kOther) {
+  } else if (datagram.content == FrameContent::other) {
     ++counts_.other;
   } else if (datagram.destination_port == kPositionPort &&
              datagram.payload.size() == kPositionPacketBytes) {
@@ -30,17 +30,17 @@ void PacketIntake::add(std::int64_t arrival_ns, const UdpDatagram& datagram) {
 
 void PacketIntake::use(std::int64_t arrival_ns, const UdpDatagram& datagram) {
   switch (scans_.add(arrival_ns, datagram.payload)) {
-    case PacketUse::kUsed:
+    case PacketUse::used:
       // The first sensor's; a second one's would be mixed up with them.
       stream_ = {datagram.source_address, datagram.destination_port};
       ++counts_.data_packets;
       break;
-    case PacketUse::kMalformed:
+    case PacketUse::malformed:
       ++counts_.truncated;
       remember_traffic(datagram);
       break;
-    case PacketUse::kLate:
-    case PacketUse::kOther:
+    case PacketUse::late:
+    case PacketUse::other:
       ++counts_.other;
       remember_traffic(datagram);
       break;

@@ -22,7 +22,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string remark_of(const sensors::Sweep& sweep, sensors::SweepEnd end) {
   char text[80];
-  if (end == sensors::SweepEnd::kTime) {
+  if (end == sensors::SweepEnd::time) {
     std::snprintf(text, sizeof(text), "partial sweep: firings over %.1f of 100 ms",
                   1e-6 * static_cast<double>(sweep.duration_ns));
   } else {
@@ -73,17 +73,17 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
       throw ReadError(calibration_name_ + error.what());
     }
     if (!decoder_) {
-      return PacketUse::kOther;
+      return PacketUse::other;
     }
   }
   const sensors::PacketKind kind = decoder_->decode(payload, firings_);
-  if (kind != sensors::PacketKind::kData) {
-    return kind == sensors::PacketKind::kOther ? PacketUse::kOther : PacketUse::kMalformed;
+  if (kind != sensors::PacketKind::data) {
+    return kind == sensors::PacketKind::other ? PacketUse::other : PacketUse::malformed;
   }
   const std::optional<SensorClock::Reading> reading =
       clock_.read(firings_.time_ns, firings_.base, arrival_ns);
   if (!reading) {
-    return PacketUse::kLate;
+    return PacketUse::late;
   }
   if (!cutter_) {
     begin();
@@ -101,7 +101,7 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
     last_number_ = firings_.number;
   }
   cutter_->add(firings_, reading->stamp_ns, reading->since_last_ns);
-  return PacketUse::kUsed;
+  return PacketUse::used;
 }
 
 void PacketScans::begin() {

@@ -21,10 +21,10 @@ namespace surefoot::io {
 
 /// What became of a packet.
 enum class PacketUse {
-  kUsed,
-  kLate,      ///< repeated, or out of order: skipped
-  kOther,     ///< not firings: skipped
-  kMalformed  ///< contradicts itself: skipped
+  used,
+  late,      ///< repeated, or out of order: skipped
+  other,     ///< not firings: skipped
+  malformed  ///< contradicts itself: skipped
 };
 
 /// Feed it packets with add() and take scans with take() until there is none; at the end of the

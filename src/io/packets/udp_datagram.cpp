@@ -45,15 +45,15 @@ std::optional<Bytes> ip_in_loopback(Bytes frame) {
 
 std::optional<Bytes> ip_in(LinkLayer link, Bytes frame) {
   switch (link) {
-    case LinkLayer::kEthernet:
+    case LinkLayer::ethernet:
       return ip_in_ethernet(frame);
-    case LinkLayer::kLinuxCooked:
+    case LinkLayer::linux_cooked:
       return ip_in_cooked(frame, 14, 16);
-    case LinkLayer::kLinuxCooked2:
+    case LinkLayer::linux_cooked2:
       return ip_in_cooked(frame, 0, 20);
-    case LinkLayer::kLoopback:
+    case LinkLayer::loopback:
       return ip_in_loopback(frame);
-    case LinkLayer::kRawIp:
+    case LinkLayer::raw_ip:
       return frame;
   }
   return std::nullopt;
@@ -64,14 +64,14 @@ constexpr std::size_t kUdpHeader = 8;
 // The datagram that begins with a UDP header.
 UdpDatagram datagram_in(Bytes udp, std::uint32_t source) {
   if (udp.size() < kUdpHeader) {
-    return {FrameContent::kTruncated, source, 0, {}};
+    return {FrameContent::truncated, source, 0, {}};
   }
   const std::uint16_t port = u16(udp, 2);
   const std::size_t length = u16(udp, 4);
   if (length < kUdpHeader || length > udp.size()) {
-    return {FrameContent::kTruncated, source, port, {}};
+    return {FrameContent::truncated, source, port, {}};
   }
-  return {FrameContent::kUdp, source, port, udp.subspan(kUdpHeader, length - kUdpHeader)};
+  return {FrameContent::udp, source, port, udp.subspan(kUdpHeader, length - kUdpHeader)};
 }
 
 constexpr std::size_t kMostDatagramBytes = 65'535;
@@ -87,7 +87,7 @@ UdpDatagram find_udp(LinkLayer link, std::span<const std::byte> frame, IpFragmen
     return {};
   }
   if (ip->size() < kLeastIpHeader) {
-    return {FrameContent::kTruncated, 0, 0, {}};
+    return {FrameContent::truncated, 0, 0, {}};
   }
   const std::size_t ip_header = 4U * (u8(*ip, 0) & 0x0fU);
   if (u8(*ip, 9) != kUdpProtocol || ip_header < kLeastIpHeader) {
@@ -95,7 +95,7 @@ UdpDatagram find_udp(LinkLayer link, std::span<const std::byte> frame, IpFragmen
   }
   const std::uint32_t source = static_cast<std::uint32_t>(u16(*ip, 12)) << 16 | u16(*ip, 14);
   if (ip->size() < ip_header) {
-    return {FrameContent::kTruncated, source, 0, {}};
+    return {FrameContent::truncated, source, 0, {}};
   }
   const std::uint16_t flags = u16(*ip, 6);
   const bool more = (flags & 0x2000U) != 0;
@@ -105,14 +105,14 @@ UdpDatagram find_udp(LinkLayer link, std::span<const std::byte> frame, IpFragmen
   }
   const std::size_t length = u16(*ip, 2);
   if (length < ip_header || length > ip->size()) {
-    return {FrameContent::kTruncated, source, 0, {}};
+    return {FrameContent::truncated, source, 0, {}};
   }
   if (fragment != nullptr) {
     *fragment = {source,      static_cast<std::uint32_t>(u16(*ip, 16)) << 16 | u16(*ip, 18),
                  u16(*ip, 4), offset,
                  !more,       ip->subspan(ip_header, length - ip_header)};
   }
-  return {FrameContent::kFragment, source, 0, {}};
+  return {FrameContent::fragment, source, 0, {}};
 }
 
 FragmentBuffer::Pending& FragmentBuffer::pending_for(const IpFragment& fragment) {
@@ -135,7 +135,7 @@ FragmentBuffer::Pending& FragmentBuffer::pending_for(const IpFragment& fragment)
 }
 
 UdpDatagram FragmentBuffer::add(const IpFragment& fragment) {
-  const UdpDatagram none = {FrameContent::kFragment, fragment.source_address, 0, {}};
+  const UdpDatagram none = {FrameContent::fragment, fragment.source_address, 0, {}};
   const std::size_t end = fragment.offset + fragment.bytes.size();
   // All but the last are of whole units.
   if (fragment.bytes.empty() || end > kMostDatagramBytes ||

@@ -13,12 +13,12 @@
 
 namespace surefoot::io {
 
-enum class LinkLayer { kEthernet, kLinuxCooked, kLinuxCooked2, kLoopback, kRawIp };
+enum class LinkLayer { ethernet, linux_cooked, linux_cooked2, loopback, raw_ip };
 
-enum class FrameContent { kUdp, kOther, kTruncated, kFragment };
+enum class FrameContent { udp, other, truncated, fragment };
 
 struct UdpDatagram {
-  FrameContent content = FrameContent::kOther;
+  FrameContent content = FrameContent::other;
   std::uint32_t source_address = 0;
   std::uint16_t destination_port = 0;
   std::span<const std::byte> payload;  ///< looks into the frame
@@ -35,7 +35,7 @@ struct IpFragment {
 };
 
 /// Finds the datagram in a captured frame: through VLAN tags and IPv4 options. All that is not IPv4
-/// UDP is kOther, a datagram that the capture cut short kTruncated, a part of one kFragment.
+/// UDP is other, a datagram that the capture cut short truncated, a part of one fragment.
 /// @param fragment where not null, receives a part.
 [[nodiscard]] UdpDatagram find_udp(LinkLayer link, std::span<const std::byte> frame,
                                    IpFragment* fragment = nullptr);
@@ -44,7 +44,7 @@ struct IpFragment {
 /// holds a fixed amount of memory whatever is sent.
 class FragmentBuffer {
  public:
-  /// The datagram that a part completes, valid until the next call; kFragment if none.
+  /// The datagram that a part completes, valid until the next call; fragment if none.
   [[nodiscard]] UdpDatagram add(const IpFragment& fragment);
 
  private:

@@ -161,8 +161,9 @@ Beams::Answer Beams::at(const Eigen::Vector3d& place) const {
 bool Beams::pass(const Surfel& surfel) const {
   const Eigen::Vector3d d = surfel.mean - sensor_;
   const double distance = d.norm();
-  if (surfel.directions == 1 && std::abs(surfel.across[0].dot(d)) < kOblique * distance)
+  if (surfel.directions == 1 && std::abs(surfel.across[0].dot(d)) < kOblique * distance) {
     return false;
+  }
   const double reach = kFastest * std::sqrt(reach2_of(surfel));
   const auto columns = static_cast<float>(std::min(reach / d.head<2>().norm(), 1.0));
   const auto rows = static_cast<float>(std::min(reach / distance, 1.0));

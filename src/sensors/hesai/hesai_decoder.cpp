@@ -111,7 +111,7 @@ double HesaiDecoder::distance_unit(Bytes payload) const {
 PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
   firings.clear();
   if (!fits(payload, model_)) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   const Bytes tail = payload.subspan(model_.tail.begin);
   const ReturnMode* mode = mode_of(u8(tail, model_.tail.return_mode));
@@ -121,16 +121,16 @@ PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
   constexpr std::uint32_t kMostMicroseconds = 2'000'000;  // with a leap second
   if (mode == nullptr || !second || microseconds > kMostMicroseconds ||
       model_.blocks % mode->returns != 0 || distance_unit(payload) == 0.0) {
-    return PacketKind::kMalformed;
+    return PacketKind::malformed;
   }
   for (std::size_t block = 0; block < model_.blocks; ++block) {
     if (azimuth_of(payload, model_, block) >= kUnitsPerTurn) {
-      return PacketKind::kMalformed;
+      return PacketKind::malformed;
     }
   }
   mode_ = mode->code;
   const std::size_t groups = model_.blocks / mode->returns;
-  firings.base = TimeBase::kAbsolute;
+  firings.base = TimeBase::absolute;
   firings.time_ns = *second * 1'000'000'000 + microseconds * 1000LL;
   firings.period_ns = std::llround(model_.block_ns * static_cast<double>(groups));
   if (model_.tail.sequence && tail.size() >= *model_.tail.sequence + 4) {
@@ -169,7 +169,7 @@ PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
     firings.firings.push_back(firing);
   }
   last_azimuth_ = azimuth_of(payload, model_, model_.blocks - 1);
-  return PacketKind::kData;
+  return PacketKind::data;
 }
 
 void HesaiDecoder::add_group(Bytes payload, const Group& group, Firings& firings) const {
@@ -202,11 +202,11 @@ void HesaiDecoder::add_group(Bytes payload, const Group& group, Firings& firings
                                 channel.ring});
     };
     const auto end = returns.begin() + static_cast<std::ptrdiff_t>(group.returns);
-    if (choice_ == ReturnChoice::kLast) {
+    if (choice_ == ReturnChoice::last) {
       add(*std::max_element(returns.begin(), end, [](const Return& a, const Return& b) {
         return a.distance < b.distance;
       }));
-    } else if (choice_ == ReturnChoice::kStrongest) {
+    } else if (choice_ == ReturnChoice::strongest) {
       // No return at all is weaker than any.
       const auto strength = [](const Return& one) {
         return one.distance == 0 ? -1 : static_cast<int>(one.reflectivity);

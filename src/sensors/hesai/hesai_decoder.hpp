@@ -23,7 +23,7 @@ class HesaiDecoder final : public PacketDecoder {
   [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
   [[nodiscard]] std::string sensor() const override { return model_.name; }
   [[nodiscard]] std::string return_mode() const override;
-  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::kAzimuth; }
+  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::azimuth; }
 
  private:
   struct Group;  // blocks of one azimuth, one for each return

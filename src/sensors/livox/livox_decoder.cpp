@@ -19,15 +19,15 @@ constexpr std::size_t kTime = 28;
 constexpr std::size_t kHeaderBytes = 36;
 constexpr std::size_t kLines = 4;
 
-enum class DataType : std::uint8_t { kMillimetres = 1, kCentimetres = 2, kSpherical = 3 };
+enum class DataType : std::uint8_t { millimetres = 1, centimetres = 2, spherical = 3 };
 
 std::size_t point_bytes(std::uint8_t type) {
   switch (static_cast<DataType>(type)) {
-    case DataType::kMillimetres:
+    case DataType::millimetres:
       return 14;
-    case DataType::kCentimetres:
+    case DataType::centimetres:
       return 8;
-    case DataType::kSpherical:
+    case DataType::spherical:
       return 10;
   }
   return 0;
@@ -40,13 +40,13 @@ T number(const std::byte* at) {
 
 Eigen::Vector3d position(const std::byte* at, DataType type) {
   switch (type) {
-    case DataType::kMillimetres:
+    case DataType::millimetres:
       return 1e-3 * Eigen::Vector3d(number<std::int32_t>(at), number<std::int32_t>(at + 4),
                                     number<std::int32_t>(at + 8));
-    case DataType::kCentimetres:
+    case DataType::centimetres:
       return 1e-2 * Eigen::Vector3d(number<std::int16_t>(at), number<std::int16_t>(at + 2),
                                     number<std::int16_t>(at + 4));
-    case DataType::kSpherical: {
+    case DataType::spherical: {
       constexpr double kUnit = 0.01 * std::numbers::pi / 180.0;
       const double range = 1e-3 * number<std::uint32_t>(at);
       const double zenith = kUnit * number<std::uint16_t>(at + 4);
@@ -64,21 +64,21 @@ PacketKind LivoxDecoder::decode(std::span<const std::byte> payload, Firings& fir
   firings.clear();
   if (payload.size() < kHeaderBytes || payload.front() != std::byte{0} ||
       number<std::uint16_t>(payload.data() + kLength) != payload.size()) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   const auto type = std::to_integer<std::uint8_t>(payload[kDataType]);
   const std::size_t bytes = point_bytes(type);
   const std::size_t points = number<std::uint16_t>(payload.data() + kPoints);
   if (bytes == 0) {
-    return PacketKind::kOther;  // IMU
+    return PacketKind::other;  // IMU
   }
   const auto time = number<std::uint64_t>(payload.data() + kTime);
   if (points == 0 || kHeaderBytes + points * bytes != payload.size() || time >> 63U != 0) {
-    return PacketKind::kMalformed;
+    return PacketKind::malformed;
   }
   const std::int64_t lasts_ns = 100LL * number<std::uint16_t>(payload.data() + kInterval);
   firings.time_ns = static_cast<std::int64_t>(time);
-  firings.base = TimeBase::kAbsolute;
+  firings.base = TimeBase::absolute;
   firings.period_ns = lasts_ns;
   for (std::size_t i = 0; i < points; ++i) {
     const std::byte* at = payload.data() + kHeaderBytes + i * bytes;
@@ -96,7 +96,7 @@ PacketKind LivoxDecoder::decode(std::span<const std::byte> payload, Firings& fir
   firing.duration_ns = lasts_ns;
   firing.end = firings.points.size();
   firings.firings.push_back(firing);
-  return PacketKind::kData;
+  return PacketKind::data;
 }
 
 }  // namespace surefoot::sensors

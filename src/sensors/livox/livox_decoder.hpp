@@ -15,7 +15,7 @@ class LivoxDecoder final : public PacketDecoder {
   [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
   [[nodiscard]] std::string sensor() const override { return "Livox Mid-360"; }
   [[nodiscard]] std::string return_mode() const override { return "single"; }
-  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::kTime; }
+  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::time; }
 };
 
 }  // namespace surefoot::sensors

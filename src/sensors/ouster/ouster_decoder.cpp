@@ -48,12 +48,12 @@ double OusterDecoder::sweep_deg() const {
 PacketKind OusterDecoder::decode(std::span<const std::byte> payload, Firings& firings) {
   firings.clear();
   if (payload.size() != metadata_.packet_bytes()) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   const bool legacy = metadata_.profile.is_legacy();
   constexpr std::uint16_t kLidarPacket = 1;
   if (!legacy && load<std::uint16_t>(payload.data(), false) != kLidarPacket) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   const std::size_t columns = metadata_.columns_per_frame;
   const double column_ns = 1e9 / metadata_.rate_hz / static_cast<double>(columns);
@@ -93,15 +93,15 @@ PacketKind OusterDecoder::decode(std::span<const std::byte> payload, Firings& fi
     firings.firings.push_back(firing);
   }
   if (!any) {
-    return PacketKind::kOther;  // a sensor that measures a window sends empty packets beside it
+    return PacketKind::other;  // a sensor that measures a window sends empty packets beside it
   }
   if (metadata_.window_columns() == columns) {
     const std::size_t packets = columns / metadata_.columns_per_packet;
     firings.number = frame * packets + measurement / metadata_.columns_per_packet;
     firings.numbers = 65'536 * packets;
   }
-  firings.base = TimeBase::kAbsolute;
-  return PacketKind::kData;
+  firings.base = TimeBase::absolute;
+  return PacketKind::data;
 }
 
 void OusterDecoder::add_column(const std::byte* pixels, double encoder, Firings& firings) const {
@@ -119,13 +119,13 @@ void OusterDecoder::add_column(const std::byte* pixels, double encoder, Firings&
     }
     const std::uint32_t range_2 = field(pixel, profile.range_2);
     const auto intensity_2 = static_cast<float>(field(pixel, strength_2));
-    const bool second = choice_ == ReturnChoice::kLast
+    const bool second = choice_ == ReturnChoice::last
                             ? range_2 > range
                             : range_2 != 0 && (range == 0 || intensity_2 > intensity);
-    if (choice_ == ReturnChoice::kBoth || !second) {
+    if (choice_ == ReturnChoice::both || !second) {
       add_point(beams_[i], kMillimetre * range, intensity, encoder, firings);
     }
-    if (choice_ == ReturnChoice::kBoth ? range_2 != range : second) {
+    if (choice_ == ReturnChoice::both ? range_2 != range : second) {
       add_point(beams_[i], kMillimetre * range_2, intensity_2, encoder, firings);
     }
   }

@@ -19,7 +19,7 @@ class OusterDecoder final : public PacketDecoder {
   [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
   [[nodiscard]] std::string sensor() const override { return metadata_.product; }
   [[nodiscard]] std::string return_mode() const override;
-  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::kFrame; }
+  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::frame; }
   [[nodiscard]] double sweep_deg() const override;
 
  private:

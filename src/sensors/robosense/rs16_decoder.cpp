@@ -52,11 +52,11 @@ struct Rs16Decoder::Sequence {
 PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firings) {
   firings.clear();
   if (payload.size() != kPacketBytes) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   for (std::size_t i = 0; i < kMagic.size(); ++i) {
     if (std::to_integer<std::uint8_t>(payload[i]) != kMagic[i]) {
-      return PacketKind::kOther;
+      return PacketKind::other;
     }
   }
   const std::optional<std::int64_t> second = unix_seconds(payload.subspan(kDate), 2000);
@@ -67,13 +67,13 @@ PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firi
     const std::byte* at = &payload[kBlocksAt + block * kBlockBytes];
     azimuths[block] = u16(at + 2);
     if (u16(at) != 0xffee || azimuths[block] >= kUnitsPerTurn) {
-      return PacketKind::kMalformed;
+      return PacketKind::malformed;
     }
   }
   if (!second || milliseconds > 999 || microseconds > 999) {
-    return PacketKind::kMalformed;
+    return PacketKind::malformed;
   }
-  firings.base = TimeBase::kAbsolute;
+  firings.base = TimeBase::absolute;
   firings.time_ns = *second * 1'000'000'000 + milliseconds * 1'000'000LL + microseconds * 1'000LL;
   // A block holds two firing sequences, or one with both its returns: then packets come twice as
   // often, by which they are known.
@@ -103,7 +103,7 @@ PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firi
       firings.firings.push_back(firing);
     }
   }
-  return PacketKind::kData;
+  return PacketKind::data;
 }
 
 void Rs16Decoder::add_sequence(const std::byte* block, const Sequence& sequence,
@@ -136,13 +136,13 @@ void Rs16Decoder::add_sequence(const std::byte* block, const Sequence& sequence,
     const Return first = return_at(sequence.channel + laser);
     const Return second = dual_ ? return_at(kLasers + laser) : Return{};
     const bool other =
-        choice_ == ReturnChoice::kLast
+        choice_ == ReturnChoice::last
             ? second.distance > first.distance
             : second.distance != 0 && (first.distance == 0 || second.intensity > first.intensity);
-    if (choice_ == ReturnChoice::kBoth || !other) {
+    if (choice_ == ReturnChoice::both || !other) {
       add(first);
     }
-    if (choice_ == ReturnChoice::kBoth ? second.distance != first.distance : other) {
+    if (choice_ == ReturnChoice::both ? second.distance != first.distance : other) {
       add(second);
     }
   }

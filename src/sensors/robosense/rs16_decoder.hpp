@@ -18,7 +18,7 @@ class Rs16Decoder final : public PacketDecoder {
   [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
   [[nodiscard]] std::string sensor() const override { return "RS-LiDAR-16"; }
   [[nodiscard]] std::string return_mode() const override { return dual_ ? "dual" : "single"; }
-  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::kAzimuth; }
+  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::azimuth; }
 
  private:
   struct Sequence;

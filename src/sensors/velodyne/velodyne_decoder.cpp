@@ -146,20 +146,20 @@ bool VelodyneDecoder::is_dual(Bytes payload) const {
 PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
   firings.clear();
   if (payload.size() != kPacketBytes) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   if (!has_blocks(payload)) {
-    return PacketKind::kMalformed;
+    return PacketKind::malformed;
   }
   const auto mode = std::to_integer<std::uint8_t>(payload[kTail + 4]);
   const auto product = std::to_integer<std::uint8_t>(payload[kTail + 5]);
   const bool known = mode == vlp16::kStrongest || mode == vlp16::kLast || mode == vlp16::kDual;
   if ((!model_.is_hdl64 && !known) || (model_.product && product != *model_.product)) {
-    return PacketKind::kOther;
+    return PacketKind::other;
   }
   const bool dual = is_dual(payload);
   mode_ = !model_.is_hdl64 ? mode : (dual ? vlp16::kDual : std::uint8_t{0});
-  firings.base = TimeBase::kHour;
+  firings.base = TimeBase::hour;
   firings.time_ns = 1000LL * load<std::uint32_t>(payload.data() + kTail, false);
   const std::size_t stride = model_.banks * (dual ? 2 : 1);  // blocks of one azimuth
   const std::size_t positions = kBlocks / stride;  // VLS-128, dual: four blocks are unused
@@ -197,7 +197,7 @@ PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
     firings.firings.push_back(firing);
   }
   last_azimuth_ = azimuth_of(payload, (positions - 1) * stride);
-  return PacketKind::kData;
+  return PacketKind::data;
 }
 
 void VelodyneDecoder::add_sequence(Bytes payload, const Head& head, Firings& firings) const {
@@ -224,9 +224,9 @@ void VelodyneDecoder::add_sequence(Bytes payload, const Head& head, Firings& fir
       // Where the last return is the strongest, the other block holds the second strongest.
       const bool other_is_strongest =
           head.dual && other.distance != 0 && other.reflectivity >= last.reflectivity;
-      if (!head.dual || choice_ == ReturnChoice::kLast) {
+      if (!head.dual || choice_ == ReturnChoice::last) {
         add_point(laser, last, azimuth, firings);
-      } else if (choice_ == ReturnChoice::kStrongest) {
+      } else if (choice_ == ReturnChoice::strongest) {
         add_point(laser, other_is_strongest || last.distance == 0 ? other : last, azimuth, firings);
       } else {
         add_point(laser, last, azimuth, firings);

@@ -22,7 +22,7 @@ class VelodyneDecoder final : public PacketDecoder {
   [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
   [[nodiscard]] std::string sensor() const override { return model_.name; }
   [[nodiscard]] std::string return_mode() const override;
-  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::kAzimuth; }
+  [[nodiscard]] SweepEnd sweep_end() const override { return SweepEnd::azimuth; }
 
  private:
   struct Head;  // where the head was at a sequence, and where its returns lie in the packet

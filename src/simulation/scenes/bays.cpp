@@ -30,10 +30,10 @@ Measures measures(const LayoutDraws& draw) {
 
 /// One bay like the other: two walls of shelves and a column.
 void add_bay(TriangleMesh& mesh, const Measures& m, double x, double y) {
-  mesh.add_box({x, y, 0.0}, {x + 0.5, y + m.depth, 2.2}, Material::kPaintedMetal);
+  mesh.add_box({x, y, 0.0}, {x + 0.5, y + m.depth, 2.2}, Material::painted_metal);
   mesh.add_box({x + 0.5, y + 0.5 * m.depth - 0.2, 0.0}, {x + m.bay, y + 0.5 * m.depth + 0.2, 2.2},
-               Material::kPaintedMetal);
-  mesh.add_column({x + 0.25, y, 0.0}, 0.2, m.height, Material::kConcrete, 8);
+               Material::painted_metal);
+  mesh.add_column({x + 0.25, y, 0.0}, 0.2, m.height, Material::concrete, 8);
 }
 
 }  // namespace
@@ -48,12 +48,12 @@ Scene bays(const SceneSeeds& seeds) {
   const double l = m.length();
   const double w = m.width();
   for (const double z : {0.0, m.height}) {
-    mesh.add_quad({0, 0, z}, {l, 0, z}, {l, w, z}, {0, w, z}, Material::kConcrete);
+    mesh.add_quad({0, 0, z}, {l, 0, z}, {l, w, z}, {0, w, z}, Material::concrete);
   }
-  mesh.add_box({-0.2, 0, 0}, {0, w, m.height}, Material::kBrick);
-  mesh.add_box({l, 0, 0}, {l + 0.2, w, m.height}, Material::kBrick);
-  mesh.add_box({0, -0.2, 0}, {l, 0, m.height}, Material::kBrick);
-  mesh.add_box({0, w, 0}, {l, w + 0.2, m.height}, Material::kBrick);
+  mesh.add_box({-0.2, 0, 0}, {0, w, m.height}, Material::brick);
+  mesh.add_box({l, 0, 0}, {l + 0.2, w, m.height}, Material::brick);
+  mesh.add_box({0, -0.2, 0}, {l, 0, m.height}, Material::brick);
+  mesh.add_box({0, w, 0}, {l, w + 0.2, m.height}, Material::brick);
   for (int row = 0; row < m.rows; ++row) {
     const double y = m.aisle + row * (m.depth + m.aisle);
     for (int bay = 0; bay < m.bays; ++bay) add_bay(mesh, m, m.aisle + bay * m.bay, y);
@@ -62,7 +62,7 @@ Scene bays(const SceneSeeds& seeds) {
       const std::uint64_t number = 10 * static_cast<std::uint64_t>(row) + 2 * box;
       const double x = m.aisle + 0.8 + random.uniform(number, 0.0, m.bays * m.bay - 2.0);
       const double size = random.uniform(number + 1, 0.4, 0.9);
-      mesh.add_box({x, y + 0.1, 0.0}, {x + size, y + 0.1 + size, size}, Material::kBark);
+      mesh.add_box({x, y + 0.1, 0.0}, {x + size, y + 0.1 + size, size}, Material::bark);
     }
   }
   const double west = 0.5 * m.aisle;

@@ -49,28 +49,28 @@ void add_ramp(TriangleMesh& mesh, const Measures& m, double centre_y) {
   const Eigen::Vector3d foot_high(kRampStart - 0.5, high, -m.height / 30.0);
   const Eigen::Vector3d top_low(m.ramp_end, low, m.height);
   const Eigen::Vector3d top_high(m.ramp_end, high, m.height);
-  mesh.add_quad(foot_low, top_low, top_high, foot_high, Material::kConcrete);
+  mesh.add_quad(foot_low, top_low, top_high, foot_high, Material::concrete);
   for (const double side : {low, high}) {
     mesh.add_quad({kRampStart - 0.5, side, -0.2}, {m.ramp_end, side, -0.2},
-                  {m.ramp_end, side, m.height}, {kRampStart - 0.5, side, 0.0}, Material::kConcrete);
+                  {m.ramp_end, side, m.height}, {kRampStart - 0.5, side, 0.0}, Material::concrete);
     // Railing: posts and a hand rail.
     for (double x = kRampStart; x < m.ramp_end; x += 1.5) {
       const double z = m.height * (x - kRampStart) / (m.ramp_end - kRampStart);
-      mesh.add_column({x, side, z}, 0.025, 0.95, Material::kPaintedMetal, 6);
+      mesh.add_column({x, side, z}, 0.025, 0.95, Material::painted_metal, 6);
     }
     mesh.add_quad({kRampStart, side, 0.90}, {m.ramp_end, side, m.height + 0.90},
                   {m.ramp_end, side, m.height + 0.96}, {kRampStart, side, 0.96},
-                  Material::kPaintedMetal);
+                  Material::painted_metal);
   }
 }
 
 void add_terrace(TriangleMesh& mesh, const Measures& m) {
   const double south = kSouthRamp - m.ramp_half_width - 2.0;
   const double north = m.north_ramp + m.ramp_half_width + 2.0;
-  mesh.add_box({m.ramp_end, south, -0.3}, {m.terrace_far, north, m.height}, Material::kConcrete);
+  mesh.add_box({m.ramp_end, south, -0.3}, {m.terrace_far, north, m.height}, Material::concrete);
   const double top = m.height + 0.9;
   const auto parapet = [&](double x0, double y0, double x1, double y1) {
-    mesh.add_box({x0, y0, m.height}, {x1, y1, top}, Material::kConcrete);
+    mesh.add_box({x0, y0, m.height}, {x1, y1, top}, Material::concrete);
   };
   parapet(m.ramp_end, south, m.terrace_far, south + 0.2);
   parapet(m.ramp_end, north - 0.2, m.terrace_far, north);
@@ -85,14 +85,14 @@ void add_terrace(TriangleMesh& mesh, const Measures& m) {
   const double middle = 0.5 * (kSouthRamp + m.north_ramp);
   for (double x = west; x <= west + 10.0; x += 2.5) {
     for (const double y : {middle - 2.0, middle + 2.0}) {
-      mesh.add_column({x, y, m.height}, 0.2, 3.0, Material::kConcrete, 12);
+      mesh.add_column({x, y, m.height}, 0.2, 3.0, Material::concrete, 12);
     }
   }
   mesh.add_box({west - 1.0, middle - 3.0, m.height + 3.0},
-               {west + 11.0, middle + 3.0, m.height + 3.3}, Material::kConcrete);
+               {west + 11.0, middle + 3.0, m.height + 3.3}, Material::concrete);
   for (const double y : {south + 0.9, north - 0.9}) {
     for (double x = m.ramp_end + 3.0; x < m.terrace_far - 2.0; x += 4.0) {
-      mesh.add_box({x, y - 0.35, m.height}, {x + 1.4, y + 0.35, m.height + 0.55}, Material::kBrick);
+      mesh.add_box({x, y - 0.35, m.height}, {x + 1.4, y + 0.35, m.height + 0.55}, Material::brick);
     }
   }
 }
@@ -143,15 +143,17 @@ void add_surroundings(TriangleMesh& mesh, const Measures& m, const LayoutDraws& 
     ++tree;
   };
   for (double x = -26.0; x < 46.0; x += draw.between(60, 9.0, 7.0, 12.0)) plant(x, -11.0);
-  for (double x = -26.0; x < 46.0; x += draw.between(61, 10.0, 7.0, 12.0))
+  for (double x = -26.0; x < 46.0; x += draw.between(61, 10.0, 7.0, 12.0)) {
     plant(x, m.north_ramp + 7.0);
+  }
   for (double y = -14.0; y < 20.0; y += draw.between(62, 8.0, 6.0, 11.0)) plant(-18.0, y);
   for (double y = -30.0; y < 40.0; y += 11.0) plant(74.0, y);
   for (double x = -60.0; x < 70.0; x += 12.0) plant(x, 56.0);
   for (double x = -60.0; x < 70.0; x += 12.0) plant(x, -52.0);
   for (double x = -8.0; x < 40.0; x += 12.0) add_lamp(mesh, {x, -5.5, meadow(x, -5.5)});
-  for (double y = 2.0; y < 16.0; y += 5.0)
+  for (double y = 2.0; y < 16.0; y += 5.0) {
     add_bench(mesh, {m.start - 5.0, y, meadow(m.start - 5.0, y)}, 1.5708);
+  }
   const TriangleMesh car = make_car();
   for (double x = -20.0; x < 40.0; x += 3.1) {
     if (random.uniform(static_cast<std::uint64_t>(x + 100.0) + 2'000'000) < 0.35) continue;
@@ -167,7 +169,7 @@ Scene campus(const SceneSeeds& seeds) {
   const CounterRandom random(seeds.things, kPurposeCampus);
   Scene scene;
   scene.mesh.add_heightfield({-kCampusHalf, -kCampusHalf}, {kCampusHalf, kCampusHalf}, 0.75, meadow,
-                             Material::kGrass);
+                             Material::grass);
   add_ramp(scene.mesh, m, kSouthRamp);
   add_ramp(scene.mesh, m, m.north_ramp);
   add_terrace(scene.mesh, m);

@@ -70,7 +70,7 @@ void add_wall(TriangleMesh& mesh, const Piece& piece, const Measures& m, double 
   const double end = piece.length - side * piece.turn_after * m.half_width;
   const auto panel = [&](double x0, double x1, double at, double z0, double z1) {
     mesh.add_quad(piece.at(x0, at, z0), piece.at(x1, at, z0), piece.at(x1, at, z1),
-                  piece.at(x0, at, z1), Material::kConcrete);
+                  piece.at(x0, at, z1), Material::concrete);
   };
   double x = begin;
   for (double door = 0.5 * m.door_every; door < end; door += m.door_every) {
@@ -82,11 +82,11 @@ void add_wall(TriangleMesh& mesh, const Piece& piece, const Measures& m, double 
     for (const double edge : {door, shut}) {
       mesh.add_quad(piece.at(edge, y, 0.0), piece.at(edge, back, 0.0),
                     piece.at(edge, back, kDoorHeight), piece.at(edge, y, kDoorHeight),
-                    Material::kConcrete);
+                    Material::concrete);
     }
     mesh.add_quad(piece.at(door, y, kDoorHeight), piece.at(shut, y, kDoorHeight),
                   piece.at(shut, back, kDoorHeight), piece.at(door, back, kDoorHeight),
-                  Material::kConcrete);
+                  Material::concrete);
     x = shut;
   }
   panel(x, end, y, 0.0, m.height);
@@ -98,11 +98,11 @@ void add_floor_and_ceiling(TriangleMesh& mesh, const Piece& piece, const Measure
   const double end = piece.turn_after == 0.0 ? piece.length : piece.length + w;
   for (const double z : {0.0, m.height}) {
     mesh.add_quad(piece.at(begin, -w, z), piece.at(end, -w, z), piece.at(end, w, z),
-                  piece.at(begin, w, z), Material::kConcrete);
+                  piece.at(begin, w, z), Material::concrete);
   }
   const auto close = [&](double x) {
     mesh.add_quad(piece.at(x, -w, 0), piece.at(x, w, 0), piece.at(x, w, m.height),
-                  piece.at(x, -w, m.height), Material::kBrick);
+                  piece.at(x, -w, m.height), Material::brick);
   };
   if (piece.turn_before == 0.0) close(0.0);
   if (piece.turn_after == 0.0) close(piece.length);
@@ -124,7 +124,7 @@ void add_radiators(TriangleMesh& mesh, const std::vector<Piece>& pieces, const M
     if (beside_bend) continue;
     const Eigen::Vector3d inner = piece.at(x, side * (m.half_width - 0.1), 0.15);
     const Eigen::Vector3d outer = piece.at(x + 0.9, side * m.half_width, 0.75);
-    mesh.add_box(inner.cwiseMin(outer), inner.cwiseMax(outer), Material::kPaintedMetal);
+    mesh.add_box(inner.cwiseMin(outer), inner.cwiseMax(outer), Material::painted_metal);
   }
 }
 

@@ -43,12 +43,12 @@ class Hill {
 };
 
 void add_conifer(TriangleMesh& mesh, const Eigen::Vector3d& foot, double height) {
-  mesh.add_column(foot - Eigen::Vector3d(0, 0, 0.4), 0.02 * height, 0.9 * height, Material::kBark,
-                  8, 0.006 * height);
+  mesh.add_column(foot - Eigen::Vector3d(0, 0, 0.4), 0.02 * height, 0.9 * height, Material::bark, 8,
+                  0.006 * height);
   for (int whorl = 0; whorl < 4; ++whorl) {
     const double z = height * (0.32 + 0.15 * whorl);
     mesh.add_column(foot + Eigen::Vector3d(0.0, 0.0, z), height * (0.17 - 0.03 * whorl),
-                    0.2 * height, Material::kFoliage, 9, 0.02 * height);
+                    0.2 * height, Material::foliage, 9, 0.02 * height);
   }
 }
 
@@ -61,7 +61,7 @@ Scene forest(const SceneSeeds& seeds) {
   const int trees = draw.whole(6, 420, 250, 650);
   Scene scene;
   TriangleMesh& mesh = scene.mesh;
-  mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.3, hill, Material::kGrass);
+  mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.3, hill, Material::grass);
   const double mean = draw.between(7, 13.0, 11.5, 17.0);
   const double lobe = draw.between(8, 4.5, 2.0, 4.5);
   const double turned = draw.between(9, 0.7, 0.0, 6.28);
@@ -94,7 +94,7 @@ Scene forest(const SceneSeeds& seeds) {
     const Eigen::Vector2d at = place(20'000'000 + 8 * i);
     const double radius = random.uniform(20'000'002 + 8 * i, 0.1, 0.6);
     if (way.distance(at) < radius + 0.6) continue;
-    mesh.add_ball({at.x(), at.y(), hill(at.x(), at.y())}, radius, Material::kRock, 9);
+    mesh.add_ball({at.x(), at.y(), hill(at.x(), at.y())}, radius, Material::rock, 9);
   }
   scene.corner_rounding = 0.6;
   scene.robot = "trot";

@@ -58,7 +58,7 @@ Scene forest_path(const SceneSeeds& seeds) {
   ground.add_waves(8.0, random.uniform(13, 0.1, 0.2));
   ground.add_waves(2.0, 0.025, 6);
   Scene scene;
-  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, ground, Material::kEarth);
+  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, ground, Material::earth);
   scene.route = winding_loop(ground, random.uniform(14, 30.0, 37.0), random);
 
   const auto off_path = [](double near, double far) {

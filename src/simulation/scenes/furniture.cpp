@@ -34,22 +34,22 @@ void add_wall(TriangleMesh& mesh, const Eigen::Vector2d& a, const Eigen::Vector2
     mesh.add_quad(at(from, depth, low), at(to, depth, low), at(to, depth, high),
                   at(from, depth, high), material);
   };
-  panel(0.0, length, 0.0, bottom, sill, Material::kBrick);
-  panel(0.0, length, 0.0, lintel, top, Material::kBrick);
+  panel(0.0, length, 0.0, bottom, sill, Material::brick);
+  panel(0.0, length, 0.0, lintel, top, Material::brick);
   for (int i = 0; i < bays; ++i) {
     const double left = bay * i;
     const double opening = left + 0.25 * bay;
     const double closing = left + 0.75 * bay;
-    panel(left, opening, 0.0, sill, lintel, Material::kBrick);
-    panel(closing, left + bay, 0.0, sill, lintel, Material::kBrick);
-    panel(opening, closing, kRecess, sill, lintel, Material::kGlass);
+    panel(left, opening, 0.0, sill, lintel, Material::brick);
+    panel(closing, left + bay, 0.0, sill, lintel, Material::brick);
+    panel(opening, closing, kRecess, sill, lintel, Material::glass);
     for (const double edge : {opening, closing}) {
       mesh.add_quad(at(edge, 0.0, sill), at(edge, kRecess, sill), at(edge, kRecess, lintel),
-                    at(edge, 0.0, lintel), Material::kBrick);
+                    at(edge, 0.0, lintel), Material::brick);
     }
     for (const double level : {sill, lintel}) {
       mesh.add_quad(at(opening, 0.0, level), at(closing, 0.0, level), at(closing, kRecess, level),
-                    at(opening, kRecess, level), Material::kConcrete);
+                    at(opening, kRecess, level), Material::concrete);
     }
   }
 }
@@ -60,7 +60,7 @@ void add_tree(TriangleMesh& mesh, const Eigen::Vector3d& foot, double height,
   constexpr int kLeaves = 260;
   const std::uint64_t first = counter * 2048;
   const double trunk = 0.35 * height;
-  mesh.add_column(foot - Eigen::Vector3d(0, 0, 0.3), 0.03 * height, trunk + 0.8, Material::kBark, 8,
+  mesh.add_column(foot - Eigen::Vector3d(0, 0, 0.3), 0.03 * height, trunk + 0.8, Material::bark, 8,
                   0.02 * height);
   const Eigen::Vector3d crown = foot + Eigen::Vector3d(0.0, 0.0, trunk + 0.33 * height);
   const double radius = 0.27 * height;
@@ -78,7 +78,7 @@ void add_tree(TriangleMesh& mesh, const Eigen::Vector3d& foot, double height,
                             random.uniform(draw + 6, -1, 1));
     const Eigen::Vector3d side = size * a.normalized();
     const Eigen::Vector3d other = size * a.cross(Eigen::Vector3d(0.3, 0.5, 0.8)).normalized();
-    mesh.add_quad(centre - side, centre - other, centre + side, centre + other, Material::kFoliage);
+    mesh.add_quad(centre - side, centre - other, centre + side, centre + other, Material::foliage);
   }
 }
 
@@ -96,40 +96,40 @@ void add_building(TriangleMesh& mesh, const Eigen::Vector2d& low, const Eigen::V
   }
   const double roof = ground + kStorey * storeys;
   mesh.add_box({low.x() - 0.4, low.y() - 0.4, roof}, {high.x() + 0.4, high.y() + 0.4, roof + 0.3},
-               Material::kConcrete);
+               Material::concrete);
 }
 
 void add_lamp(TriangleMesh& mesh, const Eigen::Vector3d& foot) {
-  mesh.add_column(foot - Eigen::Vector3d(0, 0, 0.1), 0.09, 5.1, Material::kPaintedMetal, 10, 0.06);
+  mesh.add_column(foot - Eigen::Vector3d(0, 0, 0.1), 0.09, 5.1, Material::painted_metal, 10, 0.06);
   mesh.add_box(foot + Eigen::Vector3d(-0.15, -0.15, 4.9), foot + Eigen::Vector3d(1.0, 0.15, 5.05),
-               Material::kPaintedMetal);
+               Material::painted_metal);
 }
 
 void add_bench(TriangleMesh& mesh, const Eigen::Vector3d& foot, double yaw) {
   TriangleMesh bench;
-  bench.add_box({-0.8, -0.22, 0.40}, {0.8, 0.22, 0.46}, Material::kBark);
-  bench.add_box({-0.8, 0.20, 0.46}, {0.8, 0.25, 0.85}, Material::kBark);
+  bench.add_box({-0.8, -0.22, 0.40}, {0.8, 0.22, 0.46}, Material::bark);
+  bench.add_box({-0.8, 0.20, 0.46}, {0.8, 0.25, 0.85}, Material::bark);
   for (const double x : {-0.65, 0.6}) {
-    bench.add_box({x, -0.2, -0.05}, {x + 0.06, 0.2, 0.40}, Material::kPaintedMetal);
+    bench.add_box({x, -0.2, -0.05}, {x + 0.06, 0.2, 0.40}, Material::painted_metal);
   }
   mesh.add_mesh(placed(bench, foot, yaw));
 }
 
 TriangleMesh make_car() {
   TriangleMesh car;
-  car.add_box({-2.15, -0.88, 0.28}, {2.15, 0.88, 0.85}, Material::kPaintedMetal);
+  car.add_box({-2.15, -0.88, 0.28}, {2.15, 0.88, 0.85}, Material::painted_metal);
   car.add_quad({-1.7, -0.8, 0.85}, {-1.2, -0.68, 1.45}, {-1.2, 0.68, 1.45}, {-1.7, 0.8, 0.85},
-               Material::kGlass);
+               Material::glass);
   car.add_quad({1.2, -0.8, 0.85}, {0.4, -0.68, 1.45}, {0.4, 0.68, 1.45}, {1.2, 0.8, 0.85},
-               Material::kGlass);
+               Material::glass);
   car.add_quad({-1.2, -0.68, 1.45}, {0.4, -0.68, 1.45}, {0.4, 0.68, 1.45}, {-1.2, 0.68, 1.45},
-               Material::kPaintedMetal);
+               Material::painted_metal);
   for (const double side : {-1.0, 1.0}) {
     car.add_quad({-1.7, side * 0.8, 0.85}, {1.2, side * 0.8, 0.85}, {0.4, side * 0.68, 1.45},
-                 {-1.2, side * 0.68, 1.45}, Material::kGlass);
+                 {-1.2, side * 0.68, 1.45}, Material::glass);
     for (const double x : {-1.35, 1.35}) {
       car.add_box({x - 0.3, side * 0.8 - 0.1, 0.0}, {x + 0.3, side * 0.8 + 0.1, 0.6},
-                  Material::kRubber);
+                  Material::rubber);
     }
   }
   return car;
@@ -138,13 +138,13 @@ TriangleMesh make_car() {
 TriangleMesh make_person() {
   TriangleMesh person;
   for (const double side : {-0.1, 0.1}) {
-    person.add_column({0.0, side, 0.0}, 0.07, 0.85, Material::kCloth, 8, 0.09);
+    person.add_column({0.0, side, 0.0}, 0.07, 0.85, Material::cloth, 8, 0.09);
   }
-  person.add_column({0.0, 0.0, 0.85}, 0.17, 0.6, Material::kCloth, 10, 0.2);
+  person.add_column({0.0, 0.0, 0.85}, 0.17, 0.6, Material::cloth, 10, 0.2);
   for (const double side : {-0.25, 0.25}) {
-    person.add_column({0.0, side, 0.8}, 0.05, 0.6, Material::kCloth, 6);
+    person.add_column({0.0, side, 0.8}, 0.05, 0.6, Material::cloth, 6);
   }
-  person.add_ball({0.0, 0.0, 1.62}, 0.12, Material::kCloth);
+  person.add_ball({0.0, 0.0, 1.62}, 0.12, Material::cloth);
   return person;
 }
 

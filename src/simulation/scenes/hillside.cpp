@@ -19,7 +19,7 @@ Scene hillside(const SceneSeeds& seeds) {
   ground.add_waves(2.6, random.uniform(14, 0.04, 0.07), 6);
   ground.add_waves(0.9, 0.018, 6);
   Scene scene;
-  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, ground, Material::kGrass);
+  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, ground, Material::grass);
   scene.route = winding_loop(ground, random.uniform(15, 30.0, 37.0), random);
 
   Vegetation plants(scene, ground, kHalf, seeds.things);

@@ -19,7 +19,7 @@ Scene hilltop(const SceneSeeds& seeds) {
   ground.add_waves(2.2, 0.06, 6);
   ground.add_waves(0.8, 0.025, 6);
   Scene scene;
-  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, ground, Material::kGrass);
+  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, ground, Material::grass);
   scene.route = winding_loop(ground, random.uniform(14, 30.0, 36.0), random);
 
   // No trunk, no stone of any size: tufts up to the way, behind them grass to the sensor's height

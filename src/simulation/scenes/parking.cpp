@@ -38,7 +38,7 @@ Measures measures(const LayoutDraws& draw) {
 
 void add_slab(TriangleMesh& mesh, const Measures& m, double z) {
   const auto plate = [&](double x0, double y0, double x1, double y1) {
-    mesh.add_box({x0, y0, z - kSlab}, {x1, y1, z}, Material::kConcrete);
+    mesh.add_box({x0, y0, z - kSlab}, {x1, y1, z}, Material::concrete);
   };
   plate(0.0, 0.0, kRampFrom, m.width);
   plate(m.ramp_to, 0.0, m.length, m.width);
@@ -49,14 +49,14 @@ void add_slab(TriangleMesh& mesh, const Measures& m, double z) {
 void add_ramp(TriangleMesh& mesh, const Measures& m, double bottom, double y0, double y1) {
   const double top = bottom + m.storey;
   mesh.add_quad({kRampFrom, y0, bottom}, {m.ramp_to, y0, top}, {m.ramp_to, y1, top},
-                {kRampFrom, y1, bottom}, Material::kConcrete);
+                {kRampFrom, y1, bottom}, Material::concrete);
   mesh.add_quad({kRampFrom, y0, bottom - kSlab}, {m.ramp_to, y0, top - kSlab},
-                {m.ramp_to, y1, top - kSlab}, {kRampFrom, y1, bottom - kSlab}, Material::kConcrete);
+                {m.ramp_to, y1, top - kSlab}, {kRampFrom, y1, bottom - kSlab}, Material::concrete);
 }
 
 void add_parapets(TriangleMesh& mesh, const Measures& m, double z, bool over_ramps) {
   const auto wall = [&](double x0, double y0, double x1, double y1) {
-    mesh.add_box({x0, y0, z}, {x1, y1, z + 1.0}, Material::kConcrete);
+    mesh.add_box({x0, y0, z}, {x1, y1, z + 1.0}, Material::concrete);
   };
   wall(0.0, 0.0, m.length, 0.15);
   wall(0.0, m.width - 0.15, m.length, m.width);
@@ -71,7 +71,7 @@ void add_columns(TriangleMesh& mesh, const Measures& m, double z) {
   for (double x = 8.0; x <= m.length - 8.0; x += 8.0) {
     for (const double y : {m.middle() - 7.5, m.middle() + 7.5}) {
       mesh.add_box({x - 0.25, y - 0.25, z}, {x + 0.25, y + 0.25, z + m.storey - kSlab},
-                   Material::kConcrete);
+                   Material::concrete);
     }
   }
 }
@@ -98,7 +98,7 @@ Scene parking(const SceneSeeds& seeds) {
   Scene scene;
   TriangleMesh& mesh = scene.mesh;
   mesh.add_quad({-60, -60, -0.001}, {100, -60, -0.001}, {100, 90, -0.001}, {-60, 90, -0.001},
-                Material::kAsphalt);
+                Material::asphalt);
   for (int storey = 0; storey < m.storeys; ++storey) {
     const double z = m.storey * storey;
     if (storey > 0) add_slab(mesh, m, z);
@@ -111,7 +111,7 @@ Scene parking(const SceneSeeds& seeds) {
     add_cars(mesh, m, z, random, 100 * static_cast<std::uint64_t>(storey));
   }
   mesh.add_box({0.15, 10.0, 0.0}, {3.0, 16.0, m.storeys * m.storey},
-               Material::kBrick);  // lift tower
+               Material::brick);  // lift tower
   add_building(mesh, {-40.0, -10.0}, {draw.between(8, -20.0, -28.0, -14.0), 40.0}, 4);
   add_building(mesh, {-10.0, m.width + 15.0}, {50.0, m.width + 30.0}, draw.whole(6, 3, 1, 6));
   add_building(mesh, {m.length + 20.0, -20.0}, {m.length + 35.0, 30.0}, draw.whole(7, 5, 1, 6));

@@ -19,10 +19,10 @@ double pitch_ground(double x, double y) {
 void add_goal(TriangleMesh& mesh, double x, double direction) {
   const double z = pitch_ground(x, 0.0) - 0.05;
   for (const double y : {-3.66, 3.66}) {
-    mesh.add_column({x, y, z}, 0.06, 2.5, Material::kPaintedMetal);
-    mesh.add_column({x + 1.5 * direction, y, z}, 0.03, 2.0, Material::kPaintedMetal);
+    mesh.add_column({x, y, z}, 0.06, 2.5, Material::painted_metal);
+    mesh.add_column({x + 1.5 * direction, y, z}, 0.03, 2.0, Material::painted_metal);
   }
-  mesh.add_box({x - 0.06, -3.72, z + 2.44}, {x + 0.06, 3.72, z + 2.56}, Material::kPaintedMetal);
+  mesh.add_box({x - 0.06, -3.72, z + 2.44}, {x + 0.06, 3.72, z + 2.56}, Material::painted_metal);
 }
 
 void add_fence(TriangleMesh& mesh, const Eigen::Vector2d& half) {
@@ -30,11 +30,11 @@ void add_fence(TriangleMesh& mesh, const Eigen::Vector2d& half) {
     const int posts = static_cast<int>((b - a).norm() / 3.0);
     for (int i = 0; i < posts; ++i) {
       const Eigen::Vector2d p = a + (b - a) * (static_cast<double>(i) / posts);
-      mesh.add_column({p.x(), p.y(), -1.5}, 0.05, 2.8, Material::kPaintedMetal, 8);
+      mesh.add_column({p.x(), p.y(), -1.5}, 0.05, 2.8, Material::painted_metal, 8);
     }
     for (const double z : {0.2, 0.6, 1.0}) {
       mesh.add_quad({a.x(), a.y(), z}, {b.x(), b.y(), z}, {b.x(), b.y(), z + 0.08},
-                    {a.x(), a.y(), z + 0.08}, Material::kPaintedMetal);
+                    {a.x(), a.y(), z + 0.08}, Material::painted_metal);
     }
   };
   const Eigen::Vector2d side(half.x(), -half.y());
@@ -55,7 +55,7 @@ Scene playground(const SceneSeeds& seeds) {
   const Eigen::Vector2d fence(half_length + draw.between(3, 7.0, 3.0, 9.0), half_width + 4.0);
   Scene scene;
   TriangleMesh& mesh = scene.mesh;
-  mesh.add_heightfield({-80, -60}, {80, 60}, 1.0, pitch_ground, Material::kGrass);
+  mesh.add_heightfield({-80, -60}, {80, 60}, 1.0, pitch_ground, Material::grass);
   add_goal(mesh, -half_length, -1.0);
   add_goal(mesh, half_length, 1.0);
   add_fence(mesh, fence);
@@ -68,8 +68,9 @@ Scene playground(const SceneSeeds& seeds) {
     add_tree(mesh, {x, 46.0, pitch_ground(x, 46.0)}, random.uniform(8000 * i + 2, 6, 10), random,
              i + 1);
   }
-  for (const double x : {-40.0, 0.0, 40.0})
+  for (const double x : {-40.0, 0.0, 40.0}) {
     add_lamp(mesh, {x, -half_width - 1.0, pitch_ground(x, -half_width - 1.0)});
+  }
   add_building(mesh, {draw.between(4, -20.0, -34.0, 0.0), -58.0},
                {draw.between(5, 24.0, 12.0, 34.0), -46.0}, draw.whole(6, 1, 1, 3),
                pitch_ground(0.0, -50.0));

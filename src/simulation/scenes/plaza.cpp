@@ -45,7 +45,7 @@ MovingObject driver(double lane, double speed, double start) {
 }
 
 void add_square(TriangleMesh& mesh, const LayoutDraws& draw) {
-  mesh.add_quad({-90, -60, 0}, {90, -60, 0}, {90, 60, 0}, {-90, 60, 0}, Material::kConcrete);
+  mesh.add_quad({-90, -60, 0}, {90, -60, 0}, {90, 60, 0}, {-90, 60, 0}, Material::concrete);
   add_building(mesh, {-34.0, draw.between(1, 22.0, 21.0, 30.0)}, {34.0, 34.0},
                draw.whole(2, 4, 2, 6));
   add_building(mesh, {-48.0, -14.0}, {draw.between(3, -36.0, -42.0, -34.0), 34.0},
@@ -56,16 +56,18 @@ void add_square(TriangleMesh& mesh, const LayoutDraws& draw) {
                draw.whole(8, 5, 2, 6));
   add_building(mesh, {draw.between(9, -10.0, -12.0, 8.0), -42.0}, {90.0, -27.0},
                draw.whole(10, 3, 2, 6));
-  mesh.add_column({0.0, 2.0, 0.0}, draw.between(11, 3.0, 1.8, 3.1), 0.55, Material::kRock,
+  mesh.add_column({0.0, 2.0, 0.0}, draw.between(11, 3.0, 1.8, 3.1), 0.55, Material::rock,
                   24);  // fountain
-  mesh.add_column({0.0, 2.0, 0.55}, 0.5, 2.2, Material::kRock, 12, 0.25);
+  mesh.add_column({0.0, 2.0, 0.55}, 0.5, 2.2, Material::rock, 12, 0.25);
   const double kiosk = draw.between(12, 4.0, -8.0, 10.0);
-  mesh.add_box({-33.0, kiosk, 0.0}, {-30.0, kiosk + 3.0, 2.6}, Material::kPaintedMetal);
-  mesh.add_box({22.0, -9.0, 0.0}, {25.0, -6.0, 2.6}, Material::kPaintedMetal);
-  for (double x = -30.0; x <= 30.0; x += draw.between(13, 10.0, 8.0, 14.0))
+  mesh.add_box({-33.0, kiosk, 0.0}, {-30.0, kiosk + 3.0, 2.6}, Material::painted_metal);
+  mesh.add_box({22.0, -9.0, 0.0}, {25.0, -6.0, 2.6}, Material::painted_metal);
+  for (double x = -30.0; x <= 30.0; x += draw.between(13, 10.0, 8.0, 14.0)) {
     add_lamp(mesh, {x, -15.5, 0.0});
-  for (double x = -24.0; x <= 24.0; x += draw.between(14, 12.0, 8.0, 16.0))
+  }
+  for (double x = -24.0; x <= 24.0; x += draw.between(14, 12.0, 8.0, 16.0)) {
     add_bench(mesh, {x, 18.5, 0.0}, 3.1416);
+  }
 }
 
 }  // namespace

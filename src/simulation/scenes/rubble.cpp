@@ -33,7 +33,7 @@ double debris(double x, double y) {
 void add_slab(TriangleMesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& size,
               const Eigen::Vector3d& angles) {
   TriangleMesh slab;
-  slab.add_box(-0.5 * size, 0.5 * size, Material::kConcrete);
+  slab.add_box(-0.5 * size, 0.5 * size, Material::concrete);
   const Eigen::Quaterniond turn = from_roll_pitch_yaw(angles);
   for (Eigen::Vector3f& vertex : slab.vertices) {
     vertex = (turn * vertex.cast<double>() + centre).cast<float>();
@@ -67,8 +67,8 @@ void add_ruin(TriangleMesh& mesh, double x, double y, const CounterRandom& rando
   for (std::uint64_t i = 0; i < 5; ++i) {
     const double along = static_cast<double>(i) * 1.6;
     const double height = random.uniform(counter + i, 1.0, 5.5);
-    mesh.add_box({x + along, y, -0.3}, {x + along + 1.6, y + 0.3, height}, Material::kBrick);
-    mesh.add_box({x, y + along, -0.3}, {x + 0.3, y + along + 1.6, 0.7 * height}, Material::kBrick);
+    mesh.add_box({x + along, y, -0.3}, {x + along + 1.6, y + 0.3, height}, Material::brick);
+    mesh.add_box({x, y + along, -0.3}, {x + 0.3, y + along + 1.6, 0.7 * height}, Material::brick);
   }
 }
 
@@ -80,7 +80,7 @@ Scene rubble(const SceneSeeds& seeds) {
                 draw.between(3, 0.0, 0.0, 6.28)};
   const CounterRandom random(seeds.things, kPurposeRubble);
   Scene scene;
-  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, debris, Material::kRock);
+  scene.mesh.add_heightfield({-kHalf, -kHalf}, {kHalf, kHalf}, 0.25, debris, Material::rock);
   add_slabs(scene.mesh, way, random);
   add_ruin(scene.mesh, 16.0 + draw.between(10, 0.0, 0.0, 6.0),
            8.0 + draw.between(11, 0.0, -1.0, 6.0), random, 900'000);

@@ -55,14 +55,14 @@ void add_flight(TriangleMesh& mesh, const Measures& m, double from, double direc
     const double low = bottom + m.rise() * step;
     const double high = low + m.rise();
     mesh.add_quad({near, y0, low}, {near, y1, low}, {near, y1, high}, {near, y0, high},
-                  Material::kConcrete);
+                  Material::concrete);
     mesh.add_quad({near, y0, high}, {near, y1, high}, {far, y1, high}, {far, y0, high},
-                  Material::kConcrete);
+                  Material::concrete);
   }
   const double end = from + direction * m.flight();
   const double top = bottom + m.rise() * m.steps;
   mesh.add_quad({from, y0, bottom - kSlab}, {from, y1, bottom - kSlab}, {end, y1, top - kSlab},
-                {end, y0, top - kSlab}, Material::kConcrete);
+                {end, y0, top - kSlab}, Material::concrete);
 }
 
 /// Balusters and hand rail along the eye of the stairs.
@@ -70,32 +70,30 @@ void add_rail(TriangleMesh& mesh, const Measures& m, double from, double directi
               double bottom) {
   for (int step = 0; step < m.steps; step += 2) {
     const double x = from + direction * m.tread * (step + 0.5);
-    mesh.add_column({x, y, bottom + m.rise() * (step + 1)}, 0.02, 0.9, Material::kPaintedMetal, 6);
+    mesh.add_column({x, y, bottom + m.rise() * (step + 1)}, 0.02, 0.9, Material::painted_metal, 6);
   }
   const double end = from + direction * m.flight();
   const double top = bottom + m.rise() * m.steps;
   mesh.add_quad({from, y, bottom + 1.0}, {end, y, top + 1.0}, {end, y, top + 1.06},
-                {from, y, bottom + 1.06}, Material::kPaintedMetal);
+                {from, y, bottom + 1.06}, Material::painted_metal);
 }
 
 void add_hall(TriangleMesh& mesh, const Measures& m, double z, const CounterRandom& random,
               std::uint64_t floor) {
   const double top = z + m.floor - kSlab;
-  mesh.add_box({m.hall_end, -m.hall_half, z - kSlab}, {kDoor, m.hall_half, z}, Material::kConcrete);
+  mesh.add_box({m.hall_end, -m.hall_half, z - kSlab}, {kDoor, m.hall_half, z}, Material::concrete);
   mesh.add_box({m.hall_end - 0.2, -m.hall_half, z}, {m.hall_end, m.hall_half, top},
-               Material::kBrick);
-  mesh.add_box({m.hall_end, -m.hall_half - 0.2, z}, {kDoor, -m.hall_half, top}, Material::kBrick);
-  mesh.add_box({m.hall_end, m.hall_half, z}, {kDoor, m.hall_half + 0.2, top}, Material::kBrick);
+               Material::brick);
+  mesh.add_box({m.hall_end, -m.hall_half - 0.2, z}, {kDoor, -m.hall_half, top}, Material::brick);
+  mesh.add_box({m.hall_end, m.hall_half, z}, {kDoor, m.hall_half + 0.2, top}, Material::brick);
   // The wall towards the stairs leaves the whole stairwell open as a door, with a lintel.
-  mesh.add_box({kDoor - 0.15, -m.hall_half, z}, {kDoor, -m.half_width + 0.2, top},
-               Material::kBrick);
-  mesh.add_box({kDoor - 0.15, m.half_width - 0.2, z}, {kDoor, m.hall_half, top}, Material::kBrick);
-  mesh.add_box({kDoor - 0.15, -m.half_width, z + 2.3}, {kDoor, m.half_width, top},
-               Material::kBrick);
+  mesh.add_box({kDoor - 0.15, -m.hall_half, z}, {kDoor, -m.half_width + 0.2, top}, Material::brick);
+  mesh.add_box({kDoor - 0.15, m.half_width - 0.2, z}, {kDoor, m.hall_half, top}, Material::brick);
+  mesh.add_box({kDoor - 0.15, -m.half_width, z + 2.3}, {kDoor, m.half_width, top}, Material::brick);
   const double shelf = random.uniform(floor, -8.8, -4.0);
-  mesh.add_box({shelf, m.hall_half - 0.4, z}, {shelf + 1.6, m.hall_half, z + 1.9}, Material::kBark);
+  mesh.add_box({shelf, m.hall_half - 0.4, z}, {shelf + 1.6, m.hall_half, z + 1.9}, Material::bark);
   add_bench(mesh, {random.uniform(floor + 16, -8.0, -4.0), -m.hall_half + 0.4, z}, 3.1416);
-  mesh.add_column({-5.6, 0.0, z}, 0.2, m.floor - kSlab, Material::kConcrete, 12);
+  mesh.add_column({-5.6, 0.0, z}, 0.2, m.floor - kSlab, Material::concrete, 12);
 }
 
 void add_stairs(TriangleMesh& mesh, const Measures& m, double z) {
@@ -103,7 +101,7 @@ void add_stairs(TriangleMesh& mesh, const Measures& m, double z) {
   add_flight(mesh, m, 0.0, 1.0, -m.half_width, -kEye, z);
   add_rail(mesh, m, 0.0, 1.0, -kEye, z);
   mesh.add_box({m.flight(), -m.half_width, middle - kSlab}, {m.landing_end(), m.half_width, middle},
-               Material::kConcrete);
+               Material::concrete);
   add_flight(mesh, m, m.flight(), -1.0, kEye, m.half_width, middle);
   add_rail(mesh, m, m.flight(), -1.0, kEye, middle);
 }
@@ -117,19 +115,19 @@ Scene building(const SceneSeeds& seeds, const Measures& m, bool alike) {
   for (int floor = 0; floor < m.floors; ++floor) {
     const double z = m.floor * floor;
     add_hall(mesh, m, z, random, alike ? 0 : static_cast<std::uint64_t>(floor));
-    mesh.add_box({kDoor, -m.half_width, z - kSlab}, {0.0, m.half_width, z}, Material::kConcrete);
+    mesh.add_box({kDoor, -m.half_width, z - kSlab}, {0.0, m.half_width, z}, Material::concrete);
     if (floor + 1 < m.floors) add_stairs(mesh, m, z);
   }
   mesh.add_box({0.0, -m.half_width, -kSlab}, {m.landing_end(), m.half_width, 0.0},
-               Material::kConcrete);
+               Material::concrete);
   mesh.add_box({kDoor, m.half_width, 0.0}, {m.landing_end(), m.half_width + 0.2, top},
-               Material::kBrick);
+               Material::brick);
   mesh.add_box({kDoor, -m.half_width - 0.2, 0.0}, {m.landing_end(), -m.half_width, top},
-               Material::kBrick);
+               Material::brick);
   mesh.add_box({m.landing_end(), -m.half_width, 0.0}, {m.landing_end() + 0.2, m.half_width, top},
-               Material::kBrick);
+               Material::brick);
   mesh.add_box({m.hall_end, -m.hall_half, top}, {m.landing_end(), m.hall_half, top + kSlab},
-               Material::kConcrete);
+               Material::concrete);
   scene.corner_rounding = 0.25;
   scene.robot = "stairs";
   scene.view_ceiling = top - kSlab - 0.3;
@@ -169,16 +167,18 @@ Scene stairwell(const SceneSeeds& seeds) {
                  {far, -aside, 0.0},
                  {-3.0, -aside, 0.0},
                  {-2.2, -m.lane(), 0.0}};
-  for (int floor = 0; floor + 1 < m.floors; ++floor)
+  for (int floor = 0; floor + 1 < m.floors; ++floor) {
     append_flights(scene.route, m, m.floor * floor, true);
+  }
   const double roof_floor = m.floor * (m.floors - 1);
   for (const auto& [x, y] :
        {std::pair{-2.2, 0.6}, {-3.0, aside}, {far, aside}, {far, -aside}, {-3.0, -aside}}) {
     scene.route.emplace_back(x, y, roof_floor);
   }
   scene.route.emplace_back(-1.6, 0.0, roof_floor);
-  for (int floor = m.floors - 2; floor >= 0; --floor)
+  for (int floor = m.floors - 2; floor >= 0; --floor) {
     append_flights(scene.route, m, m.floor * floor, false);
+  }
   scene.route.emplace_back(-1.6, 0.0, 0.0);
   return scene;
 }

@@ -34,7 +34,7 @@ void add_row(TriangleMesh& mesh, const Measures& m, double low_y) {
     const double x = m.every * house + 0.5 * (m.every - kHouse);
     add_building(mesh, {x, low_y}, {x + kHouse, low_y + kHouse}, m.storeys);
     mesh.add_box({x - 0.8, low_y + 1.0, 0.0}, {x - 0.4, low_y + kHouse - 1.0, 1.1},
-                 Material::kFoliage);
+                 Material::foliage);
   }
 }
 
@@ -62,7 +62,7 @@ Scene street(const SceneSeeds& seeds) {
   const double margin = 30.0;
   mesh.add_quad({-margin, -m.block() - margin, 0.0}, {m.row() + margin, -m.block() - margin, 0.0},
                 {m.row() + margin, m.block() + margin, 0.0}, {-margin, m.block() + margin, 0.0},
-                Material::kAsphalt);
+                Material::asphalt);
   // Streets along x in the middle of -block, 0 and block; houses along both sides of each.
   for (int line = -1; line <= 1; ++line) {
     const double middle = m.block() * line;

@@ -49,7 +49,7 @@ namespace {
 void add_leaf(TriangleMesh& mesh, const Eigen::Vector3d& at, const Eigen::Vector3d& along,
               const Eigen::Vector3d& across, double size) {
   mesh.add_triangle(at - 0.5 * size * along, at + 0.5 * size * along,
-                    at + 0.8 * size * across.cross(along).normalized(), Material::kFoliage);
+                    at + 0.8 * size * across.cross(along).normalized(), Material::foliage);
 }
 
 /// A stick from a to b: three sides.
@@ -62,7 +62,7 @@ void add_stick(TriangleMesh& mesh, const Eigen::Vector3d& a, const Eigen::Vector
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d from = radius * (Eigen::AngleAxisd(kTwoPi * i / 3.0, axis) * side);
     const Eigen::Vector3d to = radius * (Eigen::AngleAxisd(kTwoPi * (i + 1) / 3.0, axis) * side);
-    mesh.add_quad(a + from, a + to, b + to, b + from, Material::kBark);
+    mesh.add_quad(a + from, a + to, b + to, b + from, Material::bark);
   }
 }
 
@@ -77,8 +77,8 @@ void add_stone(TriangleMesh& mesh, const Eigen::Vector3d& at, const Eigen::Vecto
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const Eigen::Vector3d& a = rim.at(i);
     const Eigen::Vector3d& b = rim.at((i + 1) % rim.size());
-    mesh.add_triangle(a, b, at + z + 0.3 * x, Material::kRock);
-    mesh.add_triangle(a, b, at - z, Material::kRock);
+    mesh.add_triangle(a, b, at + z + 0.3 * x, Material::rock);
+    mesh.add_triangle(a, b, at - z, Material::rock);
   }
 }
 
@@ -138,7 +138,7 @@ void Vegetation::add_grass(const Density& density, double tallest) {
     const Eigen::Vector3d lean = draw(5, 0.1, 0.8) * height * sideways(draw(6, 0.0, kTwoPi));
     const Eigen::Vector3d root = foot - Eigen::Vector3d(0.0, 0.0, 0.04);
     mesh.add_triangle(root - across, root + across, foot + lean + Eigen::Vector3d(0.0, 0.0, height),
-                      Material::kBlade);
+                      Material::blade);
   });
 }
 
@@ -208,9 +208,9 @@ void Vegetation::add_trees(const Density& density, double tallest) {
     if (distance < thick + 1.2) return;
     const double bare = height * draw(5, 0.12, 0.35);
     scene_->mesh.add_column(foot - Eigen::Vector3d(0.0, 0.0, 0.4), thick, bare + 0.6,
-                            Material::kBark, 9, 0.8 * thick);
+                            Material::bark, 9, 0.8 * thick);
     TriangleMesh crown;
-    crown.add_column({0.0, 0.0, 0.0}, 0.8 * thick, height - bare, Material::kBark, 6, 0.01);
+    crown.add_column({0.0, 0.0, 0.0}, 0.8 * thick, height - bare, Material::bark, 6, 0.01);
     constexpr std::uint64_t kBoughs = 14;
     constexpr std::uint64_t kLeavesOnBough = 18;
     for (std::uint64_t bough = 0; bough < kBoughs; ++bough) {
@@ -314,7 +314,7 @@ void Vegetation::add_root(const Eigen::Vector2d& from, const Eigen::Vector2d& to
   for (int piece = 0; piece < kPieces; ++piece) {
     for (const double side : {-1.0, 1.0}) {
       scene_->mesh.add_quad(ridge(piece, side), ridge(piece + 1, side), ridge(piece + 1, 0.0),
-                            ridge(piece, 0.0), Material::kBark);
+                            ridge(piece, 0.0), Material::bark);
     }
   }
 }

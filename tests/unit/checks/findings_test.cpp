@@ -21,7 +21,7 @@ std::vector<ScanFacts> sound(std::size_t count) {
     scan.name = "scan " + std::to_string(i);
     scan.stamp_ns = kPeriod * static_cast<std::int64_t>(i);
     scan.points = scan.returns = 10'000;
-    scan.times = io::PointTimes::kThere;
+    scan.times = io::PointTimes::there;
     scan.last_s = 0.099;
     scan.nearest = 1.0;
     scan.middle = 5.0;
@@ -98,7 +98,7 @@ TEST(Findings, SweepsThatOverlapTellOfAWrongUnit) {
 
 TEST(Findings, PointsWithoutTimesRingsOrReturns) {
   std::vector<ScanFacts> scans = sound(20);
-  for (ScanFacts& scan : scans) scan.times = io::PointTimes::kNone;
+  for (ScanFacts& scan : scans) scan.times = io::PointTimes::none;
   EXPECT_TRUE(found(all_of(scans), "no point times").suffers);
   scans = sound(20);
   scans[5].returns = 3;

@@ -25,7 +25,7 @@ TEST(TimeTrials, RightTimesArePreferred) {
   const TimeTrials trials = try_times(trot(22), kPeriod, true, 1);
   ASSERT_EQ(trials.trials.size(), 3U);
   EXPECT_TRUE(trials.decided);
-  EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::kAsRead);
+  EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::as_read);
   EXPECT_GT(trials.trials[1].middle_blur, 1.1 * trials.trials[0].middle_blur);
   EXPECT_GT(trials.trials[2].middle_blur, 1.1 * trials.trials[0].middle_blur);
 }
@@ -35,7 +35,7 @@ TEST(TimeTrials, TimesThatCountBackAreFoundOut) {
   for (Scan& scan : scans) io::count_backward(scan);
   const TimeTrials trials = try_times(scans, kPeriod, true, 1);
   EXPECT_TRUE(trials.decided);
-  EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::kBackward);
+  EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::backward);
   EXPECT_LT(trials.trials[trials.preferred].chance, 0.001);
 }
 

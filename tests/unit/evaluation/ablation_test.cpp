@@ -22,10 +22,10 @@ using Errors = std::vector<std::vector<double>>;  // by method, by recording
 MethodResult result_of(double error) {
   MethodResult result;
   if (error == kLost) {
-    result.verdict = {Outcome::kStopped, "stopped at 41 %"};
+    result.verdict = {Outcome::stopped, "stopped at 41 %"};
     error = 1e-6;  // of the part that it covers: must not be looked at
   } else {
-    result.verdict = {Outcome::kWhole, ""};
+    result.verdict = {Outcome::whole, ""};
   }
   Evaluation evaluation;
   evaluation.absolute = {{"ape_translation", "m", {.count = 1, .rmse = error}}};

@@ -33,17 +33,17 @@ TEST(Alignment, EachMethodUndoesTheMotionThatItKnows) {
   const Trajectory estimate = winding_walk(60);
   const auto left_over = [&](AlignmentMethod method, const Pose& motion, double scale) {
     const Trajectory reference = moved(estimate, motion, scale);
-    const Alignment found = find_alignment({reference, estimate}, method);
+    const TrajectoryAlignment found = find_alignment({reference, estimate}, method);
     return largest_distance(aligned(estimate, found), reference);
   };
-  EXPECT_LT(left_over(AlignmentMethod::kNone, {}, 1.0), 1e-12);
-  EXPECT_LT(left_over(AlignmentMethod::kOrigin, kTilted, 1.0), 1e-9);
-  EXPECT_LT(left_over(AlignmentMethod::kYawTranslation, kTurned, 1.0), 1e-9);
-  EXPECT_LT(left_over(AlignmentMethod::kRigid, kTilted, 1.0), 1e-9);
-  EXPECT_LT(left_over(AlignmentMethod::kPoses, kTilted, 1.0), 1e-9);
-  EXPECT_LT(left_over(AlignmentMethod::kSimilarity, kTilted, kScale), 1e-9);
-  EXPECT_LT(left_over(AlignmentMethod::kScale, {}, kScale), 1e-9);
-  EXPECT_GT(left_over(AlignmentMethod::kYawTranslation, kTilted, 1.0), 0.1)
+  EXPECT_LT(left_over(AlignmentMethod::none, {}, 1.0), 1e-12);
+  EXPECT_LT(left_over(AlignmentMethod::origin, kTilted, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::yaw_translation, kTurned, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::rigid, kTilted, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::poses, kTilted, 1.0), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::similarity, kTilted, kScale), 1e-9);
+  EXPECT_LT(left_over(AlignmentMethod::scale, {}, kScale), 1e-9);
+  EXPECT_GT(left_over(AlignmentMethod::yaw_translation, kTilted, 1.0), 0.1)
       << "roll and pitch are the estimate's own";
 }
 
@@ -63,11 +63,11 @@ TEST(Alignment, LeastSquaresCannotBeImprovedByASmallMotion) {
     return sum;
   };
   for (const AlignmentMethod method :
-       {AlignmentMethod::kYawTranslation, AlignmentMethod::kRigid, AlignmentMethod::kSimilarity}) {
+       {AlignmentMethod::yaw_translation, AlignmentMethod::rigid, AlignmentMethod::similarity}) {
     const Trajectory best = aligned(estimate, find_alignment({reference, estimate}, method));
     for (int axis = 0; axis < 6; ++axis) {
       const bool roll_or_pitch = axis == 3 || axis == 4;
-      if (method == AlignmentMethod::kYawTranslation && roll_or_pitch) continue;
+      if (method == AlignmentMethod::yaw_translation && roll_or_pitch) continue;
       for (const double step : {-1e-3, 1e-3}) {
         Twist twist = Twist::Zero();
         twist[axis] = step;
@@ -91,41 +91,41 @@ TEST(Alignment, OrientationsDecideTheTurnAboutAStraightWay) {
     const Trajectory result = aligned(estimate, find_alignment({reference, estimate}, method));
     return result[100].pose.rotation.angularDistance(reference[100].pose.rotation) * 57.2958;
   };
-  EXPECT_GT(left_over_deg(AlignmentMethod::kRigid), 1.0);
-  EXPECT_LT(left_over_deg(AlignmentMethod::kPoses), 0.01);
+  EXPECT_GT(left_over_deg(AlignmentMethod::rigid), 1.0);
+  EXPECT_LT(left_over_deg(AlignmentMethod::poses), 0.01);
 }
 
 TEST(Alignment, FirstPosesAloneDecideIfAskedTo) {
   const Trajectory estimate = winding_walk(60);
   Trajectory reference = moved(estimate, kTilted);
   for (std::size_t i = 30; i < 60; ++i) reference[i].pose.translation.x() += 5.0;
-  const Alignment found = find_alignment({reference, estimate}, AlignmentMethod::kRigid, 30);
+  const TrajectoryAlignment found =
+      find_alignment({reference, estimate}, AlignmentMethod::rigid, 30);
   const Trajectory result = aligned(estimate, found);
   EXPECT_LT((result[10].pose.translation - reference[10].pose.translation).norm(), 1e-9);
   EXPECT_NEAR((result[40].pose.translation - reference[40].pose.translation).norm(), 5.0, 1e-9);
-  EXPECT_NO_THROW((void)find_alignment({reference, estimate}, AlignmentMethod::kRigid, 1'000'000));
+  EXPECT_NO_THROW((void)find_alignment({reference, estimate}, AlignmentMethod::rigid, 1'000'000));
 }
 
 TEST(Alignment, NeverMirrors) {
   const Trajectory estimate = winding_walk(60);
   Trajectory mirrored = estimate;
   for (StampedPose& pose : mirrored) pose.pose.translation.x() *= -1.0;
-  const Alignment found = find_alignment({mirrored, estimate}, AlignmentMethod::kRigid);
+  const TrajectoryAlignment found = find_alignment({mirrored, estimate}, AlignmentMethod::rigid);
   EXPECT_NEAR(found.pose.rotation.toRotationMatrix().determinant(), 1.0, 1e-12);
 }
 
 TEST(Alignment, WhatThePositionsDoNotDetermineIsAnError) {
   const Trajectory line = straight_walk(10, 0.5);
   const Trajectory point(10, stamped(0.0, {1.0, 2.0, 3.0}));
-  EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::kRigid), std::runtime_error);
-  EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::kSimilarity),
+  EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::rigid), std::runtime_error);
+  EXPECT_THROW((void)find_alignment({line, line}, AlignmentMethod::similarity), std::runtime_error);
+  EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::yaw_translation));
+  EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::poses));
+  EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::poses));
+  EXPECT_THROW((void)find_alignment({point, point}, AlignmentMethod::yaw_translation),
                std::runtime_error);
-  EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::kYawTranslation));
-  EXPECT_NO_THROW((void)find_alignment({line, line}, AlignmentMethod::kPoses));
-  EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::kPoses));
-  EXPECT_THROW((void)find_alignment({point, point}, AlignmentMethod::kYawTranslation),
-               std::runtime_error);
-  EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::kOrigin));
+  EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::origin));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(Association, StampsThatNoClockGivesAreRefused) {
   // Nor does an offset bring a stamp there.
   const Trajectory edge = {{kLast / 2, Pose()}};
   EXPECT_NE(message_of(edge, edge, {.offset = 4e9}).find("no pose"), std::string::npos);
-  EXPECT_NE(message_of(edge, edge, {.method = AssociationMethod::kInterpolate, .offset = 4e9})
+  EXPECT_NE(message_of(edge, edge, {.method = AssociationMethod::interpolate, .offset = 4e9})
                 .find("no pose"),
             std::string::npos);
 }
@@ -77,7 +77,7 @@ TEST(Association, InterpolatesTheReferenceBetweenItsNeighbours) {
   Trajectory reference = at_times({0.0, 1.0, 2.0});
   reference[1].pose.rotation = from_roll_pitch_yaw({0.0, 0.0, 0.4});
   const auto pairs = associate(reference, at_times({-0.5, 0.25, 1.0, 1.75, 2.5}),
-                               {.method = AssociationMethod::kInterpolate, .max_gap = 1.0});
+                               {.method = AssociationMethod::interpolate, .max_gap = 1.0});
   ASSERT_EQ(pairs.reference.size(), 3U) << "never beyond the reference's ends";
   EXPECT_NEAR(pairs.reference[0].pose.translation.x(), 0.25, 1e-12);
   EXPECT_NEAR(roll_pitch_yaw(pairs.reference[0].pose.rotation).z(), 0.1, 1e-12);
@@ -87,20 +87,20 @@ TEST(Association, InterpolatesTheReferenceBetweenItsNeighbours) {
 
 TEST(Association, DoesNotInterpolateOverAHoleInTheReference) {
   const auto pairs = associate(at_times({0.0, 0.2, 3.0, 3.2}), at_times({0.1, 1.5, 3.1}),
-                               {.method = AssociationMethod::kInterpolate});
+                               {.method = AssociationMethod::interpolate});
   ASSERT_EQ(pairs.estimate.size(), 2U);
   EXPECT_EQ(pairs.estimate[1].stamp_ns, 3'100'000'000);
 }
 
 TEST(Association, RepeatedStampsInterpolateWithoutDividingByZero) {
   const auto pairs = associate(at_times({0.0, 1.0, 1.0, 2.0}), at_times({1.0, 1.5}),
-                               {.method = AssociationMethod::kInterpolate, .max_gap = 1.0});
+                               {.method = AssociationMethod::interpolate, .max_gap = 1.0});
   ASSERT_EQ(pairs.reference.size(), 2U);
   EXPECT_TRUE(pairs.reference[0].pose.translation.allFinite());
 }
 
 TEST(Association, ByIndexNeedsOneToOne) {
-  const AssociationOptions options{.method = AssociationMethod::kIndex};
+  const AssociationOptions options{.method = AssociationMethod::index};
   EXPECT_EQ(associate(at_times({0.0, 1.0}), at_times({7.0, 6.0}), options).estimate.size(), 2U);
   EXPECT_NE(message_of(at_times({0.0}), at_times({0.0, 1.0}), options).find("1 poses"),
             std::string::npos);

@@ -22,7 +22,7 @@ MethodResult method_result(double off, int poses, double milliseconds) {
   }
   MethodResult result;
   result.evaluation = evaluate("e", reference, estimate, {});
-  result.from_start = evaluate("e", reference, estimate, {.alignment = AlignmentMethod::kOrigin});
+  result.from_start = evaluate("e", reference, estimate, {.alignment = AlignmentMethod::origin});
   result.verdict = judge(reference, estimate, *result.evaluation, {});
   for (const double factor : {1.0, 3.0, 2.0}) {
     result.runs.push_back({.folder = "runs/walk/m/1",
@@ -38,7 +38,7 @@ MethodResult method_result(double off, int poses, double milliseconds) {
 
 MethodResult failed_result() {
   MethodResult result;
-  result.verdict = {Outcome::kFailed, "failed"};
+  result.verdict = {Outcome::failed, "failed"};
   result.runs.push_back({.signal = 9, .error = "ended by signal 9"});
   return result;
 }
@@ -46,7 +46,7 @@ MethodResult failed_result() {
 /// Third, best, second, stopped (with the smallest error of all), failed.
 Comparison five_methods() {
   Comparison comparison{.version = "1", .build = "b", .repeats = 3};
-  comparison.options.stretches = {.delta = 2.0, .unit = DeltaUnit::kMetres, .all_pairs = true};
+  comparison.options.stretches = {.delta = 2.0, .unit = DeltaUnit::metres, .all_pairs = true};
   for (const char* label : {"third", "best", "second", "stopped", "dead"}) {
     comparison.methods.push_back({label, "paper", {{"deskew.segments", "4"}}});
   }
@@ -72,7 +72,7 @@ TEST(ComparisonTables, WhatStoppedIsShownAsSuchAndRankedNowhere) {
   for (const Table& table : tables) {
     for (const TableRow& row : table.rows) {
       for (const std::size_t method : {3U, 4U}) {
-        EXPECT_EQ(row.cells[method].place, Place::kNone) << table.title << ", " << row.heads[1];
+        EXPECT_EQ(row.cells[method].place, Place::none) << table.title << ", " << row.heads[1];
       }
     }
   }
@@ -82,9 +82,9 @@ TEST(ComparisonTables, WhatStoppedIsShownAsSuchAndRankedNowhere) {
     for (const TableRow& row : errors->rows) EXPECT_FALSE(row.cells[3].value.has_value());
   }
   for (const char* figure : {"Maximum (m)", "Mean (m)", "RMSE (m)", "std (m)"}) {
-    EXPECT_EQ(cell(tables[0], figure, 0).place, Place::kNone) << figure;
-    EXPECT_EQ(cell(tables[0], figure, 1).place, Place::kFirst) << figure;
-    EXPECT_EQ(cell(tables[0], figure, 2).place, Place::kSecond) << figure;
+    EXPECT_EQ(cell(tables[0], figure, 0).place, Place::none) << figure;
+    EXPECT_EQ(cell(tables[0], figure, 1).place, Place::first) << figure;
+    EXPECT_EQ(cell(tables[0], figure, 2).place, Place::second) << figure;
   }
 }
 
@@ -104,7 +104,7 @@ TEST(ComparisonTables, FiguresAreTheEvaluations) {
 TEST(ComparisonTables, TimesAreMediansWithTheirSpread) {
   const std::vector<Table> tables = comparison_tables(five_methods());
   EXPECT_EQ(cell(tables[2], "Time a scan, median (ms)", 0).text, "10.00");
-  EXPECT_EQ(cell(tables[2], "Time a scan, median (ms)", 0).place, Place::kFirst);
+  EXPECT_EQ(cell(tables[2], "Time a scan, median (ms)", 0).place, Place::first);
   EXPECT_EQ(cell(tables[2], "Time a scan, median (ms)", 3).text, "2.00");
   EXPECT_EQ(cell(tables[2], "Median over the repeats (ms)", 0).text, "5.00..15.00");
   EXPECT_EQ(cell(tables[2], "p99 over the repeats (ms)", 0).text, "10.00..30.00");

@@ -19,10 +19,10 @@ TEST(PoseError, SizesEqualTheirMatrixDefinitions) {
     const Eigen::Vector3d axis = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
     const Pose error{so3_exp(angle * axis), {0.3, -0.4, 1.2}};
     const Eigen::Matrix4d off = error.matrix() - Eigen::Matrix4d::Identity();
-    EXPECT_NEAR(size_of(error, Relation::kTranslation), 1.3, 1e-12);
-    EXPECT_NEAR(size_of(error, Relation::kRotationAngle), angle / kDegree, 1e-9);
-    EXPECT_NEAR(size_of(error, Relation::kRotationPart), (off.topLeftCorner<3, 3>().norm()), 1e-12);
-    EXPECT_NEAR(size_of(error, Relation::kFull), off.norm(), 1e-12);
+    EXPECT_NEAR(size_of(error, Relation::translation), 1.3, 1e-12);
+    EXPECT_NEAR(size_of(error, Relation::rotation_angle), angle / kDegree, 1e-9);
+    EXPECT_NEAR(size_of(error, Relation::rotation_part), (off.topLeftCorner<3, 3>().norm()), 1e-12);
+    EXPECT_NEAR(size_of(error, Relation::full), off.norm(), 1e-12);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(AbsoluteErrors, OneForEachPairWhateverTheFrameOfTheBodies) {
   const Trajectory reference = test::winding_walk(20);
   Trajectory estimate = reference;
   for (StampedPose& stamped : estimate) stamped.pose.translation.z() += 0.25;
-  const std::vector<double> errors = absolute_errors({reference, estimate}, Relation::kTranslation);
+  const std::vector<double> errors = absolute_errors({reference, estimate}, Relation::translation);
   ASSERT_EQ(errors.size(), 20U);
   for (const double error : errors) EXPECT_NEAR(error, 0.25, 1e-12);
   for (const SplitError& split : absolute_split_errors({reference, estimate})) {

@@ -35,10 +35,10 @@ EvoFigures parse(const std::string& line) {
   std::istringstream fields(line);
   std::vector<std::string> f;
   for (std::string field; std::getline(fields, field, ',');) f.push_back(field);
-  const std::map<std::string, DeltaUnit> units = {{"", DeltaUnit::kFrames},
-                                                  {"frames", DeltaUnit::kFrames},
-                                                  {"metres", DeltaUnit::kMetres},
-                                                  {"degrees", DeltaUnit::kDegrees}};
+  const std::map<std::string, DeltaUnit> units = {{"", DeltaUnit::frames},
+                                                  {"frames", DeltaUnit::frames},
+                                                  {"metres", DeltaUnit::metres},
+                                                  {"degrees", DeltaUnit::degrees}};
   const auto number = [&](std::size_t i) { return std::stod(f.at(i)); };
   return {f.at(0),
           f.at(1),
@@ -65,7 +65,7 @@ AssociatedTrajectories read_pairs(const std::string& data) {
   if (data.rfind("kitti_", 0) == 0) {
     return associate(read_kitti(evo_data("KITTI_00_gt.txt")),
                      read_kitti(evo_data("KITTI_00_" + data.substr(6) + ".txt")),
-                     {.method = AssociationMethod::kIndex});
+                     {.method = AssociationMethod::index});
   }
   if (data == "v102") {
     return associate(test::read_euroc(evo_data("V102_groundtruth.csv")),
@@ -91,22 +91,22 @@ AssociatedTrajectories read_pairs(const std::string& data) {
 }
 
 AlignmentMethod alignment_of(const std::string& name) {
-  return std::map<std::string, AlignmentMethod>{{"none", AlignmentMethod::kNone},
-                                                {"origin", AlignmentMethod::kOrigin},
-                                                {"rigid", AlignmentMethod::kRigid},
-                                                {"similarity", AlignmentMethod::kSimilarity},
-                                                {"scale", AlignmentMethod::kScale}}
+  return std::map<std::string, AlignmentMethod>{{"none", AlignmentMethod::none},
+                                                {"origin", AlignmentMethod::origin},
+                                                {"rigid", AlignmentMethod::rigid},
+                                                {"similarity", AlignmentMethod::similarity},
+                                                {"scale", AlignmentMethod::scale}}
       .at(name);
 }
 
 std::vector<double> errors_of(const EvoFigures& figures, AssociatedTrajectories pairs) {
-  const Alignment alignment =
+  const TrajectoryAlignment alignment =
       find_alignment(pairs, alignment_of(figures.alignment), figures.alignment_poses);
   pairs.estimate = aligned(pairs.estimate, alignment);
-  const std::map<std::string, Relation> relations = {{"translation", Relation::kTranslation},
-                                                     {"rotation_angle", Relation::kRotationAngle},
-                                                     {"rotation_part", Relation::kRotationPart},
-                                                     {"full", Relation::kFull}};
+  const std::map<std::string, Relation> relations = {{"translation", Relation::translation},
+                                                     {"rotation_angle", Relation::rotation_angle},
+                                                     {"rotation_part", Relation::rotation_part},
+                                                     {"full", Relation::full}};
   if (figures.metric == "ape") return absolute_errors(pairs, relations.at(figures.relation));
   const std::vector<IndexPair> stretches =
       find_pairs(figures.from_reference ? pairs.reference : pairs.estimate, figures.stretches);
@@ -156,15 +156,15 @@ TEST(EvoPublished, StoredStatistics) {
     GTEST_SKIP() << "evo's test data are not at hand";
   }
   const auto rmse_aligned = [](AssociatedTrajectories pairs) {
-    pairs.estimate = aligned(pairs.estimate, find_alignment(pairs, AlignmentMethod::kRigid));
-    return statistics_of(absolute_errors(pairs, Relation::kTranslation)).rmse;
+    pairs.estimate = aligned(pairs.estimate, find_alignment(pairs, AlignmentMethod::rigid));
+    return statistics_of(absolute_errors(pairs, Relation::translation)).rmse;
   };
   const AssociatedTrajectories orb = read_pairs("kitti_ORB");
   EXPECT_NEAR(rmse_aligned(orb), 1.3034497145650266, 1e-6);
   EXPECT_NEAR(rmse_aligned(read_pairs("kitti_SPTAM")), 3.738487907582613, 1e-6);
   const std::vector<IndexPair> stretches =
-      find_pairs(orb.estimate, {.delta = 10.0, .unit = DeltaUnit::kMetres});
-  EXPECT_NEAR(statistics_of(relative_errors(orb, stretches, Relation::kTranslation)).rmse,
+      find_pairs(orb.estimate, {.delta = 10.0, .unit = DeltaUnit::metres});
+  EXPECT_NEAR(statistics_of(relative_errors(orb, stretches, Relation::translation)).rmse,
               0.22626134329310163, 1e-6);
 }
 

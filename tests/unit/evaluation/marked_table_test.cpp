@@ -13,8 +13,9 @@ Cell value(double number, bool competes = true) {
 
 Table table_of(std::vector<Cell> cells) {
   Table table{.title = "T", .head_names = {"Sequence", "Figure"}};
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  for (std::size_t i = 0; i < cells.size(); ++i) {
     table.columns.push_back(std::string(1, 'm').append(std::to_string(i)));
+  }
   table.rows.push_back({{"hall", "error"}, std::move(cells)});
   return table;
 }
@@ -22,7 +23,7 @@ Table table_of(std::vector<Cell> cells) {
 std::string places(const Table& table) {
   std::string text;
   for (const Cell& cell : table.rows[0].cells) {
-    text += cell.place == Place::kNone ? '-' : cell.place == Place::kFirst ? '1' : '2';
+    text += cell.place == Place::none ? '-' : cell.place == Place::first ? '1' : '2';
   }
   return text;
 }
@@ -48,8 +49,8 @@ TEST(Rank, ByColumn) {
   table.rows.push_back({{"hall", "other"}, {value(2), value(2)}});
   rank_columns(table);
   EXPECT_EQ(places(table), "21");
-  EXPECT_EQ(table.rows[1].cells[0].place, Place::kFirst);
-  EXPECT_EQ(table.rows[1].cells[1].place, Place::kSecond);
+  EXPECT_EQ(table.rows[1].cells[0].place, Place::first);
+  EXPECT_EQ(table.rows[1].cells[1].place, Place::second);
 }
 
 TEST(MarkedTable, MarkdownIsPaddedAndMarked) {

@@ -36,17 +36,17 @@ TEST(Stretches, OverFrames) {
 
 TEST(Stretches, OverMetresStartWhereThePathFirstReachesDelta) {
   const Trajectory walk = straight_walk(10, 0.4);
-  EXPECT_EQ(plain(find_pairs(walk, {.delta = 1.0, .unit = DeltaUnit::kMetres})),
+  EXPECT_EQ(plain(find_pairs(walk, {.delta = 1.0, .unit = DeltaUnit::metres})),
             (Pairs{{3, 6}, {6, 9}}));
 }
 
 TEST(Stretches, OverMetresAllPairsEndNearestToDelta) {
   const Trajectory walk = straight_walk(6, 0.45);
   const PairOptions options{
-      .delta = 1.0, .unit = DeltaUnit::kMetres, .all_pairs = true, .tolerance = 0.11};
+      .delta = 1.0, .unit = DeltaUnit::metres, .all_pairs = true, .tolerance = 0.11};
   EXPECT_EQ(plain(find_pairs(walk, options)), (Pairs{{0, 2}, {1, 3}, {2, 4}, {3, 5}}));
   const PairOptions strict{
-      .delta = 1.0, .unit = DeltaUnit::kMetres, .all_pairs = true, .tolerance = 0.05};
+      .delta = 1.0, .unit = DeltaUnit::metres, .all_pairs = true, .tolerance = 0.05};
   EXPECT_TRUE(find_pairs(walk, strict).empty());
 }
 
@@ -55,18 +55,19 @@ TEST(Stretches, AllPairsWhileStandingEndAtTheFirstPoseThere) {
   for (const double x : {0.0, 1.0, 1.0, 1.0, 1.0, 2.0}) {
     walk.push_back(stamped(static_cast<double>(walk.size()), {x, 0.0, 0.0}));
   }
-  const PairOptions options{.delta = 1.02, .unit = DeltaUnit::kMetres, .all_pairs = true};
+  const PairOptions options{.delta = 1.02, .unit = DeltaUnit::metres, .all_pairs = true};
   EXPECT_EQ(plain(find_pairs(walk, options)), (Pairs{{0, 1}, {1, 5}, {2, 5}, {3, 5}, {4, 5}}));
 }
 
 TEST(Stretches, OverSeconds) {
   Trajectory walk;
-  for (const double t : {0.0, 0.4, 0.8, 1.2, 1.6, 2.0, 2.4})
+  for (const double t : {0.0, 0.4, 0.8, 1.2, 1.6, 2.0, 2.4}) {
     walk.push_back(stamped(t, {0.0, 0.0, 0.0}));
-  EXPECT_EQ(plain(find_pairs(walk, {.delta = 1.0, .unit = DeltaUnit::kSeconds})),
+  }
+  EXPECT_EQ(plain(find_pairs(walk, {.delta = 1.0, .unit = DeltaUnit::seconds})),
             (Pairs{{0, 3}, {3, 6}}));
   const PairOptions all{
-      .delta = 0.8, .unit = DeltaUnit::kSeconds, .all_pairs = true, .tolerance = 0.01};
+      .delta = 0.8, .unit = DeltaUnit::seconds, .all_pairs = true, .tolerance = 0.01};
   EXPECT_EQ(find_pairs(walk, all).size(), 5U);
 }
 
@@ -75,9 +76,9 @@ TEST(Stretches, OverDegrees) {
   for (int i = 0; i < 7; ++i) {
     turn.push_back(stamped(i, {0.0, 0.0, 0.0}, {0.0, 0.0, 4.0 * i * std::numbers::pi / 180.0}));
   }
-  EXPECT_EQ(plain(find_pairs(turn, {.delta = 10.0, .unit = DeltaUnit::kDegrees})),
+  EXPECT_EQ(plain(find_pairs(turn, {.delta = 10.0, .unit = DeltaUnit::degrees})),
             (Pairs{{0, 3}, {3, 6}}));
-  const PairOptions all{.delta = 8.1, .unit = DeltaUnit::kDegrees, .all_pairs = true};
+  const PairOptions all{.delta = 8.1, .unit = DeltaUnit::degrees, .all_pairs = true};
   EXPECT_EQ(plain(find_pairs(turn, all)), (Pairs{{0, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}}));
 }
 
@@ -88,13 +89,13 @@ TEST(Stretches, ImpossibleLengthsAreErrors) {
   for (const double delta : {0.0, -1.0, 1.5, nan, inf}) {
     EXPECT_THROW((void)find_pairs(walk, {.delta = delta}), std::invalid_argument) << delta;
   }
-  EXPECT_THROW((void)find_pairs(walk, {.delta = 181.0, .unit = DeltaUnit::kDegrees}),
+  EXPECT_THROW((void)find_pairs(walk, {.delta = 181.0, .unit = DeltaUnit::degrees}),
                std::invalid_argument);
 }
 
 TEST(Stretches, OfTrajectoriesWithFewPoses) {
   for (const DeltaUnit unit :
-       {DeltaUnit::kFrames, DeltaUnit::kMetres, DeltaUnit::kSeconds, DeltaUnit::kDegrees}) {
+       {DeltaUnit::frames, DeltaUnit::metres, DeltaUnit::seconds, DeltaUnit::degrees}) {
     for (const bool all : {false, true}) {
       EXPECT_TRUE(find_pairs({}, {.unit = unit, .all_pairs = all}).empty());
       EXPECT_TRUE(find_pairs(straight_walk(1, 1.0), {.unit = unit, .all_pairs = all}).empty());
@@ -107,7 +108,7 @@ TEST(RelativeErrors, DoNotDependOnTheWorldFrames) {
   const Pose motion{from_roll_pitch_yaw({0.5, -0.4, 2.0}), {100.0, 5.0, -3.0}};
   const std::vector<IndexPair> stretches = find_pairs(reference, {.delta = 5.0});
   for (const double error :
-       relative_errors({reference, test::moved(reference, motion)}, stretches, Relation::kFull)) {
+       relative_errors({reference, test::moved(reference, motion)}, stretches, Relation::full)) {
     EXPECT_NEAR(error, 0.0, 1e-9);
   }
 }
@@ -116,7 +117,7 @@ TEST(RelativeErrors, OfAStrideThatIsFivePercentTooLong) {
   const AssociatedTrajectories pairs{straight_walk(11, 1.0), straight_walk(11, 1.05)};
   const std::vector<IndexPair> stretches = find_pairs(pairs.reference, {.delta = 2.0});
   ASSERT_EQ(stretches.size(), 5U);
-  for (const double error : relative_errors(pairs, stretches, Relation::kTranslation)) {
+  for (const double error : relative_errors(pairs, stretches, Relation::translation)) {
     EXPECT_NEAR(error, 0.1, 1e-12);
   }
   for (const double error : relative_distance_errors(pairs, stretches)) {

@@ -13,9 +13,9 @@
 namespace surefoot::evaluation {
 namespace {
 
-MethodResult result_of(double ape, Outcome outcome = Outcome::kWhole) {
+MethodResult result_of(double ape, Outcome outcome = Outcome::whole) {
   MethodResult result;
-  result.verdict = {outcome, outcome == Outcome::kWhole ? "" : "diverged"};
+  result.verdict = {outcome, outcome == Outcome::whole ? "" : "diverged"};
   Evaluation evaluation;
   evaluation.absolute = {{"ape_translation", "m", {.count = 1, .rmse = ape}}};
   evaluation.relative = {{"rpe_translation", "m", {.count = 1, .rmse = 0.5 * ape}}};
@@ -26,18 +26,18 @@ MethodResult result_of(double ape, Outcome outcome = Outcome::kWhole) {
 /// Two scenes of three and of two seeds, one recording that is one of a kind.
 Comparison three_methods() {
   Comparison comparison;
-  comparison.options.stretches = {.delta = 10.0, .unit = DeltaUnit::kMetres};
+  comparison.options.stretches = {.delta = 10.0, .unit = DeltaUnit::metres};
   for (const char* label : {"good", "near", "far"}) comparison.methods.push_back({label, "paper"});
   const auto add = [&](const char* scene, double good, double near, const MethodResult& far) {
     comparison.recordings.push_back({.name = std::string("r") + scene, .scene = scene});
     comparison.recordings.back().results = {result_of(good), result_of(near), far};
   };
   add("campus-trot", 0.12, 0.20, result_of(0.9));
-  add("forest-trot", 0.10, 0.10, result_of(0.1, Outcome::kDiverged));
-  add("campus-trot", 0.10, 0.14, result_of(0.1, Outcome::kDiverged));
+  add("forest-trot", 0.10, 0.10, result_of(0.1, Outcome::diverged));
+  add("campus-trot", 0.10, 0.14, result_of(0.1, Outcome::diverged));
   add("", 1.0, 1.0, result_of(1.0));
   add("campus-trot", 0.15, 0.30, result_of(0.5));
-  add("forest-trot", 0.30, 0.30, result_of(0.1, Outcome::kDiverged));
+  add("forest-trot", 0.30, 0.30, result_of(0.1, Outcome::diverged));
   return comparison;
 }
 
@@ -74,11 +74,11 @@ TEST(Seeds, TheTableMarksWhatIsWithinTheSpread) {
   EXPECT_EQ(table->rows[1].heads[1], "Relative over 10 m, RMSE (%)");
   const std::vector<Cell>& cells = table->rows[0].cells;
   EXPECT_EQ(cells[0].text, "0.120 (0.100 to 0.150)");
-  EXPECT_EQ(cells[0].place, Place::kFirst);
+  EXPECT_EQ(cells[0].place, Place::first);
   EXPECT_EQ(cells[1].text, "\u2248 0.200 (0.140 to 0.300)");
   EXPECT_EQ(cells[2].text, "0.900 (0.500 to lost)");
   EXPECT_EQ(table->rows[2].cells[2].text, "lost 2 of 2");
-  EXPECT_EQ(table->rows[2].cells[2].place, Place::kNone);
+  EXPECT_EQ(table->rows[2].cells[2].place, Place::none);
 }
 
 TEST(Seeds, StandFirstAmongTheTablesAndInTheJson) {

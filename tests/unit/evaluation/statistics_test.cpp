@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include "evaluation/statistics.hpp"
+#include "surefoot/quantile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,12 +37,14 @@ TEST(Statistics, OfNothingIsAnError) {
   EXPECT_THROW((void)statistics_of({}), std::invalid_argument);
 }
 
-TEST(Quantile, IsTheLowerNeighbour) {
-  EXPECT_EQ(quantile({}, 0.5), 0.0);
-  EXPECT_EQ(quantile({3.0}, 0.99), 3.0);
-  EXPECT_EQ(quantile({5.0, 1.0, 4.0, 2.0, 3.0}, 0.5), 3.0);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+TEST(Quantile, IsTheNearestOfTwoAlikeTheLower) {
+  EXPECT_EQ(quantile(std::vector<double>{}, 0.5), 0.0);
+  EXPECT_EQ(quantile(std::vector{3.0}, 0.99), 3.0);
+  EXPECT_EQ(quantile(std::vector{5.0, 1.0, 4.0, 2.0, 3.0}, 0.5), 3.0);
+  EXPECT_EQ(quantile(std::vector{4.0, 1.0, 3.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile(std::vector{4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+  EXPECT_EQ(quantile(std::vector{1, 2, 3}, 0.98), 3);
+  EXPECT_EQ(quantile(std::vector{1, 2, 3}, 0.02), 1);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Evaluation too_high(const std::string& name, double off, int poses = 100) {
   const Trajectory reference = test::winding_walk(100);
   Trajectory estimate = test::winding_walk(poses);
   for (StampedPose& stamped : estimate) stamped.pose.translation.z() += off;
-  return evaluate(name, reference, estimate, {.alignment = AlignmentMethod::kNone});
+  return evaluate(name, reference, estimate, {.alignment = AlignmentMethod::none});
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -48,7 +48,7 @@ TEST(Evaluate, FillsEveryFigure) {
 TEST(Evaluate, ARunTooShortForAStretchHasNoRelativeErrors) {
   const Trajectory walk = test::winding_walk(5);
   const Evaluation evaluation = evaluate(
-      "short", walk, walk, {.alignment = AlignmentMethod::kNone, .stretches = {.delta = 50.0}});
+      "short", walk, walk, {.alignment = AlignmentMethod::none, .stretches = {.delta = 50.0}});
   EXPECT_TRUE(evaluation.relative.empty());
   EXPECT_FALSE(contains(to_csv({evaluation}), "rpe"));
 }
@@ -104,7 +104,7 @@ TEST(Tables, LatexHasEveryKindOfError) {
 TEST(Tables, LatexLeavesOutWhatARunIsTooShortFor) {
   const Trajectory walk = test::winding_walk(5);
   const std::string latex = to_latex({evaluate(
-      "short", walk, walk, {.alignment = AlignmentMethod::kNone, .stretches = {.delta = 50.0}})});
+      "short", walk, walk, {.alignment = AlignmentMethod::none, .stretches = {.delta = 50.0}})});
   EXPECT_FALSE(contains(latex, "Relative pose error")) << latex;
   EXPECT_TRUE(contains(latex, "Drift at the end")) << latex;
 }

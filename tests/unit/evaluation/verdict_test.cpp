@@ -9,23 +9,23 @@
 namespace surefoot::evaluation {
 namespace {
 
-Verdict verdict_of(const Trajectory& reference, const Trajectory& estimate,
-                   const EvaluationOptions& options = {}) {
+RunVerdict verdict_of(const Trajectory& reference, const Trajectory& estimate,
+                      const EvaluationOptions& options = {}) {
   return judge(reference, estimate, evaluate("e", reference, estimate, options), options);
 }
 
 TEST(Verdict, AWholeRunIsWhole) {
   const Trajectory walk = test::winding_walk(400);
-  const Verdict verdict = verdict_of(walk, walk);
-  EXPECT_EQ(verdict.outcome, Outcome::kWhole);
+  const RunVerdict verdict = verdict_of(walk, walk);
+  EXPECT_EQ(verdict.outcome, Outcome::whole);
   EXPECT_EQ(verdict.text, "");
 }
 
 TEST(Verdict, ARunThatEndsEarlyHasStoppedHoweverSmallItsError) {
   const Trajectory walk = test::winding_walk(401);
   const Trajectory part(walk.begin(), walk.begin() + 165);
-  const Verdict verdict = verdict_of(walk, part);
-  EXPECT_EQ(verdict.outcome, Outcome::kStopped);
+  const RunVerdict verdict = verdict_of(walk, part);
+  EXPECT_EQ(verdict.outcome, Outcome::stopped);
   EXPECT_EQ(verdict.text, "stopped at 41 %");
 }
 
@@ -35,15 +35,15 @@ TEST(Verdict, TheEstimatesClockIsShifted) {
   for (StampedPose& pose : late) pose.stamp_ns -= 20'000'000'000;
   EvaluationOptions options;
   options.association.offset = 20.0;
-  EXPECT_EQ(verdict_of(walk, late, options).outcome, Outcome::kWhole);
+  EXPECT_EQ(verdict_of(walk, late, options).outcome, Outcome::whole);
 }
 
 TEST(Verdict, HolesAreToldAsCoverage) {
   const Trajectory walk = test::winding_walk(401);
   Trajectory holed(walk.begin(), walk.begin() + 101);
   holed.insert(holed.end(), walk.begin() + 201, walk.end());
-  const Verdict verdict = verdict_of(walk, holed);
-  EXPECT_EQ(verdict.outcome, Outcome::kPartial);
+  const RunVerdict verdict = verdict_of(walk, holed);
+  EXPECT_EQ(verdict.outcome, Outcome::partial);
   EXPECT_EQ(verdict.text, "covers only 74 %");
 }
 
@@ -53,12 +53,12 @@ TEST(Verdict, NoCloserThanStandingStillIsDiverged) {
   for (std::size_t i = 0; i < away.size(); ++i) {
     away[i].pose.translation += 1e-3 * static_cast<double>(i * i) * Eigen::Vector3d::UnitY();
   }
-  EXPECT_EQ(verdict_of(walk, away).outcome, Outcome::kDiverged);
+  EXPECT_EQ(verdict_of(walk, away).outcome, Outcome::diverged);
   EXPECT_EQ(verdict_of(walk, away).text, "diverged");
   // Nearly standing: as far off as standing, though it never went far.
   Trajectory nearly = walk;
   for (StampedPose& pose : nearly) pose.pose.translation *= 0.01;
-  EXPECT_EQ(verdict_of(walk, nearly).outcome, Outcome::kDiverged);
+  EXPECT_EQ(verdict_of(walk, nearly).outcome, Outcome::diverged);
 }
 
 TEST(Verdict, AFewCentimetresAreNoDivergenceOfARobotThatStands) {
@@ -67,7 +67,7 @@ TEST(Verdict, AFewCentimetresAreNoDivergenceOfARobotThatStands) {
     standing[i].pose.translation *= 1e-3;
     wobbling[i].pose.translation *= 3e-3;
   }
-  EXPECT_EQ(verdict_of(standing, wobbling).outcome, Outcome::kWhole);
+  EXPECT_EQ(verdict_of(standing, wobbling).outcome, Outcome::whole);
 }
 
 // The best that a single place can do is the mean of the reference's positions.

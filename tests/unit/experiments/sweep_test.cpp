@@ -50,7 +50,7 @@ evaluation::MethodResult result_with(double ape, double step, double millisecond
   figures.absolute = {named("ape_translation", ape)};
   figures.relative = {named("rpe_translation", step)};
   evaluation::MethodResult result;
-  result.verdict = {evaluation::Outcome::kWhole, ""};
+  result.verdict = {evaluation::Outcome::whole, ""};
   result.evaluation = figures;
   result.runs = {{.median_ms = milliseconds, .statuses = {{"ok", 5}, {"rejected", 2}}}};
   return result;
@@ -58,14 +58,14 @@ evaluation::MethodResult result_with(double ape, double step, double millisecond
 
 TEST(SweepTest, RatiosAreGeometricMeansOverWhatNeitherLost) {
   evaluation::MethodResult lost = result_with(1.0, 1.0, 3.0);
-  lost.verdict = {evaluation::Outcome::kStopped, "stopped at 41 %"};
+  lost.verdict = {evaluation::Outcome::stopped, "stopped at 41 %"};
   evaluation::Comparison comparison;
   comparison.methods = {{.label = "paper"}, {.label = "paper+a.b=1"}};
   comparison.recordings = {
       {.name = "one", .results = {result_with(0.1, 0.2, 1.0), result_with(0.2, 0.2, 5.0)}},
       {.name = "two", .results = {result_with(0.1, 0.2, 1.0), result_with(0.8, 0.1, 5.0)}},
       {.name = "three", .results = {result_with(0.1, 0.2, 1.0), lost}}};
-  const Sweep sweep = sweep_of(comparison, {"unchanged", "a.b = 1"});
+  const SweepResult sweep = sweep_of(comparison, {"unchanged", "a.b = 1"});
   ASSERT_EQ(sweep.rows.size(), 2U);
   EXPECT_DOUBLE_EQ(*sweep.rows[0].ape_ratio, 1.0);
   EXPECT_DOUBLE_EQ(*sweep.rows[1].ape_ratio, 4.0);  // of 2 and 8

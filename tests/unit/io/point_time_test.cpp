@@ -34,36 +34,36 @@ TEST_P(PointTime, IsFoundOutFromTheValues) {
 
 using enum ScalarType;
 using enum TimeUnit;
-constexpr TimeReference kRelative = TimeReference::kRelative;
-constexpr TimeReference kAbsolute = TimeReference::kAbsolute;
+constexpr TimeReference kRelative = TimeReference::relative;
+constexpr TimeReference kAbsolute = TimeReference::absolute;
 INSTANTIATE_TEST_SUITE_P(
     Drivers, PointTime,
     testing::Values(
-        Case{"Velodyne", -0.0996, 0.0, kF32, kEpochNs, kSeconds, kRelative},
-        Case{"Velodyne, first packet", 0.0, 0.0996, kF32, kEpochNs, kSeconds, kRelative},
-        Case{"Velodyne, last returns missing", -0.1, -0.03, kF32, kEpochNs, kSeconds, kRelative},
-        Case{"Ouster", 0, 99'900'000, kU32, kEpochNs, kNanoseconds, kRelative},
-        Case{"Ouster, 20 Hz", 0, 49'900'000, kU32, std::nullopt, kNanoseconds, kRelative},
-        Case{"Hesai", 1.6305777585e9, 1.6305777586e9, kF64, kEpochNs, kSeconds, kAbsolute},
-        Case{"Hesai, stamp at the end", 1.6305777584e9, 1.6305777585e9, kF64, kEpochNs, kSeconds,
+        Case{"Velodyne", -0.0996, 0.0, f32, kEpochNs, seconds, kRelative},
+        Case{"Velodyne, first packet", 0.0, 0.0996, f32, kEpochNs, seconds, kRelative},
+        Case{"Velodyne, last returns missing", -0.1, -0.03, f32, kEpochNs, seconds, kRelative},
+        Case{"Ouster", 0, 99'900'000, u32, kEpochNs, nanoseconds, kRelative},
+        Case{"Ouster, 20 Hz", 0, 49'900'000, u32, std::nullopt, nanoseconds, kRelative},
+        Case{"Hesai", 1.6305777585e9, 1.6305777586e9, f64, kEpochNs, seconds, kAbsolute},
+        Case{"Hesai, stamp at the end", 1.6305777584e9, 1.6305777585e9, f64, kEpochNs, seconds,
              kAbsolute},
-        Case{"RoboSense, no stamp", 1.6305777585e9, 1.6305777586e9, kF64, std::nullopt, kSeconds,
+        Case{"RoboSense, no stamp", 1.6305777585e9, 1.6305777586e9, f64, std::nullopt, seconds,
              kAbsolute},
-        Case{"Livox PointCloud2", 1.6305777585e18, 1.6305777586e18, kF64, kEpochNs, kNanoseconds,
+        Case{"Livox PointCloud2", 1.6305777585e18, 1.6305777586e18, f64, kEpochNs, nanoseconds,
              kAbsolute},
-        Case{"Livox CustomMsg", 0, 99'950'000, kU32, kEpochNs, kNanoseconds, kRelative},
-        Case{"since power-on", 35.2, 35.3, kF64, 35'200'000'000, kSeconds, kAbsolute},
-        Case{"since power-on, no stamp", 35.2, 35.3, kF64, std::nullopt, kSeconds, kAbsolute},
-        Case{"milliseconds", 0, 99.9, kF32, kEpochNs, kMilliseconds, kRelative},
-        Case{"microseconds", 0, 99'900, kU32, kEpochNs, kMicroseconds, kRelative},
-        Case{"microseconds, 100 Hz", 0, 9'950, kU32, kEpochNs, kMicroseconds, kRelative},
-        Case{"epoch microseconds", 1.6305777585e15, 1.6305777586e15, kU64, kEpochNs, kMicroseconds,
+        Case{"Livox CustomMsg", 0, 99'950'000, u32, kEpochNs, nanoseconds, kRelative},
+        Case{"since power-on", 35.2, 35.3, f64, 35'200'000'000, seconds, kAbsolute},
+        Case{"since power-on, no stamp", 35.2, 35.3, f64, std::nullopt, seconds, kAbsolute},
+        Case{"milliseconds", 0, 99.9, f32, kEpochNs, milliseconds, kRelative},
+        Case{"microseconds", 0, 99'900, u32, kEpochNs, microseconds, kRelative},
+        Case{"microseconds, 100 Hz", 0, 9'950, u32, kEpochNs, microseconds, kRelative},
+        Case{"epoch microseconds", 1.6305777585e15, 1.6305777586e15, u64, kEpochNs, microseconds,
              kAbsolute},
-        Case{"epoch milliseconds", 1.630577758569e12, 1.630577758669e12, kF64, kEpochNs,
-             kMilliseconds, kAbsolute},
-        Case{"short scan", 2303, 1'306'368, kU32, kEpochNs, kNanoseconds, kRelative},
-        Case{"half a short scan", 0.0, 0.004, kF32, kEpochNs, kSeconds, kRelative},
-        Case{"mid-scan stamp", -0.05, 0.05, kF32, kEpochNs, kSeconds, kRelative}),
+        Case{"epoch milliseconds", 1.630577758569e12, 1.630577758669e12, f64, kEpochNs,
+             milliseconds, kAbsolute},
+        Case{"short scan", 2303, 1'306'368, u32, kEpochNs, nanoseconds, kRelative},
+        Case{"half a short scan", 0.0, 0.004, f32, kEpochNs, seconds, kRelative},
+        Case{"mid-scan stamp", -0.05, 0.05, f32, kEpochNs, seconds, kRelative}),
     [](const auto& of) {
       std::string name;
       for (const char c : std::string(of.param.driver)) {
@@ -73,19 +73,19 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(PointTimeRules, EqualTimesAreLegalButProveNothing) {
-  const PointTimeRule zero = decide_point_time({0, 0, 5}, kF32, kEpochNs, {});
+  const PointTimeRule zero = decide_point_time({0, 0, 5}, f32, kEpochNs, {});
   EXPECT_EQ(zero.reference, kRelative);
   EXPECT_FALSE(zero.certain);
-  const PointTimeRule epoch = decide_point_time({1.6305777585e9, 1.6305777585e9, 5}, kF64, {}, {});
-  EXPECT_EQ(epoch.unit, kSeconds);
+  const PointTimeRule epoch = decide_point_time({1.6305777585e9, 1.6305777585e9, 5}, f64, {}, {});
+  EXPECT_EQ(epoch.unit, seconds);
   EXPECT_EQ(epoch.reference, kAbsolute);
 }
 
 // A recording whose stamps begin at zero: the first scan fits both, a later one decides.
 TEST(PointTimeRules, StampNearZeroIsUncertain) {
-  EXPECT_FALSE(decide_point_time({0.0, 0.1, 5}, kF32, 0, {}).certain);
-  EXPECT_FALSE(decide_point_time({0.0, 0.1, 5}, kF32, 1'000'000'000, {}).certain);
-  const PointTimeRule later = decide_point_time({9.0, 9.1, 5}, kF32, 9'000'000'000, {});
+  EXPECT_FALSE(decide_point_time({0.0, 0.1, 5}, f32, 0, {}).certain);
+  EXPECT_FALSE(decide_point_time({0.0, 0.1, 5}, f32, 1'000'000'000, {}).certain);
+  const PointTimeRule later = decide_point_time({9.0, 9.1, 5}, f32, 9'000'000'000, {});
   EXPECT_EQ(later.reference, kAbsolute);
   EXPECT_TRUE(later.certain);
 }
@@ -96,9 +96,9 @@ TEST(PointTimeRules, NoRuleIsAnErrorThatNamesTheValues) {
     ScalarType type;
     std::optional<std::int64_t> stamp;
   };
-  for (const Odd& odd : {Odd{0, 7, kU32, kEpochNs}, Odd{0, 5000, kF32, kEpochNs},
-                         Odd{0, 1e12, kF64, kEpochNs}, Odd{50.0, 50.1, kF64, kEpochNs},
-                         Odd{-50.0, -49.9, kF64, {}}, Odd{12345, 12345, kU32, kEpochNs}}) {
+  for (const Odd& odd : {Odd{0, 7, u32, kEpochNs}, Odd{0, 5000, f32, kEpochNs},
+                         Odd{0, 1e12, f64, kEpochNs}, Odd{50.0, 50.1, f64, kEpochNs},
+                         Odd{-50.0, -49.9, f64, {}}, Odd{12345, 12345, u32, kEpochNs}}) {
     const std::string message = test::message_of<ReadError>([&] {
       (void)decide_point_time({odd.least, odd.greatest, 5}, odd.type, odd.stamp, {});
     });
@@ -109,10 +109,10 @@ TEST(PointTimeRules, NoRuleIsAnErrorThatNamesTheValues) {
 
 TEST(PointTimeRules, OptionsOverride) {
   OpenOptions options;
-  options.time_unit = kMicroseconds;
+  options.time_unit = microseconds;
   options.time_reference = kAbsolute;
-  const PointTimeRule rule = decide_point_time({0, 7, 5}, kU32, kEpochNs, options);
-  EXPECT_EQ(rule.unit, kMicroseconds);
+  const PointTimeRule rule = decide_point_time({0, 7, 5}, u32, kEpochNs, options);
+  EXPECT_EQ(rule.unit, microseconds);
   EXPECT_EQ(rule.reference, kAbsolute);
 }
 

@@ -85,8 +85,8 @@ TEST(PointTimeWatch, SaysThatTimesRunBackward) {
 }
 
 TEST(PointTimeWatch, KnowsTheSpinOfASpinningLidarOnly) {
-  EXPECT_EQ(spin_of(spinning(30.0, -1.0)), Spin::kClockwise);
-  EXPECT_EQ(spin_of(spinning(30.0, 1.0)), Spin::kCounterclockwise);
+  EXPECT_EQ(spin_of(spinning(30.0, -1.0)), Spin::clockwise);
+  EXPECT_EQ(spin_of(spinning(30.0, 1.0)), Spin::counterclockwise);
   Scan everywhere = spinning(0.0, -1.0);  // looks all about at any instant
   for (std::size_t i = 0; i < everywhere.times_ns.size(); ++i) {
     everywhere.times_ns[i] = static_cast<std::int32_t>((i * 7919) % everywhere.times_ns.size());
@@ -99,12 +99,12 @@ TEST(PointTimeWatch, DerivedTimesAreThoseOfTheSweep) {
   for (const double sign : {-1.0, 1.0}) {
     for (const double cut_deg : {0.0, 180.0, 275.0}) {
       const Scan truth = spinning(cut_deg, sign);
-      for (const StampAt stamp_at : {StampAt::kStart, StampAt::kEnd}) {
+      for (const StampAt stamp_at : {StampAt::start, StampAt::end}) {
         Scan scan = truth;
         scan.times_ns.clear();
-        const Spin spin = sign < 0.0 ? Spin::kClockwise : Spin::kCounterclockwise;
+        const Spin spin = sign < 0.0 ? Spin::clockwise : Spin::counterclockwise;
         derive_times(scan, {spin, cut_deg, kPeriod, stamp_at});
-        const std::int64_t shift = stamp_at == StampAt::kEnd ? kPeriod : 0;
+        const std::int64_t shift = stamp_at == StampAt::end ? kPeriod : 0;
         // The first column lies on the cut itself, where rounding decides.
         for (std::size_t i = 16; i < scan.times_ns.size(); ++i) {
           ASSERT_NEAR(static_cast<double>(scan.times_ns[i] + shift), truth.times_ns[i], 100.0);
@@ -118,7 +118,7 @@ TEST(PointTimeWatch, TheRecordingsStampsTellThePeriodAndNothingIsLost) {
   Scan scan = spinning(0.0, -1.0);
   scan.times_ns.clear();
   OpenOptions options;
-  options.derive_times = DeriveTimes::kAzimuth;
+  options.derive_times = DeriveTimes::azimuth;
   const auto recording =
       watch_point_times(std::make_unique<Scans>(std::vector<Scan>(15, scan)), options);
   int scans = 0;
@@ -139,7 +139,7 @@ TEST(PointTimeWatch, AgreesWithWhatWasDerivedElsewhere) {
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
   const auto given = open_recording(folder);
   OpenOptions options;
-  options.derive_times = DeriveTimes::kAzimuth;
+  options.derive_times = DeriveTimes::azimuth;
   options.cut_azimuth_deg = 180.0;  // clockwise from the rear
   const auto derived = open_recording(folder, options);
   const auto a = given->next(), b = derived->next();

@@ -137,11 +137,11 @@ TEST(Datasets, EachHasAllThatAUserMustKnow) {
 TEST(Datasets, SayWhatTheOptionsLeaveOpenAndNoMore) {
   OpenOptions options;
   options.dataset = "leg-kilo";
-  EXPECT_EQ(with_dataset(options).stamp_at, StampAt::kEnd);
+  EXPECT_EQ(with_dataset(options).stamp_at, StampAt::end);
   EXPECT_EQ(with_dataset(options).likely_topics.front(), "/points_raw");
-  options.stamp_at = StampAt::kStart;
+  options.stamp_at = StampAt::start;
   options.topic = "/other";
-  EXPECT_EQ(with_dataset(options).stamp_at, StampAt::kStart);
+  EXPECT_EQ(with_dataset(options).stamp_at, StampAt::start);
   EXPECT_TRUE(with_dataset(options).likely_topics.empty());
 }
 

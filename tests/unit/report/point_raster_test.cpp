@@ -13,7 +13,7 @@
 namespace surefoot::report {
 namespace {
 
-View view_from_above() {
+ParallelView view_from_above() {
   return {.center = {10.0, 20.0}, .pixels_per_metre = 10.0, .width = 100, .height = 60};
 }
 
@@ -57,7 +57,7 @@ TEST(PointRaster, TheNearestPointIsSeenInTheColourOfItsHeight) {
   points.insert(points.end(), below.begin(), below.end());
   const Raster from_above = draw_points(points, view_from_above(), {0.0, 2.0});
   EXPECT_EQ(pixel(from_above, 50, 30), opaque(viridis(0.75)));
-  View from_below = view_from_above();
+  ParallelView from_below = view_from_above();
   from_below.axes.row(2) *= -1.0;
   EXPECT_EQ(pixel(draw_points(points, from_below, {0.0, 2.0}), 50, 30), opaque(viridis(0.25)));
 }

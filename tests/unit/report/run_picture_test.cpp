@@ -178,8 +178,9 @@ TEST_F(RunPicture, UntrustedPosesAreShadedAtTheirTime) {
 
 TEST_F(RunPicture, ReferenceIsABandUnderThePath) {
   Trajectory reference = walk(100);
-  for (StampedPose& stamped : reference)
+  for (StampedPose& stamped : reference) {
     stamped.pose.translation += Eigen::Vector3d(0.5, -0.5, 0.2);
+  }
   const Rgb band{159, 177, 211};
   const Area middle{"middle of the top view", 1400, 250, 500, 540};
   draw_run_picture({.title = "", .trajectory = walk(100)}, folder_ / "without.png");

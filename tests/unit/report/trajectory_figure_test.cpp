@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t kBlue = 0x0072B2, kVermilion = 0xD55E00, kStart = 0x2166F2, kEnd = 0xFFD11A;
-constexpr FigureView kViews[] = {FigureView::kSpace, FigureView::kSide, FigureView::kTop};
+constexpr FigureView kViews[] = {FigureView::space, FigureView::side, FigureView::top};
 
 Trajectory loop(double radius, double height, int poses = 200) {
   Trajectory trajectory;
@@ -70,7 +70,7 @@ TEST(TrajectoryFigure, APanelForEachSequence) {
   int last_height = 0;
   for (const std::size_t panels : {1U, 4U, 13U}) {
     const fs::path path = scratch("panels.png");
-    draw_trajectory_figure(figure_of(FigureView::kTop, panels), path);
+    draw_trajectory_figure(figure_of(FigureView::top, panels), path);
     const PngImage image(path);
     EXPECT_GT(image.height(), last_height);
     EXPECT_GT(image.count(kBlue), static_cast<int>(panels) * 1000);
@@ -80,10 +80,10 @@ TEST(TrajectoryFigure, APanelForEachSequence) {
 
 TEST(TrajectoryFigure, PngIsTheSameTwice) {
   const fs::path a = scratch("a.png"), b = scratch("b.png"), svg = scratch("a.svg");
-  draw_trajectory_figure(figure_of(FigureView::kSpace, 2), a);
-  draw_trajectory_figure(figure_of(FigureView::kSpace, 2), b);
+  draw_trajectory_figure(figure_of(FigureView::space, 2), a);
+  draw_trajectory_figure(figure_of(FigureView::space, 2), b);
   EXPECT_TRUE(bytes_of(a) == bytes_of(b));
-  draw_trajectory_figure(figure_of(FigureView::kSpace, 2), svg);
+  draw_trajectory_figure(figure_of(FigureView::space, 2), svg);
   EXPECT_NE(bytes_of(svg).find("<svg"), std::string::npos);
 }
 
@@ -137,7 +137,7 @@ TEST(TrajectoryFigure, OddInputIsDrawn) {
 TEST(TrajectoryFigure, NonsenseIsRefused) {
   const fs::path path = scratch("none.png");
   EXPECT_THROW(draw_trajectory_figure({{"a"}, {}}, path), std::invalid_argument);
-  TrajectoryFigure figure = figure_of(FigureView::kTop, 1);
+  TrajectoryFigure figure = figure_of(FigureView::top, 1);
   EXPECT_THROW(draw_trajectory_figure(figure, "figure.gif"), std::runtime_error);
   EXPECT_THROW(draw_trajectory_figure(figure, "/nowhere/figure.png"), std::runtime_error);
   figure.panels[0].cut = {true};

@@ -27,7 +27,7 @@ Firings decode(const std::string& payload, const std::string& expected_sensor,
     return firings;
   }
   EXPECT_EQ(decoder->sensor(), expected_sensor);
-  EXPECT_EQ(decoder->decode(bytes_of(payload), firings), PacketKind::kData);
+  EXPECT_EQ(decoder->decode(bytes_of(payload), firings), PacketKind::data);
   return firings;
 }
 
@@ -114,9 +114,9 @@ TEST(Vls128, DualReturn) {
   test::set_velodyne(packet, 3, 5, 1000, 200);
   DecoderOptions options;
   EXPECT_NEAR(decode(packet, "VLS-128", options).points.at(0).position.norm(), 4.0, 1e-5);
-  options.returns = ReturnChoice::kLast;
+  options.returns = ReturnChoice::last;
   EXPECT_NEAR(decode(packet, "VLS-128", options).points.at(0).position.norm(), 10.0, 1e-5);
-  options.returns = ReturnChoice::kBoth;
+  options.returns = ReturnChoice::both;
   EXPECT_EQ(decode(packet, "VLS-128", options).points.size(), 2U);
 }
 
@@ -198,9 +198,9 @@ TEST(Hesai, TwoReturnsShareAnAzimuth) {
     test::set_hesai(packet, layout, 1, 5, 1000, 200);
     DecoderOptions options;
     EXPECT_NEAR(decode(packet, layout.name, options).points.at(0).position.norm(), 4.0, 1e-5);
-    options.returns = ReturnChoice::kLast;
+    options.returns = ReturnChoice::last;
     EXPECT_NEAR(decode(packet, layout.name, options).points.at(0).position.norm(), 10.0, 1e-5);
-    options.returns = ReturnChoice::kBoth;
+    options.returns = ReturnChoice::both;
     const Firings both = decode(packet, layout.name, options);
     EXPECT_EQ(both.points.size(), 2U);
     EXPECT_EQ(both.firings.size(), layout.blocks / 2);
@@ -219,10 +219,10 @@ TEST(Hesai, ContradictionsAreMalformed) {
     Firings firings;
     return decoder->decode(bytes_of(packet), firings);
   };
-  EXPECT_EQ(kind_of(layout.mode, '\x11'), PacketKind::kMalformed);
-  EXPECT_EQ(kind_of(layout.date + 1, 13), PacketKind::kMalformed);
-  EXPECT_EQ(kind_of(layout.header + 1, '\xff'), PacketKind::kMalformed);  // 652 deg
-  EXPECT_EQ(kind_of(6, 15), PacketKind::kOther);
+  EXPECT_EQ(kind_of(layout.mode, '\x11'), PacketKind::malformed);
+  EXPECT_EQ(kind_of(layout.date + 1, 13), PacketKind::malformed);
+  EXPECT_EQ(kind_of(layout.header + 1, '\xff'), PacketKind::malformed);  // 652 deg
+  EXPECT_EQ(kind_of(6, 15), PacketKind::other);
 }
 
 TEST(Hesai, ACalibrationFileReplacesTheAngles) {
@@ -298,9 +298,9 @@ TEST(Ouster, TheStrongerOfTwoReturns) {
     }
     return values;
   };
-  EXPECT_EQ(intensities(ReturnChoice::kStrongest), std::vector<float>{50.0F});
-  EXPECT_EQ(intensities(ReturnChoice::kLast), std::vector<float>{20.0F});
-  EXPECT_EQ(intensities(ReturnChoice::kBoth), (std::vector<float>{50.0F, 20.0F}));
+  EXPECT_EQ(intensities(ReturnChoice::strongest), std::vector<float>{50.0F});
+  EXPECT_EQ(intensities(ReturnChoice::last), std::vector<float>{20.0F});
+  EXPECT_EQ(intensities(ReturnChoice::both), (std::vector<float>{50.0F, 20.0F}));
 }
 
 TEST(Ouster, MetadataThatIsNoneIsNamed) {
@@ -374,7 +374,7 @@ TEST(Rs16, SingleAndDual) {
   const auto decoder = find_decoder(bytes_of(packet), "", {}, reason);
   ASSERT_NE(decoder, nullptr) << reason;
   Firings firings;
-  ASSERT_EQ(decoder->decode(bytes_of(packet), firings), PacketKind::kData);
+  ASSERT_EQ(decoder->decode(bytes_of(packet), firings), PacketKind::data);
   ASSERT_EQ(firings.points.size(), 1U);
   EXPECT_EQ(firings.time_ns, 1'673'403'349'005'000'000);
   EXPECT_EQ(time_of(firings, 0), 2 * 111'000 + 55'500 + 9 * 2'800);
@@ -387,7 +387,7 @@ TEST(Rs16, SingleAndDual) {
   auto next = test::rs16_packet(9480, 20, 5'666);
   test::set_rs16(next, 1, 0, 1000, 12);
   test::set_rs16(next, 1, 16, 2000, 90);
-  ASSERT_EQ(decoder->decode(bytes_of(next), firings), PacketKind::kData);
+  ASSERT_EQ(decoder->decode(bytes_of(next), firings), PacketKind::data);
   EXPECT_EQ(decoder->return_mode(), "dual");
   ASSERT_EQ(firings.points.size(), 1U);
   EXPECT_EQ(firings.points[0].intensity, 90.0F);

@@ -28,8 +28,8 @@ TEST(PacketScans, AnOustersFramesAreItsOwn) {
         packets::ouster_packet(4, false, static_cast<std::uint16_t>(65'534 + i / 4),
                                static_cast<std::uint16_t>(i % 4 * 16), kPtp + i * 25'000'000ULL);
     packets::put(packet, packets::ouster_pixel(4, false, 0, 0), std::uint16_t{1000});
-    const auto use = i == 6 ? PacketUse::kUsed : scans.add(5, bytes_of(packet));  // one is lost
-    EXPECT_EQ(use, PacketUse::kUsed);
+    const auto use = i == 6 ? PacketUse::used : scans.add(5, bytes_of(packet));  // one is lost
+    EXPECT_EQ(use, PacketUse::used);
   }
   EXPECT_EQ(scans.sensor(), "OS-1-16");
   EXPECT_EQ(scans.lost(), 1U);
@@ -48,7 +48,7 @@ TEST(PacketScans, ALivoxIsCutEveryTenthOfASecond) {
   for (unsigned i = 0; i < 520; ++i) {
     auto packet = packets::livox_packet(7'000'000'000ULL + i * 480'000ULL, 1, 14);
     packets::put(packet, 36, std::int32_t{1000});
-    EXPECT_EQ(scans.add(1'000'000'000'000'000 + i * 480'000LL, bytes_of(packet)), PacketUse::kUsed);
+    EXPECT_EQ(scans.add(1'000'000'000'000'000 + i * 480'000LL, bytes_of(packet)), PacketUse::used);
   }
   EXPECT_EQ(scans.lost(), 0U);
   const std::vector<ScanItem> items = all_of(scans);
@@ -69,7 +69,7 @@ TEST(PacketScans, LostPacketsByTheirNumbers) {
     packets::set_hesai(packet, layout, 0, 0, 100, 1);
     scans.add(1'673'403'349'000'000'000 + i * 400'000LL, bytes_of(packet));
     if (i == 30) {
-      EXPECT_EQ(scans.add(0, bytes_of(packet)), PacketUse::kLate);  // twice
+      EXPECT_EQ(scans.add(0, bytes_of(packet)), PacketUse::late);  // twice
     }
   }
   EXPECT_EQ(scans.lost(), 3U);
@@ -83,7 +83,7 @@ TEST(PacketScans, LostPacketsByTheirNumbers) {
 TEST(PacketScans, NoiseIsSkipped) {
   PacketScans scans({});
   for (std::size_t size = 0; size < 3000; ++size) {
-    EXPECT_NE(scans.add(0, bytes_of(std::string(size, '\xff'))), PacketUse::kUsed);
+    EXPECT_NE(scans.add(0, bytes_of(std::string(size, '\xff'))), PacketUse::used);
   }
   EXPECT_FALSE(scans.found());
   EXPECT_TRUE(all_of(scans).empty());

@@ -51,7 +51,7 @@ TEST(LegSketchTest, WhatHasNoFootfallsHasNoLegs) {
 
 TEST(SceneViewTest, RaysPassThroughThePointsOfTheirPixelsAndWallsHide) {
   Scene scene;
-  scene.mesh.add_box({-1, -1, 0}, {1, 1, 2}, Material::kConcrete);
+  scene.mesh.add_box({-1, -1, 0}, {1, 1, 2}, Material::concrete);
   const RayCaster rays(scene);
   const Eigen::Vector3d center(0.5, 0.2, 0.0);
   const SceneView view(scene, center, 12.0, 300, 200);

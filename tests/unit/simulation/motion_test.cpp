@@ -187,7 +187,7 @@ TEST(MotionTest, FollowsARampWithItsHeightAndPitch) {
   Scene scene;
   constexpr double kSlope = 0.15;
   scene.mesh.add_quad({-20, -20, -20 * kSlope}, {20, -20, 20 * kSlope}, {20, 20, 20 * kSlope},
-                      {-20, 20, -20 * kSlope}, Material::kConcrete);
+                      {-20, 20, -20 * kSlope}, Material::concrete);
   scene.route = {
       {-8, -5, -8 * kSlope}, {8, -5, 8 * kSlope}, {8, 5, 8 * kSlope}, {-8, 5, -8 * kSlope}};
   const RayCaster rays(scene);

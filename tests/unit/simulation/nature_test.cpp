@@ -36,12 +36,12 @@ TEST(GroundTest, IsWhatBearsAFootUnderTheLeaves) {
     scene.mesh.add_quad({-1, -1, height}, {1, -1, height}, {1, 1, height}, {-1, 1, height},
                         material);
   };
-  lay(1e-5, Material::kBlade);  // so near to the ground that no step goes between
-  lay(0.3, Material::kFoliage);
+  lay(1e-5, Material::blade);  // so near to the ground that no step goes between
+  lay(0.3, Material::foliage);
   const RayCaster leaves(scene);
   EXPECT_NEAR(leaves.ground_below({0.2, 0.1, 1.0}, 3.0).value(), 0.0, 1e-6);
   EXPECT_FALSE(leaves.ground_below({0.2, 0.1, 1.0}, 0.9).has_value());
-  lay(0.1, Material::kRock);
+  lay(0.1, Material::rock);
   const RayCaster stone(scene);
   EXPECT_NEAR(stone.ground_below({0.2, 0.1, 1.0}, 3.0).value(), 0.1, 1e-6);
   EXPECT_NEAR(stone.ground_below({2.2, 0.1, 1.0}, 3.0).value(), 0.0, 1e-6);
@@ -50,7 +50,7 @@ TEST(GroundTest, IsWhatBearsAFootUnderTheLeaves) {
 /// A pane at x = 2, walls of a room at x = +-9, y = +-7.
 Scene room_with_pane() {
   Scene scene = room();
-  scene.mesh.add_quad({2, -6, 0}, {2, 6, 0}, {2, 6, 4}, {2, -6, 4}, Material::kPane);
+  scene.mesh.add_quad({2, -6, 0}, {2, 6, 0}, {2, 6, 4}, {2, -6, 4}, Material::pane);
   return scene;
 }
 
@@ -58,8 +58,8 @@ TEST(PaneTest, LetsThroughWhatIsNotGrazingAndWeakensIt) {
   const RayCaster rays(room_with_pane());
   const double angle = 0.4;
   const Hit hit = cast_one(rays, {0, 0, 1}, {std::cos(angle), std::sin(angle), 0.0});
-  EXPECT_EQ(hit.met, Met::kStatic);
-  EXPECT_EQ(hit.material, Material::kConcrete);
+  EXPECT_EQ(hit.met, Met::still);
+  EXPECT_EQ(hit.material, Material::concrete);
   EXPECT_NEAR(hit.distance, 9.0 / std::cos(angle), 2e-3);
   const double reflected = 0.08 + 0.92 * std::pow(1.0 - std::cos(angle), 5.0);
   EXPECT_NEAR(hit.passed, (1.0 - reflected) * (1.0 - reflected), 1e-5);
@@ -68,7 +68,7 @@ TEST(PaneTest, LetsThroughWhatIsNotGrazingAndWeakensIt) {
 TEST(PaneTest, ShinesBackWhereItIsMetStraight) {
   const RayCaster rays(room_with_pane());
   const Hit hit = cast_one(rays, {0, 0, 1}, {1, 0, 0});
-  EXPECT_EQ(hit.material, Material::kPane);
+  EXPECT_EQ(hit.material, Material::pane);
   EXPECT_NEAR(hit.distance, 2.0, 1e-5);
 }
 
@@ -77,7 +77,7 @@ TEST(PaneTest, MirrorsAtALowAngle) {
   // Meets the pane at y = 4.5 going almost along it, and then the wall y = 7.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.1, 3.0, 0.0).normalized();
   const Hit hit = cast_one(rays, {1.85, 0, 1}, direction);
-  EXPECT_EQ(hit.met, Met::kMirrored);
+  EXPECT_EQ(hit.met, Met::mirrored);
   EXPECT_NEAR(hit.distance, 7.0 / direction.y(), 2e-3);
   EXPECT_LT(hit.passed, 1.0F);
 }

@@ -219,7 +219,7 @@ TEST(ScannerTest, TruthNamesEveryScansStartMiddleAndEnd) {
 TEST(ScannerTest, FarDarkAndSlantedSurfacesDropOut) {
   const auto returns_from = [](double distance, Material material) {
     Scene scene;
-    scene.mesh.add_box({-200, -200, -1}, {200, 200, 0}, Material::kConcrete);
+    scene.mesh.add_box({-200, -200, -1}, {200, 200, 0}, Material::concrete);
     scene.mesh.add_box({distance, -200, 0}, {distance + 1, 200, 200}, material);
     scene.route = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     ScannerOptions options;
@@ -230,15 +230,15 @@ TEST(ScannerTest, FarDarkAndSlantedSurfacesDropOut) {
     for (const Eigen::Vector3d& point : scan.true_points) count += point.x() > distance - 0.1;
     return count;
   };
-  const std::size_t near = returns_from(15.0, Material::kConcrete);
-  EXPECT_GT(near, returns_from(60.0, Material::kConcrete));
-  EXPECT_GT(returns_from(60.0, Material::kConcrete), 4 * returns_from(60.0, Material::kRubber));
+  const std::size_t near = returns_from(15.0, Material::concrete);
+  EXPECT_GT(near, returns_from(60.0, Material::concrete));
+  EXPECT_GT(returns_from(60.0, Material::concrete), 4 * returns_from(60.0, Material::rubber));
 }
 
 TEST(ScannerTest, EdgesGiveMixedPixelsOnlyWithAFootprint) {
   Scene scene = room();
   // A post half a metre before the wall: nearer than the pulse is long, so both blend.
-  scene.mesh.add_box({8.3, -1.0, 0.0}, {8.5, 1.0, 5.0}, Material::kConcrete);
+  scene.mesh.add_box({8.3, -1.0, 0.0}, {8.5, 1.0, 5.0}, Material::concrete);
   const auto mixed = [&](bool footprint) {
     ScannerOptions options;
     options.footprint = footprint;
@@ -252,7 +252,7 @@ TEST(ScannerTest, EdgesGiveMixedPixelsOnlyWithAFootprint) {
 
 TEST(ScannerTest, DualReturnSeesBothSidesOfAnEdgeTheFartherMarkedLast) {
   Scene scene = room();
-  scene.mesh.add_box({3.0, -1.0, 0.0}, {3.2, 1.0, 5.0}, Material::kConcrete);
+  scene.mesh.add_box({3.0, -1.0, 0.0}, {3.2, 1.0, 5.0}, Material::concrete);
   ScannerOptions options;
   options.dual_return = true;
   Studio studio(scene, "still", options);
@@ -288,7 +288,7 @@ TEST(ScannerTest, AMovingBoxIsMetWhereItIsAtThatInstant) {
   Scene scene = room();
   MovingObject box;
   constexpr double kSpeed = 10.0;
-  box.mesh.add_box({-0.5, -0.5, 0.0}, {0.5, 0.5, 3.0}, Material::kConcrete);
+  box.mesh.add_box({-0.5, -0.5, 0.0}, {0.5, 0.5, 3.0}, Material::concrete);
   box.T_map_object = [](double time) {
     return Pose{Eigen::Quaterniond::Identity(), {6.0, kSpeed * (time - 0.35), 0.0}};
   };

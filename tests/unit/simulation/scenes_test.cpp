@@ -114,7 +114,7 @@ void expect_walkable(const std::string& name, std::uint64_t layout) {
       rays.cast({&ray, 1}, kClearance, {&hit, 1});
       // On stairs and slopes what rises ahead is the ground itself.
       const bool ground = hit.cos_incidence < 0.9F || name == "stairwell";
-      ASSERT_TRUE(!hit.valid() || is_soft(hit.material) || hit.met != Met::kStatic || ground)
+      ASSERT_TRUE(!hit.valid() || is_soft(hit.material) || hit.met != Met::still || ground)
           << which << " after " << way << " m at " << support.head<3>().transpose() << ": "
           << hit.distance << " m from a surface";
     }

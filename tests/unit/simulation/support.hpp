@@ -20,7 +20,7 @@ inline const Eigen::Vector3d kRoomHigh(9.0, 7.0, 5.0);
 inline Scene room() {
   Scene scene;
   scene.name = "room";
-  scene.mesh.add_box(kRoomLow, kRoomHigh, Material::kConcrete);
+  scene.mesh.add_box(kRoomLow, kRoomHigh, Material::concrete);
   scene.route = {{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}};
   return scene;
 }

@@ -54,24 +54,23 @@ fs::path write_scans(const fs::path& path, ScanFormat format, int count) {
 TEST(BagRecording, EveryContainerGivesTheScansBack) {
   const test::TemporaryFolder folder;
   constexpr int kScans = 4;
-  const std::pair<const char*, ScanFormat> kinds[] = {{"a.mcap", ScanFormat::kMcap},
-                                                      {"bag2", ScanFormat::kRosbag2},
-                                                      {"a.bag", ScanFormat::kRos1Bag},
-                                                      {"pcd", ScanFormat::kPcd}};
+  const std::pair<const char*, ScanFormat> kinds[] = {{"a.mcap", ScanFormat::mcap},
+                                                      {"bag2", ScanFormat::rosbag2},
+                                                      {"a.bag", ScanFormat::ros1_bag},
+                                                      {"pcd", ScanFormat::pcd}};
   for (const auto& [name, format] : kinds) {
     SCOPED_TRACE(name);
     expect_scans(*open_recording(write_scans(folder.path() / name, format, kScans)), kScans);
   }
   const std::string mcap = test::content_of(folder.path() / "a.mcap");
-  expect_scans(*open_recording(folder.write("z/a.mcap.zstd", compress(Compression::kZstd, mcap))),
+  expect_scans(*open_recording(folder.write("z/a.mcap.zstd", compress(Compression::zstd, mcap))),
                kScans);
   expect_scans(*open_recording(folder.path() / "z"), kScans);
 }
 
 TEST(BagRecording, SaysWhatItTook) {
   const test::TemporaryFolder folder;
-  const auto recording =
-      open_recording(write_scans(folder.path() / "a.mcap", ScanFormat::kMcap, 3));
+  const auto recording = open_recording(write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 3));
   EXPECT_EQ(recording->description(),
             "MCAP, profile ros2, topic /points (sensor_msgs/PointCloud2)");
   const std::string notes = test::joined(recording->notes());
@@ -84,7 +83,7 @@ TEST(BagRecording, SkipAndMessagesThatAreBad) {
   const auto bag = make_mcap_bag(file);
   const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
   for (int i = 0; i < 4; ++i) {
-    std::string message = format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::kCdr);
+    std::string message = format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::cdr);
     if (i == 0 || i == 2) message.resize(400);
     bag->write(topic, i, message);
   }
@@ -110,7 +109,7 @@ TEST(BagRecording, StampsOfZeroAreReplacedByTheBags) {
   const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
   Scan scan = scan_at(0);
   scan.stamp_ns = 0;
-  bag->write(topic, kStart, format_point_cloud2(scan, "lidar", MessageWriter::Flavour::kCdr));
+  bag->write(topic, kStart, format_point_cloud2(scan, "lidar", MessageWriter::Flavour::cdr));
   bag->finish();
   EXPECT_EQ(open_recording(file)->next()->scan->stamp_ns, kStart);
 }
@@ -123,8 +122,8 @@ fs::path two_topics(const test::TemporaryFolder& folder) {
   bag->add_topic("/path", path_definition());
   for (int i = 0; i < 5; ++i) {
     const std::int64_t stamp = scan_at(i).stamp_ns;
-    bag->write(front, stamp, format_point_cloud2(scan_at(i), "f", MessageWriter::Flavour::kCdr));
-    bag->write(rear, stamp, format_point_cloud2(scan_at(i), "r", MessageWriter::Flavour::kCdr));
+    bag->write(front, stamp, format_point_cloud2(scan_at(i), "f", MessageWriter::Flavour::cdr));
+    bag->write(rear, stamp, format_point_cloud2(scan_at(i), "r", MessageWriter::Flavour::cdr));
   }
   bag->finish();
   return file;
@@ -157,7 +156,7 @@ TEST(BagRecording, TopicThatIsAskedForMayBeginLate) {
   const std::size_t late = bag->add_topic("/late", point_cloud2_definition());
   for (int i = 0; i < 60; ++i) {
     const std::string message =
-        format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::kCdr);
+        format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::cdr);
     bag->write(i < 50 ? early : late, scan_at(i).stamp_ns, message);
   }
   bag->finish();

@@ -42,7 +42,7 @@ McapOptions options_of(const Json& test, const Fields& header) {
   McapOptions options;
   options.profile = header.at("profile").get<std::string>();
   options.library = header.at("library").get<std::string>();
-  options.compression = Compression::kNone;
+  options.compression = Compression::none;
   options.chunks = has("ch");
   options.message_index = has("mx");
   options.chunk_index = has("chx");

@@ -62,8 +62,7 @@ Outcome read(const std::string& bytes, const std::string& topic = {}) {
 
 std::vector<McapOptions> flavours() {
   std::vector<McapOptions> all;
-  for (const Compression compression :
-       {Compression::kNone, Compression::kLz4, Compression::kZstd}) {
+  for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
     all.push_back(small_chunks(compression));
   }
   McapOptions bare;  // no chunk, no index, no summary
@@ -71,7 +70,7 @@ std::vector<McapOptions> flavours() {
   bare.metadata_index = bare.statistics = bare.repeated_schemas = bare.repeated_channels = false;
   bare.summary_offsets = false;
   all.push_back(bare);
-  McapOptions tail = small_chunks(Compression::kLz4);  // bytes that readers do not know
+  McapOptions tail = small_chunks(Compression::lz4);  // bytes that readers do not know
   tail.record_tail = "xyz";
   all.push_back(tail);
   return all;
@@ -89,7 +88,7 @@ TEST(Mcap, WhatIsWrittenIsReadBack) {
 }
 
 TEST(Mcap, OneTopicAlone) {
-  const Outcome outcome = read(file_with(small_chunks(Compression::kZstd)), "/odd");
+  const Outcome outcome = read(file_with(small_chunks(Compression::zstd)), "/odd");
   ASSERT_EQ(outcome.messages.size(), kMessages / 2);
   EXPECT_EQ(outcome.messages[0], expected(1));
 }
@@ -112,13 +111,13 @@ TEST(Mcap, CutAnywhere) {
 }
 
 TEST(Mcap, CutIsSaid) {
-  const std::string whole = file_with(small_chunks(Compression::kNone));
+  const std::string whole = file_with(small_chunks(Compression::none));
   EXPECT_NE(read(whole.substr(0, 300)).notes.find("cut short"), std::string::npos);
 }
 
 // As a recorder leaves it that was stopped: the chunk's lengths and checksum were to be filled in.
 TEST(Mcap, ChunkThatWasNeverClosed) {
-  for (const Compression compression : {Compression::kNone, Compression::kZstd}) {
+  for (const Compression compression : {Compression::none, Compression::zstd}) {
     McapOptions options;
     options.compression = compression;
     std::string bytes = file_with(options);
@@ -126,7 +125,7 @@ TEST(Mcap, ChunkThatWasNeverClosed) {
         mcap::kMagic.size() + 9 + 4 + options.profile.size() + 4 + options.library.size();
     ASSERT_EQ(bytes[chunk], '\x06');
     const std::size_t content =
-        chunk + 9 + 8 + 8 + 8 + 4 + 4 + (compression == Compression::kZstd ? 4 : 0);
+        chunk + 9 + 8 + 8 + 8 + 4 + 4 + (compression == Compression::zstd ? 4 : 0);
     const auto size = load<std::uint64_t>(test::bytes_of(bytes).data() + content, false);
     bytes.resize(content + 8 + size);
     const std::string open(8, '\xff');
@@ -149,8 +148,7 @@ std::size_t chunk_at(const std::string& bytes, int n) {
 
 // Not the first one: it holds the channels.
 TEST(Mcap, DamagedChunkIsNotedAndTheNextOneRead) {
-  for (const Compression compression :
-       {Compression::kNone, Compression::kLz4, Compression::kZstd}) {
+  for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
     std::string bytes = file_with(small_chunks(compression));
     bytes[chunk_at(bytes, 1) + 80] ^= '\x55';
     const Outcome outcome = read(bytes);
@@ -170,7 +168,7 @@ TEST(Mcap, ChecksumOfTheData) {
 }
 
 TEST(Mcap, UnknownRecordsArePassedOver) {
-  std::string bytes = file_with(small_chunks(Compression::kNone));
+  std::string bytes = file_with(small_chunks(Compression::none));
   const std::string unknown = "\x91" + little(std::uint64_t{5}) + "hello";
   bytes.insert(bytes.find('\x06', 30), unknown);
   EXPECT_EQ(read(bytes).messages.size(), kMessages);

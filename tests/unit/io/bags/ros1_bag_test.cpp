@@ -70,9 +70,7 @@ ReadMessage expected(int i) {
 
 std::string bag(const std::string& name) {
   const auto pack = [&name](const std::string& bytes) {
-    return name == "bz2"   ? bzip2(bytes)
-           : name == "lz4" ? compress(Compression::kLz4, bytes)
-                           : bytes;
+    return name == "bz2" ? bzip2(bytes) : name == "lz4" ? compress(Compression::lz4, bytes) : bytes;
   };
   const std::string index =
       record({op(4), "ver=" + u32(1), "conn=" + u32(0), "count=" + u32(0)}, "");
@@ -95,8 +93,9 @@ TEST(Ros1Bag, EveryCompression) {
   for (const char* name : {"none", "bz2", "lz4"}) {
     const Outcome outcome = read(bag(name));
     ASSERT_EQ(outcome.messages.size(), 8U) << name;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
       EXPECT_EQ(outcome.messages[static_cast<std::size_t>(i)], expected(i));
+    }
     EXPECT_EQ(outcome.notes, "") << name;
   }
 }

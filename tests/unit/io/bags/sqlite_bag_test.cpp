@@ -75,9 +75,9 @@ TEST(SqliteBag, MessagesThatAreCompressed) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.db3";
   const std::string large(100'000, 'z');
-  std::string damaged = compress(Compression::kZstd, large);
+  std::string damaged = compress(Compression::zstd, large);
   damaged[6] ^= '\x7f';
-  make_bag(file, kTopics[1], {compress(Compression::kZstd, large), damaged, "plain"});
+  make_bag(file, kTopics[1], {compress(Compression::zstd, large), damaged, "plain"});
   const auto source = read_sqlite_bag(file);
   const auto messages = test::read_all_messages(*source);
   EXPECT_EQ(messages.front(), expected(0, large));
@@ -89,7 +89,7 @@ TEST(SqliteBag, FileThatIsCompressedAsAWhole) {
   const fs::path file = folder.path() / "a.db3";
   make_bag(file, kTopics[1], {"one", "two"});
   const fs::path compressed =
-      folder.write("c/a.db3.zstd", compress(Compression::kZstd, test::content_of(file)));
+      folder.write("c/a.db3.zstd", compress(Compression::zstd, test::content_of(file)));
   EXPECT_EQ(test::read_all_messages(*open_bag(bag_files(folder.path() / "c"))).size(), 2U);
   EXPECT_EQ(test::read_all_messages(*open_bag({compressed})).size(), 2U);
 }

@@ -76,7 +76,7 @@ TEST(FolderRecording, StampAtTheEnd) {
   folder.write("a.pcd", timed_pcd<float>({0.0F, 0.0625F}));
   folder.write("times.txt", "100.5\n");
   OpenOptions options;
-  options.stamp_at = StampAt::kEnd;
+  options.stamp_at = StampAt::end;
   EXPECT_EQ(read_all(folder.path(), options)[0].scan->times_ns,
             (std::vector<std::int32_t>{-62'500'000, 0}));
 }
@@ -135,7 +135,7 @@ TEST(FolderRecording, TimesThatFitNoRuleAreAnErrorThatNamesThem) {
   EXPECT_NE(message.find("a.pcd: field 'time'"), std::string::npos) << message;
   EXPECT_NE(message.find("u32 values 0 .. 7"), std::string::npos) << message;
   OpenOptions options;
-  options.time_unit = TimeUnit::kMilliseconds;
+  options.time_unit = TimeUnit::milliseconds;
   EXPECT_EQ(read_all(folder.path(), options)[0].scan->times_ns[1], 7'000'000);
 }
 

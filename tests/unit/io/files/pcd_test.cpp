@@ -152,10 +152,10 @@ TEST(Pcd, EveryTruncationOfEveryFlavourIsAnError) {
     scan.times_ns.push_back(i * 1'000'000);
     scan.rings.push_back(static_cast<std::uint16_t>(i % 16));
   }
-  for (const PcdData flavour : {PcdData::kAscii, PcdData::kBinary, PcdData::kBinaryCompressed}) {
+  for (const PcdData flavour : {PcdData::ascii, PcdData::binary, PcdData::binary_compressed}) {
     const std::string file = format_pcd(scan, flavour);
     // The last ascii line may lose its newline and, by a digit, stay a number.
-    const std::size_t spare = flavour == PcdData::kAscii ? 2 : 0;
+    const std::size_t spare = flavour == PcdData::ascii ? 2 : 0;
     for (std::size_t size = 0; size + spare < file.size(); ++size) {
       EXPECT_THROW((void)parse_pcd(bytes_of(std::string_view(file).substr(0, size))), ReadError)
           << size;
@@ -242,7 +242,7 @@ TEST(PcdWriter, EveryFlavourReadsBackToTheBit) {
   }
   scan.points[7].x() = std::numeric_limits<float>::quiet_NaN();
   scan.points[8].y() = -std::numeric_limits<float>::infinity();
-  for (const PcdData flavour : {PcdData::kAscii, PcdData::kBinary, PcdData::kBinaryCompressed}) {
+  for (const PcdData flavour : {PcdData::ascii, PcdData::binary, PcdData::binary_compressed}) {
     const std::string file = format_pcd(scan, flavour);
     const PointTable table = parse_pcd(bytes_of(file));
     ASSERT_EQ(table.size, scan.points.size());
@@ -263,13 +263,13 @@ TEST(PcdWriter, EveryFlavourReadsBackToTheBit) {
 }
 
 TEST(PcdWriter, EmptyScanAndUnequalArrays) {
-  for (const PcdData flavour : {PcdData::kAscii, PcdData::kBinary, PcdData::kBinaryCompressed}) {
+  for (const PcdData flavour : {PcdData::ascii, PcdData::binary, PcdData::binary_compressed}) {
     EXPECT_EQ(parse_pcd(bytes_of(format_pcd({}, flavour))).size, 0U);
   }
   Scan scan;
   scan.points.resize(2);
   scan.rings.resize(1);
-  EXPECT_THROW((void)format_pcd(scan, PcdData::kBinary), std::invalid_argument);
+  EXPECT_THROW((void)format_pcd(scan, PcdData::binary), std::invalid_argument);
   EXPECT_THROW(write_pcd("/nonexistent/folder/scan.pcd", {}), WriteError);
 }
 

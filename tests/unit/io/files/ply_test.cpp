@@ -155,7 +155,7 @@ TEST(Ply, EmptyElementsCostNothing) {
 TEST(PlyWriter, ReadsBackToTheBit) {
   const std::vector<Eigen::Vector3f> points = {{1.1F, -2.2F, 3e-20F}, {0, 1e20F, -0.0F}};
   const std::vector<float> intensities = {0.3F, 255.0F};
-  for (const PlyFlavour flavour : {PlyFlavour::kAscii, PlyFlavour::kBinary}) {
+  for (const PlyFlavour flavour : {PlyFlavour::ascii, PlyFlavour::binary}) {
     const std::string file = format_ply(points, intensities, flavour);
     const PointTable table = parse_ply(bytes_of(file));
     EXPECT_EQ(column(table, "x"), (std::vector<double>{1.1F, 0}));
@@ -165,7 +165,7 @@ TEST(PlyWriter, ReadsBackToTheBit) {
     const std::string bare = format_ply(points, std::span<const float>(), flavour);
     EXPECT_EQ(parse_ply(bytes_of(bare)).columns.size(), 3U);
   }
-  EXPECT_THROW((void)format_ply(points, std::span(intensities).first(1), PlyFlavour::kAscii),
+  EXPECT_THROW((void)format_ply(points, std::span(intensities).first(1), PlyFlavour::ascii),
                std::invalid_argument);
 }
 
@@ -173,7 +173,7 @@ TEST(PlyWriter, WritesAnyColumns) {
   const std::vector<Eigen::Vector3f> points = {{1, 2, 3}, {4, 5, 6}};
   const std::vector<float> seen = {0.5F, 7.0F};
   const std::vector<PlyColumn> columns = {{"first_seen", seen}};
-  const PointTable table = parse_ply(bytes_of(format_ply(points, columns, PlyFlavour::kBinary)));
+  const PointTable table = parse_ply(bytes_of(format_ply(points, columns, PlyFlavour::binary)));
   EXPECT_EQ(column(table, "first_seen"), (std::vector<double>{0.5, 7.0}));
   EXPECT_EQ(column(table, "y"), (std::vector<double>{2, 5}));
 }

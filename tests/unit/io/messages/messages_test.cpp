@@ -85,8 +85,8 @@ void expect_two_points(const CloudMessage& cloud, std::size_t size = 2) {
   ASSERT_EQ(cloud.table.size, size);
   const BuiltScan built =
       build_scan(cloud.table, find_scan_columns(cloud.table, {}),
-                 PointTimeRule{TimeUnit::kSeconds, TimeReference::kRelative, true}, cloud.stamp_ns,
-                 StampAt::kStart);
+                 PointTimeRule{TimeUnit::seconds, TimeReference::relative, true}, cloud.stamp_ns,
+                 StampAt::start);
   ASSERT_EQ(built.scan.points.size(), size);
   EXPECT_EQ(built.scan.points[size - 1], Eigen::Vector3f(2, 3, 4));
   EXPECT_EQ(built.scan.times_ns[size - 1], 50'000'001);  // 0.05 as a float
@@ -95,19 +95,19 @@ void expect_two_points(const CloudMessage& cloud, std::size_t size = 2) {
 
 TEST(PointCloud2, CdrAndRos1) {
   const std::string cdr = cdr_cloud();
-  expect_two_points(read(Encoding::kCdr, cdr));
+  expect_two_points(read(Encoding::cdr, cdr));
   const std::string ros1 = ros1_cloud();
-  expect_two_points(read(Encoding::kRos1, ros1));
+  expect_two_points(read(Encoding::ros1, ros1));
 }
 
 TEST(PointCloud2, RowsArePutTogetherWithoutTheirPadding) {
   const std::string cdr = cdr_cloud(0, 3);
-  expect_two_points(read(Encoding::kCdr, cdr), 6);
+  expect_two_points(read(Encoding::cdr, cdr), 6);
 }
 
 TEST(PointCloud2, BigEndianPointsAreRefused) {
   const std::string cdr = cdr_cloud(1);
-  const std::string message = test::message_of<ReadError>([&] { (void)read(Encoding::kCdr, cdr); });
+  const std::string message = test::message_of<ReadError>([&] { (void)read(Encoding::cdr, cdr); });
   EXPECT_NE(message.find("big-endian"), std::string::npos) << message;
 }
 
@@ -116,7 +116,7 @@ TEST(PointCloud2, EveryCutIsRefused) {
       cdr_cloud().substr(0, cdr_cloud().size() - 3);  // without is_dense and tail
   for (std::size_t size = 0; size < cdr.size(); ++size) {
     const std::string cut = cdr.substr(0, size);
-    EXPECT_THROW((void)read(Encoding::kCdr, cut), ReadError) << size;
+    EXPECT_THROW((void)read(Encoding::cdr, cut), ReadError) << size;
   }
 }
 
@@ -127,7 +127,7 @@ TEST(PointCloud2, SizesThatLieAreRefused) {
   for (const std::size_t at : {width_at, width_at - 4, fields_at, std::size_t{12}}) {
     std::string bad = good;
     bad.replace(at, 4, u32(0xffff'fff0));
-    EXPECT_THROW((void)read(Encoding::kRos1, bad), ReadError) << at;
+    EXPECT_THROW((void)read(Encoding::ros1, bad), ReadError) << at;
   }
 }
 
@@ -151,31 +151,31 @@ std::string cdr2_cloud(bool delimited) {
 
 TEST(PointCloud2, Cdr2) {
   const std::string plain = cdr2_cloud(false);
-  expect_two_points(read(Encoding::kCdr, plain));
+  expect_two_points(read(Encoding::cdr, plain));
   const std::string delimited = cdr2_cloud(true);
-  expect_two_points(read(Encoding::kCdr, delimited));
+  expect_two_points(read(Encoding::cdr, delimited));
 }
 
 TEST(MessageReader, AlignsEightBytesByVersion) {
   const std::string cdr = kCdr + u32(1) + zeros(4) + little(std::uint64_t{77});
-  MessageReader first(Encoding::kCdr, bytes_of(cdr));
+  MessageReader first(Encoding::cdr, bytes_of(cdr));
   (void)first.number<std::uint32_t>("a");
   EXPECT_EQ(first.number<std::uint64_t>("b"), 77U);
   const std::string cdr2 = std::string("\0\7\0\0", 4) + u32(1) + little(std::uint64_t{77});
-  MessageReader second(Encoding::kCdr, bytes_of(cdr2));
+  MessageReader second(Encoding::cdr, bytes_of(cdr2));
   (void)second.number<std::uint32_t>("a");
   EXPECT_EQ(second.number<std::uint64_t>("b"), 77U);
   const std::string swapped = zeros(4) + big(std::uint32_t{3}) + "ab" + zeros(1);
-  EXPECT_EQ(MessageReader(Encoding::kCdr, bytes_of(swapped)).string("text"), "ab");
+  EXPECT_EQ(MessageReader(Encoding::cdr, bytes_of(swapped)).string("text"), "ab");
 }
 
 TEST(MessageReader, RefusesOtherRepresentations) {
   const std::string list = std::string("\0\3\0\0", 4) + zeros(8);
   const std::string message =
-      test::message_of<ReadError>([&] { MessageReader(Encoding::kCdr, bytes_of(list)); });
+      test::message_of<ReadError>([&] { MessageReader(Encoding::cdr, bytes_of(list)); });
   EXPECT_NE(message.find("representation is 3"), std::string::npos) << message;
-  EXPECT_THROW(MessageReader(Encoding::kOther, bytes_of(list)), ReadError);
-  EXPECT_THROW(MessageReader(Encoding::kCdr, bytes_of(list).first(3)), ReadError);
+  EXPECT_THROW(MessageReader(Encoding::other, bytes_of(list)), ReadError);
+  EXPECT_THROW(MessageReader(Encoding::cdr, bytes_of(list).first(3)), ReadError);
 }
 
 // Three points, 1 ms apart; the time base 3 ns after the header's stamp.
@@ -197,12 +197,12 @@ TEST(LivoxMessage, BothDrivers) {
     const std::string bytes = livox(cdr, 100'000'000'003);
     const CloudMessage cloud =
         read_cloud(cdr ? "livox_ros_driver2/CustomMsg" : "livox_ros_driver/CustomMsg",
-                   cdr ? Encoding::kCdr : Encoding::kRos1, bytes_of(bytes));
+                   cdr ? Encoding::cdr : Encoding::ros1, bytes_of(bytes));
     EXPECT_EQ(cloud.stamp_ns, 100'000'000'003);
     const BuiltScan built =
         build_scan(cloud.table, find_scan_columns(cloud.table, {}),
-                   PointTimeRule{TimeUnit::kNanoseconds, TimeReference::kRelative, true},
-                   cloud.stamp_ns, StampAt::kStart);
+                   PointTimeRule{TimeUnit::nanoseconds, TimeReference::relative, true},
+                   cloud.stamp_ns, StampAt::start);
     ASSERT_EQ(built.scan.points.size(), 3U);
     EXPECT_EQ(built.scan.times_ns, (std::vector<std::int32_t>{0, 1'000'000, 2'000'000}));
     EXPECT_EQ(built.scan.points[2], Eigen::Vector3f(1, 2, 2));
@@ -210,7 +210,7 @@ TEST(LivoxMessage, BothDrivers) {
     EXPECT_EQ(built.scan.intensities[1], 9.0F);
     for (std::size_t size = 0; size < bytes.size(); ++size) {
       EXPECT_THROW(
-          (void)read_cloud("livox_ros_driver2/CustomMsg", cdr ? Encoding::kCdr : Encoding::kRos1,
+          (void)read_cloud("livox_ros_driver2/CustomMsg", cdr ? Encoding::cdr : Encoding::ros1,
                            bytes_of(bytes).first(size)),
           ReadError)
           << size;
@@ -220,7 +220,7 @@ TEST(LivoxMessage, BothDrivers) {
 
 TEST(LivoxMessage, TimeBaseOfAnotherClockDoesNotCount) {
   const std::string bytes = livox(true, 5'000'000'000);
-  EXPECT_EQ(read_cloud("livox_ros_driver2/CustomMsg", Encoding::kCdr, bytes_of(bytes)).stamp_ns,
+  EXPECT_EQ(read_cloud("livox_ros_driver2/CustomMsg", Encoding::cdr, bytes_of(bytes)).stamp_ns,
             100'000'000'000);
 }
 
@@ -254,14 +254,14 @@ TEST(PacketMessage, EveryType) {
                {"hesai_ros_driver/UdpFrame", hesai, 5},
                {"nebula_msgs/NebulaPackets", nebula, 3}};
   for (const auto& one : cases) {
-    const Topic topic{"/t", one.type, Encoding::kCdr};
+    const Topic topic{"/t", one.type, Encoding::cdr};
     const std::vector<MessagePacket> packets = packets_of(topic, one.bytes);
     ASSERT_EQ(packets.size(), 2U) << one.type;
     EXPECT_EQ(packets[1].stamp_ns, 11'000'000'007) << one.type;
     EXPECT_EQ(packets[1].bytes.size(), one.size) << one.type;
     EXPECT_THROW((void)packets_of(topic, one.bytes.substr(0, one.bytes.size() / 2)), ReadError);
   }
-  const Topic ouster{"/t", "ouster_ros/PacketMsg", Encoding::kRos1};
+  const Topic ouster{"/t", "ouster_ros/PacketMsg", Encoding::ros1};
   const auto packets = packets_of(ouster, u32(4) + "abcd");
   ASSERT_EQ(packets.size(), 1U);
   EXPECT_EQ(packets[0].stamp_ns, 42);
@@ -285,17 +285,16 @@ TEST(PointCloud2Writer, WhatIsWrittenIsReadBack) {
     scan.times_ns.push_back(-100'000'000 + i * 50'000'000);
     scan.rings.push_back(static_cast<std::uint16_t>(i));
   }
-  const std::string bytes = format_point_cloud2(scan, "frame", MessageWriter::Flavour::kCdr);
-  const CloudMessage cloud = read(Encoding::kCdr, bytes);
+  const std::string bytes = format_point_cloud2(scan, "frame", MessageWriter::Flavour::cdr);
+  const CloudMessage cloud = read(Encoding::cdr, bytes);
   EXPECT_EQ(cloud.stamp_ns, scan.stamp_ns);
   EXPECT_EQ(cloud.frame, "frame");
   EXPECT_EQ(cloud.table.layout(),
             "PointCloud2: x f32, y f32, z f32, intensity f32, t i32, ring u16");
-  const Scan back =
-      build_scan(cloud.table, find_scan_columns(cloud.table, {}),
-                 PointTimeRule{TimeUnit::kNanoseconds, TimeReference::kRelative, true},
-                 cloud.stamp_ns, StampAt::kStart)
-          .scan;
+  const Scan back = build_scan(cloud.table, find_scan_columns(cloud.table, {}),
+                               PointTimeRule{TimeUnit::nanoseconds, TimeReference::relative, true},
+                               cloud.stamp_ns, StampAt::start)
+                        .scan;
   EXPECT_EQ(back.points, scan.points);
   EXPECT_EQ(back.intensities, scan.intensities);
   EXPECT_EQ(back.times_ns, scan.times_ns);

@@ -68,14 +68,14 @@ using Key = std::tuple<int, int, int>;
 
 std::multimap<Key, Decoded> decode(const std::vector<std::string>& payloads) {
   sensors::DecoderOptions options;
-  options.returns = sensors::ReturnChoice::kBoth;
+  options.returns = sensors::ReturnChoice::both;
   options.beam_origins = false;
   std::string reason;
   const auto decoder = sensors::find_decoder(test::bytes_of(payloads.front()), "", options, reason);
   sensors::Firings packet;
   std::multimap<Key, Decoded> decoded;
   for (const std::string& payload : payloads) {
-    EXPECT_EQ(decoder->decode(test::bytes_of(payload), packet), sensors::PacketKind::kData);
+    EXPECT_EQ(decoder->decode(test::bytes_of(payload), packet), sensors::PacketKind::data);
     EXPECT_EQ(decoder->return_mode(), "dual");
     std::size_t next = 0;
     for (std::size_t i = 0; i < packet.firings.size(); ++i) {
@@ -170,7 +170,7 @@ TEST(HesaiXt16, AgreesWithAnotherDecoder) {
   }
   const std::string bag = (folder / "1732848127890747768/1732848127890747768_0.db3").string();
   sensors::DecoderOptions options;
-  options.returns = sensors::ReturnChoice::kBoth;
+  options.returns = sensors::ReturnChoice::both;
   std::unique_ptr<sensors::PacketDecoder> decoder;
   sensors::Firings packet;
   std::multimap<long, Eigen::Vector3d> decoded;  // by range [mm]
@@ -179,7 +179,7 @@ TEST(HesaiXt16, AgreesWithAnotherDecoder) {
     for (const std::string& payload : payloads_of_message(bag, stamp, 1500, true)) {
       if (!decoder) decoder = sensors::find_decoder(test::bytes_of(payload), "", options, reason);
       ASSERT_NE(decoder, nullptr) << reason;
-      ASSERT_EQ(decoder->decode(test::bytes_of(payload), packet), sensors::PacketKind::kData);
+      ASSERT_EQ(decoder->decode(test::bytes_of(payload), packet), sensors::PacketKind::data);
       std::size_t next = 0;
       for (const sensors::Firing& firing : packet.firings) {
         for (; next < firing.end; ++next) {

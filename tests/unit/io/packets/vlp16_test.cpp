@@ -24,14 +24,14 @@ class Stream {
  public:
   explicit Stream(const OpenOptions& options)
       : options_({options.dual_return, options.beam_origins, {}, {}}),
-        cutter_(sensors::SweepEnd::kAzimuth, options.cut_azimuth_deg, 360.0) {}
+        cutter_(sensors::SweepEnd::azimuth, options.cut_azimuth_deg, 360.0) {}
 
   void add(const std::string& payload, std::int64_t stamp_ns, std::int64_t since_last_ns) {
     std::string reason;
     if (!decoder_) decoder_ = sensors::find_decoder(bytes_of(payload), "", options_, reason);
     ASSERT_NE(decoder_, nullptr);
     EXPECT_EQ(decoder_->sensor(), "VLP-16");
-    ASSERT_EQ(decoder_->decode(bytes_of(payload), firings_), sensors::PacketKind::kData);
+    ASSERT_EQ(decoder_->decode(bytes_of(payload), firings_), sensors::PacketKind::data);
     cutter_.add(firings_, stamp_ns, since_last_ns);
   }
   void finish() { cutter_.finish(); }
@@ -122,9 +122,9 @@ TEST(Vlp16, DualReturnChoicesAndTimes) {
     }
     return millimetres;
   };
-  EXPECT_EQ(ranges(ReturnChoice::kStrongest), (std::vector<long>{2000, 4000, 3000, 3000}));
-  EXPECT_EQ(ranges(ReturnChoice::kLast), (std::vector<long>{4000, 4000, 3000, 3000}));
-  EXPECT_EQ(ranges(ReturnChoice::kBoth), (std::vector<long>{4000, 2000, 4000, 2000, 3000, 3000}));
+  EXPECT_EQ(ranges(ReturnChoice::strongest), (std::vector<long>{2000, 4000, 3000, 3000}));
+  EXPECT_EQ(ranges(ReturnChoice::last), (std::vector<long>{4000, 4000, 3000, 3000}));
+  EXPECT_EQ(ranges(ReturnChoice::both), (std::vector<long>{4000, 2000, 4000, 2000, 3000, 3000}));
   const Scan scan = decode(payload);
   ASSERT_EQ(scan.times_ns.size(), 24U);
   EXPECT_EQ(scan.times_ns[1], 2'304);
@@ -206,7 +206,7 @@ TEST(Vlp16, NotADataPacket) {
   EXPECT_FALSE(is_data(payload));
 }
 
-constexpr auto kPastHour = sensors::TimeBase::kHour;
+constexpr auto kPastHour = sensors::TimeBase::hour;
 constexpr std::int64_t kHour = 3'600'000'000'000;
 constexpr std::int64_t kCapture = 403'712 * kHour + 1'082'708'714'000;
 
@@ -239,7 +239,7 @@ TEST(SensorClock, WithoutGpsTheCaptureGivesTheStart) {
 
 TEST(SensorClock, SinceTheEpochIsTakenAsItIs) {
   SensorClock clock;
-  constexpr auto kAbsolute = sensors::TimeBase::kAbsolute;
+  constexpr auto kAbsolute = sensors::TimeBase::absolute;
   const std::int64_t ptp = kCapture + 37'000'000'000;  // TAI
   EXPECT_EQ(clock.read(ptp, kAbsolute, kCapture)->stamp_ns, ptp);
   EXPECT_EQ(clock.read(ptp + 100, kAbsolute, kCapture)->stamp_ns, ptp + 100);
@@ -267,35 +267,35 @@ TEST(Udp, LinkLayersTagsAndOptions) {
   const std::string ip = test::ip_packet("payload", 2368);
   const auto payload_in = [](LinkLayer link, const std::string& frame) {
     const UdpDatagram found = find_udp(link, bytes_of(frame));
-    EXPECT_EQ(found.content, FrameContent::kUdp);
+    EXPECT_EQ(found.content, FrameContent::udp);
     EXPECT_EQ(found.destination_port, 2368);
     return std::string(reinterpret_cast<const char*>(found.payload.data()), found.payload.size());
   };
   for (const unsigned tags : {0U, 1U, 2U}) {
-    EXPECT_EQ(payload_in(LinkLayer::kEthernet, test::ethernet_frame(ip, tags)), "payload");
+    EXPECT_EQ(payload_in(LinkLayer::ethernet, test::ethernet_frame(ip, tags)), "payload");
   }
-  EXPECT_EQ(payload_in(LinkLayer::kRawIp, test::ip_packet("payload", 2368, 3)), "payload");
-  EXPECT_EQ(payload_in(LinkLayer::kLoopback, std::string("\2\0\0\0", 4) + ip), "payload");
-  EXPECT_EQ(payload_in(LinkLayer::kLoopback, std::string("\0\0\0\2", 4) + ip), "payload");
+  EXPECT_EQ(payload_in(LinkLayer::raw_ip, test::ip_packet("payload", 2368, 3)), "payload");
+  EXPECT_EQ(payload_in(LinkLayer::loopback, std::string("\2\0\0\0", 4) + ip), "payload");
+  EXPECT_EQ(payload_in(LinkLayer::loopback, std::string("\0\0\0\2", 4) + ip), "payload");
   const std::string type("\x08\x00", 2);
-  EXPECT_EQ(payload_in(LinkLayer::kLinuxCooked, std::string(14, '\0') + type + ip), "payload");
-  EXPECT_EQ(payload_in(LinkLayer::kLinuxCooked2, type + std::string(18, '\0') + ip), "payload");
+  EXPECT_EQ(payload_in(LinkLayer::linux_cooked, std::string(14, '\0') + type + ip), "payload");
+  EXPECT_EQ(payload_in(LinkLayer::linux_cooked2, type + std::string(18, '\0') + ip), "payload");
   // Ethernet pads short frames.
-  EXPECT_EQ(payload_in(LinkLayer::kEthernet, test::ethernet_frame(ip) + "\0\0\0"), "payload");
+  EXPECT_EQ(payload_in(LinkLayer::ethernet, test::ethernet_frame(ip) + "\0\0\0"), "payload");
 }
 
 TEST(Udp, OtherAndTruncated) {
   const std::string ip = test::ip_packet("payload", 2368);
   for (std::size_t size = 1; size < ip.size(); ++size) {
-    EXPECT_EQ(find_udp(LinkLayer::kRawIp, bytes_of(ip.substr(0, size))).content,
-              FrameContent::kTruncated);
+    EXPECT_EQ(find_udp(LinkLayer::raw_ip, bytes_of(ip.substr(0, size))).content,
+              FrameContent::truncated);
   }
-  EXPECT_EQ(find_udp(LinkLayer::kRawIp, {}).content, FrameContent::kOther);
-  EXPECT_EQ(find_udp(LinkLayer::kRawIp, bytes_of(test::ip_packet("payload", 2368, 0, 6))).content,
-            FrameContent::kOther);
+  EXPECT_EQ(find_udp(LinkLayer::raw_ip, {}).content, FrameContent::other);
+  EXPECT_EQ(find_udp(LinkLayer::raw_ip, bytes_of(test::ip_packet("payload", 2368, 0, 6))).content,
+            FrameContent::other);
   std::string fragment = ip;
   fragment[6] = '\x20';
-  EXPECT_EQ(find_udp(LinkLayer::kRawIp, bytes_of(fragment)).content, FrameContent::kFragment);
+  EXPECT_EQ(find_udp(LinkLayer::raw_ip, bytes_of(fragment)).content, FrameContent::fragment);
 }
 
 // An IPv4 packet that holds a part of a datagram, from `offset` on.
@@ -317,18 +317,18 @@ TEST(Udp, FragmentsAreJoinedInAnyOrder) {
     FragmentBuffer buffer;
     for (std::size_t i = 0; i < order.size(); ++i) {
       IpFragment fragment;
-      const auto found = find_udp(LinkLayer::kRawIp, bytes_of(parts[order[i]]), &fragment);
-      ASSERT_EQ(found.content, FrameContent::kFragment);
-      EXPECT_EQ(buffer.add(fragment).content == FrameContent::kUdp, i == 3);
+      const auto found = find_udp(LinkLayer::raw_ip, bytes_of(parts[order[i]]), &fragment);
+      ASSERT_EQ(found.content, FrameContent::fragment);
+      EXPECT_EQ(buffer.add(fragment).content == FrameContent::udp, i == 3);
       if (i == 1) {  // sent twice
-        EXPECT_EQ(buffer.add(fragment).content, FrameContent::kFragment);
+        EXPECT_EQ(buffer.add(fragment).content, FrameContent::fragment);
       }
     }
     IpFragment fragment;
     for (const std::string& part : parts) {  // the next datagram of the same number
-      (void)find_udp(LinkLayer::kRawIp, bytes_of(part), &fragment);
+      (void)find_udp(LinkLayer::raw_ip, bytes_of(part), &fragment);
       const UdpDatagram whole = buffer.add(fragment);
-      if (whole.content == FrameContent::kUdp) {
+      if (whole.content == FrameContent::udp) {
         EXPECT_EQ(whole.destination_port, 7502);
         EXPECT_EQ(
             std::string(reinterpret_cast<const char*>(whole.payload.data()), whole.payload.size()),
@@ -343,9 +343,9 @@ TEST(Udp, FragmentsBeyondADatagramAreRefused) {
   const std::string bytes(80, 'x');
   for (unsigned i = 0; i < 1000; ++i) {  // none is ever completed
     IpFragment fragment{i, 2, static_cast<std::uint16_t>(i), 65'528, i % 2 == 0, bytes_of(bytes)};
-    EXPECT_EQ(buffer.add(fragment).content, FrameContent::kFragment);
+    EXPECT_EQ(buffer.add(fragment).content, FrameContent::fragment);
     fragment.offset = 8;
-    EXPECT_EQ(buffer.add(fragment).content, FrameContent::kFragment);
+    EXPECT_EQ(buffer.add(fragment).content, FrameContent::fragment);
   }
 }
 

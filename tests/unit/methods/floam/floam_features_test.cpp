@@ -77,8 +77,9 @@ TEST(FloamFeatures, LinesAreCountedByElevationOrRing) {
     return Eigen::Vector3d(10.0 * std::cos(a), 0.0, 10.0 * std::sin(a)).cast<float>().eval();
   };
   for (int laser = 0; laser < 16; ++laser) {
-    for (const double off : {-0.9, 0.0, 0.9})
+    for (const double off : {-0.9, 0.0, 0.9}) {
       EXPECT_EQ(line_of(at(2.0 * laser - 15.0 + off), 16), laser);
+    }
   }
   EXPECT_GE(line_of(at(17.0), 16), 16);
   EXPECT_LT(line_of(at(-20.0), 16), 0);

@@ -25,8 +25,9 @@ VoxelMap map_of(const std::vector<Eigen::Vector3d>& points) {
 std::vector<Eigen::Vector3d> plane(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
   std::vector<Eigen::Vector3d> points;
   for (double a = -3.0; a <= 3.0; a += 0.2) {
-    for (double b = -3.0; b <= 3.0; b += 0.2)
+    for (double b = -3.0; b <= 3.0; b += 0.2) {
       points.push_back(Eigen::Vector3d(5.0, 4.0, 3.0) + a * u + b * v);
+    }
   }
   return points;
 }

@@ -47,8 +47,9 @@ Chain random_chain(Random& random, std::size_t poses) {
   for (std::size_t first = 0; first < poses; ++first) {
     const std::size_t count = std::min<std::size_t>(3, poses - first);
     Eigen::MatrixXd J = random_matrix(random, 24, static_cast<Eigen::Index>(6 * count));
-    for (Eigen::Index c = 0; c < J.cols(); ++c)
+    for (Eigen::Index c = 0; c < J.cols(); ++c) {
       J.col(c) *= std::pow(10.0, 0.4 * static_cast<double>(c % 6) - 1.0);
+    }
     const Eigen::MatrixXd products = J.transpose() * J;
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {

@@ -137,8 +137,9 @@ TEST(KnotFaults, AFrozenSensorIsLost) {
   }
   Odometry odometry;
   const auto all = add_scans(odometry, scans);
-  for (int i = kEvent + 3; i < kEvent + 10; ++i)
+  for (int i = kEvent + 3; i < kEvent + 10; ++i) {
     EXPECT_FALSE(all[static_cast<std::size_t>(i)].trusted());
+  }
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
   EXPECT_LT(error_of(all, all.back(), walk()), 0.05);
 }
@@ -175,8 +176,9 @@ TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {
   EXPECT_EQ(all[kEvent - 1].segment, 0);
   EXPECT_EQ(all.back().segment, 1) << statuses(all);
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
-  for (int i = kEvent; i < kEvent + 5; ++i)
+  for (int i = kEvent; i < kEvent + 5; ++i) {
     EXPECT_FALSE(all[static_cast<std::size_t>(i)].trusted());
+  }
 }
 
 }  // namespace
