@@ -10,12 +10,16 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "io/robots.hpp"
+#include "live/command_queue.hpp"
 #include "live/live_recording.hpp"
 #include "live_figures.hpp"
 #include "option_checks.hpp"
@@ -25,6 +29,7 @@
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
 #ifdef SUREFOOT_HAS_ROS2
+#include "ros2/command_server.hpp"
 #include "ros2/topic_publisher.hpp"
 #include "ros2/topic_subscription.hpp"
 #include "ros2_options.hpp"
@@ -114,14 +119,34 @@ std::unique_ptr<live::ScanStream> messages_of(LiveArguments& arguments,
 }
 #endif
 
+[[maybe_unused]] std::vector<std::string> command_names() {
+  return {"reset", "pause", "resume", "save_map"};
+}
+
+live::CommandAnswer execute(const std::string& command, live::LiveRecording& recording,
+                            runs::RunControl& run) {
+  if (command == "pause" || command == "resume") {
+    recording.pause(command == "pause");
+    return {true, command == "pause" ? "scans are left out" : "scans are used"};
+  }
+  if (command == "save_map") return {true, std::filesystem::absolute(run.save_map()).string()};
+  if (command != "reset") return {false, command + " is not known"};
+  recording.log().reset();
+  run.reset();
+  return {true, "the odometry begins anew with the next scan"};
+}
+
 /// Where scans come from and where messages go.
 struct Ends {
   std::unique_ptr<live::ScanStream> stream;
   std::shared_ptr<io::BagWriter> messages;  ///< null: nowhere
   bool of_topic = false;
+#ifdef SUREFOOT_HAS_ROS2
+  std::unique_ptr<ros2::CommandServer> commands;
+#endif
 };
 
-Ends ends_of(LiveArguments& arguments) {
+Ends ends_of(LiveArguments& arguments, [[maybe_unused]] live::CommandQueue& commands) {
   Ends ends;
 #ifdef SUREFOOT_HAS_ROS2
   std::shared_ptr<ros2::Participant> participant;
@@ -129,6 +154,11 @@ Ends ends_of(LiveArguments& arguments) {
     participant = std::make_shared<ros2::Participant>(arguments.ros2.participant);
   }
   if (arguments.ros2.publish) ends.messages = ros2::publish(participant);
+  if (arguments.ros2.commands) {
+    ends.commands = std::make_unique<ros2::CommandServer>(
+        participant, command_names(),
+        [&](const std::string& command) { return commands.ask(command); });
+  }
   ends.of_topic = !arguments.ros2.topic.empty();
   if (ends.of_topic) {
     ends.stream = messages_of(arguments, participant);
@@ -164,7 +194,12 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   const process::InterruptGuard interrupt;
   arguments.run.given = recorded_options(command);
   arguments.live.stopped = [&] { return interrupt.interrupted(); };
-  Ends ends = ends_of(arguments);
+  live::CommandQueue commands;
+  Ends ends = ends_of(arguments, commands);
+  // Whoever still waits for an answer is told before the server that waits for it ends.
+  const std::shared_ptr<void> at_end(nullptr, [&](void*) { commands.close(); });
+  std::function<void()> work = [] {};
+  arguments.live.idle = [&] { work(); };
   live::LiveRecording recording(std::move(ends.stream), arguments.live);
   std::optional<LivePublisher> publisher;
   if (ends.messages) publisher.emplace(ends.messages);
@@ -176,13 +211,17 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   };
   const auto progress = [&](std::size_t, double) {
     recording.done();
+    work();
     if (publisher) publisher->tell(recording.figures());
     constexpr auto kPeriod = std::chrono::seconds(10);
     if (quiet || Clock::now() - told < kPeriod) return;
     told = Clock::now();
     say(state_text(recording.figures()));
   };
-  const auto started = [&](const std::filesystem::path& folder) {
+  const auto started = [&](const std::filesystem::path& folder, runs::RunControl& run) {
+    work = [&] {
+      commands.work([&](const std::string& one) { return execute(one, recording, run); });
+    };
     const std::filesystem::path log = folder / live::kLogFile;
     recording.log().open(log);
     arguments.run.given.emplace_back("like", std::filesystem::absolute(log).string());
@@ -200,42 +239,42 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
 }
 
 void add_source_options(CLI::App& command, LiveArguments& arguments) {
-  constexpr const char* kGroup = "Source";
+  constexpr const char* kSourceGroup = "Source";
   command.add_option("--udp", arguments.udp, "port that the sensor sends its packets to")
       ->check(CLI::Range(1, 65535))
-      ->group(kGroup);
+      ->group(kSourceGroup);
   command
       .add_option("--address", arguments.address,
                   "address of the interface to listen on (default: all of them)")
       ->needs("--udp")
-      ->group(kGroup);
+      ->group(kSourceGroup);
   command.add_option("--replay", arguments.replay, "a capture, played at its own pace, instead")
       ->excludes("--udp")
-      ->group(kGroup);
+      ->group(kSourceGroup);
   command
       .add_option("--speed", arguments.speed,
                   "times that pace; 0: as fast as it is used, nothing is dropped")
       ->check(number_within(0.0, 1000.0))
       ->needs("--replay")
       ->capture_default_str()
-      ->group(kGroup);
+      ->group(kSourceGroup);
   command
       .add_option("--queue", arguments.live.queue,
                   "scans that may wait; beyond that the oldest is dropped, and told")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str()
-      ->group(kGroup);
+      ->group(kSourceGroup);
   command
       .add_option("--record", arguments.record,
                   "also write all packets to this capture, from which the run can be repeated; "
                   "of a topic all messages, to an MCAP file")
-      ->group(kGroup);
+      ->group(kSourceGroup);
   command
       .add_option("--silence", arguments.live.silence,
                   "end after so long without a packet or message [s]; without it Ctrl-C or SIGTERM "
                   "ends it")
       ->check(number_within(0.1, 1e6))
-      ->group(kGroup);
+      ->group(kSourceGroup);
 }
 
 }  // namespace

@@ -49,7 +49,9 @@ io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
 }  // namespace
 
 std::string state_text(const live::LiveFigures& figures) {
-  return fmt::format("{} scans, {} dropped; {}", figures.used, figures.dropped,
+  const std::string paused =
+      figures.paused > 0 ? fmt::format(", {} paused", figures.paused) : std::string();
+  return fmt::format("{} scans, {} dropped{}; {}", figures.used, figures.dropped, paused,
                      latency_text(figures));
 }
 

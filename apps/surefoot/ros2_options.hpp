@@ -21,8 +21,9 @@ struct Ros2Arguments {
   std::string topic;
   bool reliable = false;
   bool publish = false;
+  bool commands = false;
 
-  [[nodiscard]] bool any() const { return !topic.empty() || publish; }
+  [[nodiscard]] bool any() const { return !topic.empty() || publish || commands; }
 };
 
 /// The domain is ROS_DOMAIN_ID's where none is given.

@@ -58,7 +58,11 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
   }
   options.given = recorded_options(command);
 #ifdef SUREFOOT_HAS_PCAP
-  if (!options.like.empty()) options.only_stamps = live::used_stamps(options.like);
+  if (!options.like.empty()) {
+    live::UsedScans scans = live::used_scans(options.like);
+    options.only_stamps = std::move(scans.used);
+    options.reset_before = std::move(scans.reset_before);
+  }
 #endif
   const bool named = std::any_of(options.given.begin(), options.given.end(),
                                  [](const auto& option) { return option.first == "loop-closure"; });

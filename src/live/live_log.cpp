@@ -5,6 +5,7 @@
 #include <charconv>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
@@ -26,6 +27,12 @@ void LiveLog::dropped(std::int64_t stamp_ns, const std::string& scan) {
   add(std::to_string(stamp_ns) + "," + scan + ",dropped,");
 }
 
+void LiveLog::paused(std::int64_t stamp_ns, const std::string& scan) {
+  add(std::to_string(stamp_ns) + "," + scan + ",paused,");
+}
+
+void LiveLog::reset() { add("0,,reset,"); }
+
 void LiveLog::open(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex_);
   file_.open(file);
@@ -43,7 +50,7 @@ void LiveLog::add(const std::string& line) {
   }
 }
 
-std::vector<std::int64_t> used_stamps(const std::filesystem::path& log) {
+UsedScans used_scans(const std::filesystem::path& log) {
   std::ifstream file(log);
   std::string line;
   if (!std::getline(file, line) || line != kHeader) {
@@ -51,7 +58,8 @@ std::vector<std::int64_t> used_stamps(const std::filesystem::path& log) {
                         "', expected the log of a " + "live run, which begins '" +
                         std::string(kHeader) + "'");
   }
-  std::vector<std::int64_t> stamps;
+  UsedScans scans;
+  bool is_reset = false;
   for (std::size_t number = 2; std::getline(file, line); ++number) {
     std::int64_t stamp_ns = 0;
     const char* const end = line.data() + line.size();
@@ -61,9 +69,12 @@ std::vector<std::int64_t> used_stamps(const std::filesystem::path& log) {
       throw io::ReadError(log.string() + ": line " + std::to_string(number) + ": got '" +
                           line.substr(0, 80) + "', expected 'stamp,scan,fate,latency'");
     }
-    if (line.find(",used,") != std::string::npos) stamps.push_back(stamp_ns);
+    if (line == "0,,reset,") is_reset = true;
+    if (line.find(",used,") == std::string::npos) continue;
+    scans.used.push_back(stamp_ns);
+    if (std::exchange(is_reset, false)) scans.reset_before.push_back(stamp_ns);
   }
-  return stamps;
+  return scans;
 }
 
 }  // namespace surefoot::live

@@ -80,6 +80,11 @@ void LiveRecording::enqueue(LiveScan scan) {
     if (figures_.unreadable++ == 0) notes_.push_back("left out: " + scan.item.error);
     return;
   }
+  if (paused_) {
+    log_.paused(scan.item.scan->stamp_ns, scan.item.name);
+    ++figures_.paused;
+    return;
+  }
   const auto is_full = [&] { return queue_.size() >= std::max<std::size_t>(options_.queue, 1); };
   if (stream_->patient()) changed_.wait(lock, [&] { return !is_full() || abandoned_; });
   while (is_full()) {
@@ -94,7 +99,13 @@ void LiveRecording::enqueue(LiveScan scan) {
 
 std::optional<io::ScanItem> LiveRecording::next() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !queue_.empty() || ended_; });
+  constexpr std::chrono::milliseconds kIdlePeriod(100);
+  while (!changed_.wait_for(lock, kIdlePeriod, [this] { return !queue_.empty() || ended_; })) {
+    if (!options_.idle) continue;
+    lock.unlock();
+    options_.idle();
+    lock.lock();
+  }
   if (queue_.empty()) {
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     return std::nullopt;
@@ -108,6 +119,11 @@ std::optional<io::ScanItem> LiveRecording::next() {
 
 void LiveRecording::skip(std::size_t scans) {
   while (scans > 0 && next()) --scans;
+}
+
+void LiveRecording::pause(bool paused) {
+  const std::lock_guard lock(mutex_);
+  paused_ = paused;
 }
 
 void LiveRecording::done() {

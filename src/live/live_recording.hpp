@@ -30,6 +30,7 @@ namespace surefoot::live {
 struct LiveOptions {
   std::size_t queue = 2;          ///< scans that may wait
   double silence = 0.0;           ///< [s] of it that end the run, once there was something; 0: none
+  std::function<void()> idle;     ///< called ten times a second while next() waits; may be empty
   std::function<bool()> stopped;  ///< asked ten times a second; true ends the stream in good order
 };
 
@@ -40,6 +41,7 @@ struct LiveFigures {
   io::CaptureCounts packets;
   std::size_t used = 0;              ///< scans
   std::size_t dropped = 0;           ///< scans that waited for too long
+  std::size_t paused = 0;            ///< scans that came during a pause
   std::size_t unreadable = 0;        ///< messages that no scan could be made of
   std::vector<double> latencies_ms;  ///< from a used scan's last packet to done(); the last 100,000
 };
@@ -62,6 +64,8 @@ class LiveRecording final : public io::Recording {
 
   /// To be called when the scan that next() gave last was used, its pose written.
   void done();
+  /// Scans that come during a pause are not used.
+  void pause(bool paused);
   [[nodiscard]] LiveFigures figures() const;
   [[nodiscard]] LiveLog& log() { return log_; }
 
@@ -91,6 +95,7 @@ class LiveRecording final : public io::Recording {
   std::vector<std::string> notes_;
   std::size_t stream_notes_ = 0;  ///< of the stream's, that are among them
   bool ended_ = false;
+  bool paused_ = false;
   bool abandoned_ = false;  ///< nobody will ask for more
   std::exception_ptr failure_;
 

@@ -11,7 +11,8 @@ namespace {
 constexpr std::string_view kTopicPrefix = "rt/";
 
 // SHA-256 of the types' descriptions.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kHashes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kHashes = {{
+    {"std_msgs/String", "df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"},
     {"sensor_msgs/PointCloud2", "9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5"},
     {"nav_msgs/Odometry", "3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"},
     {"nav_msgs/Path", "1957a5bb3cee5da65c4e52e52b65a93df227efce4c20f8458b36e73066ca334b"},
@@ -38,6 +39,16 @@ std::string wire_topic(std::string_view topic) {
 std::string topic_of(std::string_view wire_name) {
   if (!wire_name.starts_with(kTopicPrefix)) return {};
   return std::string(wire_name.substr(kTopicPrefix.size() - 1));
+}
+
+WireTopic message_topic(std::string_view topic, std::string_view type) {
+  return {wire_topic(topic), wire_type(type), type_hash_data(type)};
+}
+WireTopic trigger_request_topic(std::string_view service) {
+  return {"rq" + std::string(service) + "Request", "std_srvs::srv::dds_::Trigger_Request_", ""};
+}
+WireTopic trigger_reply_topic(std::string_view service) {
+  return {"rr" + std::string(service) + "Reply", "std_srvs::srv::dds_::Trigger_Response_", ""};
 }
 
 std::string type_hash_data(std::string_view type) {

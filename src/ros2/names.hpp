@@ -17,6 +17,17 @@ namespace surefoot::ros2 {
 /// "/points" of "rt/points"; empty for what is no topic: a service's, or DDS's own.
 [[nodiscard]] std::string topic_of(std::string_view wire_name);
 
+/// A topic as DDS knows it.
+struct WireTopic {
+  std::string name;
+  std::string type;
+  std::string user_data;  ///< that endpoints tell of themselves
+};
+[[nodiscard]] WireTopic message_topic(std::string_view topic, std::string_view type);
+/// Those of a service "/surefoot/reset" of std_srvs/srv/Trigger.
+[[nodiscard]] WireTopic trigger_request_topic(std::string_view service);
+[[nodiscard]] WireTopic trigger_reply_topic(std::string_view service);
+
 /// "typehash=RIHS01_...;", which endpoints of Iron and later tell each other; empty where the
 /// type's is not known.
 [[nodiscard]] std::string type_hash_data(std::string_view type);

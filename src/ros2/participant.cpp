@@ -16,7 +16,6 @@
 
 #include "io/bags/message_source.hpp"
 #include "io/messages/message_writer.hpp"
-#include "ros2/names.hpp"
 #include "ros2/raw_type.hpp"
 
 namespace surefoot::ros2 {
@@ -233,7 +232,7 @@ Participant::Endpoint Participant::add(const WireTopic& wire, Direction directio
                                                       &endpoint.type, nullptr, nullptr, nullptr);
   if (topic < 0) ddsi_sertype_unref(endpoint.type);
   check(topic);
-  const Qos settings = qos_of(qos, wire.hash_data);
+  const Qos settings = qos_of(qos, wire.user_data);
   endpoint.entity = direction == Direction::in
                         ? dds_create_reader(participant_, topic, settings.get(), nullptr)
                         : dds_create_writer(participant_, topic, settings.get(), nullptr);
@@ -242,20 +241,16 @@ Participant::Endpoint Participant::add(const WireTopic& wire, Direction directio
   return endpoint;
 }
 
-Participant::Endpoint Participant::add_reader(std::string_view topic, std::string_view type,
-                                              const TopicQos& qos) {
-  const Endpoint reader =
-      add({wire_topic(topic), wire_type(type), type_hash_data(type)}, Direction::in, qos);
+Participant::Endpoint Participant::add_reader(const WireTopic& topic, const TopicQos& qos) {
+  const Endpoint reader = add(topic, Direction::in, qos);
   const std::lock_guard lock(mutex_);
   readers_.push_back(guid_of(reader.entity));
   introduce();
   return reader;
 }
 
-Participant::Endpoint Participant::add_writer(std::string_view topic, std::string_view type,
-                                              const TopicQos& qos) {
-  const Endpoint writer =
-      add({wire_topic(topic), wire_type(type), type_hash_data(type)}, Direction::out, qos);
+Participant::Endpoint Participant::add_writer(const WireTopic& topic, const TopicQos& qos) {
+  const Endpoint writer = add(topic, Direction::out, qos);
   const std::lock_guard lock(mutex_);
   writers_.push_back(guid_of(writer.entity));
   introduce();

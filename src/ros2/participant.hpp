@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ros2/names.hpp"
+
 struct ddsi_sertype;
 
 namespace surefoot::ros2 {
@@ -51,10 +53,8 @@ class Participant {
     int entity = 0;  ///< dds_entity_t
     ddsi_sertype* type = nullptr;
   };
-  [[nodiscard]] Endpoint add_reader(std::string_view topic, std::string_view type,
-                                    const TopicQos& qos);
-  [[nodiscard]] Endpoint add_writer(std::string_view topic, std::string_view type,
-                                    const TopicQos& qos);
+  [[nodiscard]] Endpoint add_reader(const WireTopic& topic, const TopicQos& qos);
+  [[nodiscard]] Endpoint add_writer(const WireTopic& topic, const TopicQos& qos);
   /// Of a writer's; best effort what does not go out in a tenth of a second. False where it did
   /// not.
   static bool write(const Endpoint& writer, std::string_view cdr);
@@ -64,11 +64,6 @@ class Participant {
   [[nodiscard]] int domain() const { return options_.domain; }
 
  private:
-  struct WireTopic {
-    std::string name;
-    std::string type;
-    std::string hash_data;
-  };
   enum class Direction { in, out };
   [[nodiscard]] Endpoint add(const WireTopic& topic, Direction direction,
                              const TopicQos& qos) const;

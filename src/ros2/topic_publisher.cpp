@@ -29,7 +29,8 @@ class TopicPublisher final : public io::BagWriter {
   ~TopicPublisher() override { stop(); }
 
   std::size_t add_topic(const std::string& name, const io::MessageDefinition& definition) override {
-    writers_.push_back(participant_->add_writer(name, definition.type, qos_of(name)));
+    writers_.push_back(
+        participant_->add_writer(message_topic(name, definition.type), qos_of(name)));
     return writers_.size() - 1;
   }
 

@@ -101,7 +101,7 @@ class TopicSubscription final : public live::TopicSource {
   void begin(const SeenTopic& topic) {
     topic_ = {topic.name, topic.type, io::MessageEncoding::cdr};
     reader_ =
-        participant_->add_reader(topic.name, topic.type,
+        participant_->add_reader(message_topic(topic.name, topic.type),
                                  {options_.reliable, options_.reliable ? kReliableDepth : kDepth,
                                   /*latched=*/false});
     waitset_ = dds_create_waitset(DDS_CYCLONEDDS_HANDLE);

@@ -39,7 +39,7 @@ std::vector<std::string> lines_of(const std::map<int, Trajectory>& segments) {
   return lines;
 }
 
-class OdometryRun {
+class OdometryRun final : public RunControl {
  public:
   OdometryRun(const RunOptions& options, const RunListener& listener, io::Recording& recording)
       : options_(options),
@@ -49,12 +49,17 @@ class OdometryRun {
         odometry_(config_, options.threads),
         T_lidar_written_(written_frame(options, config_)),
         map_(options.map_voxel) {
-    odometry_.set_step_observer([this](Step step) { times_.begin(step); });
+    observe();
   }
 
   [[nodiscard]] RunOutcome execute();
+  void reset() override;
+  std::filesystem::path save_map() override;
 
  private:
+  void observe() {
+    odometry_.set_step_observer([this](Step step) { times_.begin(step); });
+  }
   void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   void use_all(std::optional<io::ScanItem> item, RunOutput& output);
@@ -83,6 +88,8 @@ class OdometryRun {
   std::vector<std::string> notes_;      ///< the recording's that were said
   std::vector<std::string> own_notes_;  ///< the run's
   Status last_status_ = Status::ok;
+  int first_segment_ = 0;  ///< since it began anew
+  int last_segment_ = -1;
   std::int64_t first_stamp_ns_ = 0;
 };
 
@@ -101,7 +108,7 @@ RunOutcome OdometryRun::execute() {
     listener_.say(
         fmt::format("note: {}: an earlier run's files are replaced", outcome_.folder.string()));
   }
-  if (listener_.started) listener_.started(outcome_.folder);
+  if (listener_.started) listener_.started(outcome_.folder, *this);
   open_bags();
   begin_map();
   use_all(std::move(item), output);
@@ -154,8 +161,12 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
     listener_.say("left out: " + item.error);
     return;
   }
+  const std::vector<std::int64_t>& resets = options_.reset_before;
+  if (std::binary_search(resets.begin(), resets.end(), item.scan->stamp_ns)) reset();
   times_.reset();
-  const Estimate estimate = odometry_.add_scan(*item.scan);
+  Estimate estimate = odometry_.add_scan(*item.scan);
+  estimate.segment += first_segment_;
+  last_segment_ = estimate.segment;
   if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (!options_.no_report) output.add_sample(*item.scan, estimate);
@@ -169,6 +180,20 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (localization_) localization_->add(estimate, odometry_.deskewed_scan());
   tell(item, estimate);
   count(estimate, output.trajectory());
+}
+
+void OdometryRun::reset() {
+  if (last_segment_ < first_segment_) return;  // it has not begun
+  odometry_ = Odometry(config_, options_.threads);
+  observe();
+  map_ = mapping::MapBuilder(options_.map_voxel);
+  first_segment_ = last_segment_ + 1;
+  listener_.say("reset: the odometry begins anew, in a segment of its own");
+}
+
+std::filesystem::path OdometryRun::save_map() {
+  write_map(outcome_.folder, map_);
+  return outcome_.folder / kMapFile;
 }
 
 /// Each trouble once, when it begins.

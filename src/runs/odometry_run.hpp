@@ -36,13 +36,23 @@ struct RunOutcome {
   [[nodiscard]] std::size_t scans() const { return milliseconds.size(); }
 };
 
+/// What may be asked of a run while it goes on, between two scans on its own thread.
+class RunControl {
+ public:
+  virtual ~RunControl() = default;
+  /// The odometry begins anew where it was set up to begin, in a segment and a map of its own.
+  virtual void reset() = 0;
+  /// Writes map.ply as it is now. Throws io::WriteError.
+  virtual std::filesystem::path save_map() = 0;
+};
+
 /// Who is told what goes on while it runs.
 struct RunListener {
   std::function<void(const std::string& text)> say;
   std::function<void(std::size_t scans, double share)> progress;
   std::function<bool()> interrupted;  ///< true ends the run in good order
   /// The folder is made, nothing is used yet. May be empty.
-  std::function<void(const std::filesystem::path& folder)> started = {};
+  std::function<void(const std::filesystem::path& folder, RunControl& run)> started = {};
   /// Where else the run's messages go, as it runs. May be null.
   std::shared_ptr<io::BagWriter> messages = {};
 };

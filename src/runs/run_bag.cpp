@@ -96,6 +96,10 @@ void RunBag::write_pose(const Estimate& estimate) {
     transforms.push_back({stamp, kBase, kLidar, T_lidar_written_.inverse()});
   }
   bag_->write(topics_.transforms, stamp, io::format_transforms(transforms));
+  if (std::exchange(segment_, estimate.segment) != estimate.segment) {  // in another frame
+    path_.clear();
+    path_written_ = 0;
+  }
   path_.push_back({stamp, message.T_frame_child});
 }
 

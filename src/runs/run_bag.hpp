@@ -44,6 +44,7 @@ class RunBag {
   std::string frame_;  ///< whose poses are written
   Topics topics_;
   Trajectory path_;
+  int segment_ = 0;               ///< of the path's poses
   std::size_t path_written_ = 0;  ///< poses when it was written last
   std::int64_t next_map_ns_ = 0;
   bool any_map_ = false;

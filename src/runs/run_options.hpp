@@ -22,9 +22,10 @@ inline constexpr const char* kDefaultMethod = "surefoot";
 struct RunOptions {
   std::filesystem::path input;
   io::OpenOptions reader;
-  bool is_live = false;                   ///< the input is the name of what is running, no file
-  std::filesystem::path like;             ///< a live run's log
-  std::vector<std::int64_t> only_stamps;  ///< of the scans that it used; empty: all are used
+  bool is_live = false;                    ///< the input is the name of what is running, no file
+  std::filesystem::path like;              ///< a live run's log
+  std::vector<std::int64_t> only_stamps;   ///< of the scans that it used; empty: all are used
+  std::vector<std::int64_t> reset_before;  ///< of those with which it began anew
 
   std::string method;  ///< empty: the config file's, else kDefaultMethod
   std::filesystem::path config_file;

@@ -115,13 +115,15 @@ void RunOutput::write_segments() const {
   }
 }
 
+void write_map(const fs::path& folder, const mapping::MapBuilder& map) {
+  const std::vector<io::PlyColumn> columns = {{"intensity", map.intensities()},
+                                              {"first_seen", map.first_seen()}};
+  io::write_ply(folder / kMapFile, map.points(), columns);
+}
+
 void RunOutput::finish(const RunOptions& options, const RunDescription& description,
                        const mapping::MapBuilder& map) {
-  if (!options.no_map) {
-    const std::vector<io::PlyColumn> columns = {{"intensity", map.intensities()},
-                                                {"first_seen", map.first_seen()}};
-    io::write_ply(folder_.path() / kMapFile, map.points(), columns);
-  }
+  if (!options.no_map) write_map(folder_.path(), map);
   write_segments();
   const std::vector<report::DeskewSample> sweeps = samples_.samples();
   if (!sweeps.empty()) write_deskew_samples(folder_.path() / kDeskewingFile, sweeps);

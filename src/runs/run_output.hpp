@@ -60,4 +60,7 @@ class RunOutput {
   std::size_t lines_ = 0;
 };
 
+/// map.ply in a run's folder. Throws io::WriteError.
+void write_map(const std::filesystem::path& folder, const mapping::MapBuilder& map);
+
 }  // namespace surefoot::runs
