@@ -56,8 +56,8 @@ class ScanStream {
                                                         std::string metadata,
                                                         const std::filesystem::path& record);
 
-/// Stamps are mended as they come where the options say so. @param record an MCAP file of all
-/// messages; empty: none.
+/// Stamps are mended at once where the options let them be mended. @param record an MCAP file of
+/// all messages; empty: none.
 [[nodiscard]] std::unique_ptr<ScanStream> topic_stream(std::unique_ptr<TopicSource> source,
                                                        const io::OpenOptions& options,
                                                        const std::filesystem::path& record);

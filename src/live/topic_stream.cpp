@@ -128,7 +128,9 @@ class TopicStream final : public ScanStream {
               const std::filesystem::path& record)
       : owned_(std::make_unique<LiveMessages>(std::move(source), record)),
         messages_(owned_.get()),
-        options_(options) {}
+        options_(options) {
+    options_.repair_at_once = true;  // nobody waits for the next scans
+  }
 
   std::optional<LiveScan> next(const std::function<bool()>& go_on) override {
     messages_->ask(go_on);

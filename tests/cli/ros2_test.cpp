@@ -382,6 +382,19 @@ TEST_F(Ros2Test, WhatIsMissingIsNamed) {
                                "of:\n  /points (sensor_msgs/PointCloud2, reliable)"),
             std::string::npos)
       << result;
+
+  // Before Iron a GID was of 24 bytes, and no type told its hash.
+  peer.add_writer("ros_discovery_info", "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_");
+  const Process among_older(live({"--ros2-topic", "/cloud"}), scratch_.path());
+  std::string told;
+  const auto is_older = [&] { return told.size() > 32 && told[4 + 16] == 0 && told[4 + 24] == 1; };
+  for (int i = 0; i < 500 && !is_older(); ++i) {
+    for (const std::string& one : peer.take("ros_discovery_info")) told = one;
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_TRUE(is_older());
+  among_older.send(SIGTERM);
+  EXPECT_EQ(among_older.wait().exit_code, 2);
   expect(live({"--ros2-topic", "/imu"}), "it is a sensor_msgs/Imu, of which no scans can be made");
 }
 

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A topic's messages as scans, from a source that is no network.
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <filesystem>
+#include <utility>
+
+#include "io/messages/point_cloud2_writer.hpp"
+#include "live/scan_stream.hpp"
+#include "support/scratch.hpp"
+
+namespace surefoot::live {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kStart = 1'700'000'000 * kSecond;
+
+std::string cloud(std::int64_t stamp_ns, bool with_times) {
+  Scan scan;
+  scan.stamp_ns = stamp_ns;
+  for (int i = 0; i < 50; ++i) {
+    scan.points.emplace_back(1.0F, static_cast<float>(i), static_cast<float>(stamp_ns % 997));
+    if (with_times) scan.times_ns.push_back(i * 2'000'000);
+  }
+  return io::format_point_cloud2(scan, "lidar", io::MessageWriter::Flavour::cdr);
+}
+
+class Messages final : public TopicSource {
+ public:
+  explicit Messages(std::deque<std::string> messages) : messages_(std::move(messages)) {}
+  Received receive(TopicArrival& arrival) override {
+    if (messages_.empty()) return Received::end;
+    const auto* const bytes = reinterpret_cast<const std::byte*>(messages_.front().data());
+    arrival.bytes.assign(bytes, bytes + messages_.front().size());
+    arrival.arrival_ns = kStart + kSecond / 10 * ++given_;
+    messages_.pop_front();
+    return Received::something;
+  }
+  const io::Topic& topic() const override { return topic_; }
+  std::string name() const override { return "topic /points"; }
+  std::string others() const override { return "; nobody else is there"; }
+
+ private:
+  std::deque<std::string> messages_;
+  io::Topic topic_ = {"/points", "sensor_msgs/PointCloud2", io::MessageEncoding::cdr};
+  std::int64_t given_ = 0;
+};
+
+struct Streamed {
+  std::vector<io::ScanItem> items;
+  std::string nothing;
+  /// How many messages were asked for when the first scan came.
+  std::size_t asked_first = 0;
+};
+
+Streamed streamed(std::deque<std::string> messages, const std::filesystem::path& record = {}) {
+  const auto stream = topic_stream(std::make_unique<Messages>(std::move(messages)), {}, record);
+  Streamed result;
+  while (std::optional<LiveScan> scan = stream->next([] { return true; })) {
+    if (result.items.empty()) result.asked_first = stream->state().received;
+    result.items.push_back(std::move(scan->item));
+  }
+  result.nothing = stream->nothing_text();
+  return result;
+}
+
+std::deque<std::string> clouds(int count, bool with_times) {
+  std::deque<std::string> messages;
+  for (int i = 0; i < count; ++i) messages.push_back(cloud(kStart + i * kSecond / 10, with_times));
+  return messages;
+}
+
+TEST(TopicStream, GivesAScanAsSoonAsItsMessageCame) {
+  for (const bool with_times : {true, false}) {
+    const Streamed result = streamed(clouds(30, with_times));
+    ASSERT_EQ(result.items.size(), 30U) << with_times;
+    EXPECT_EQ(result.asked_first, 1U) << with_times;
+    for (std::size_t i = 0; i < result.items.size(); ++i) {
+      EXPECT_EQ(result.items[i].scan->stamp_ns,
+                kStart + static_cast<std::int64_t>(i) * kSecond / 10);
+    }
+  }
+}
+
+class TopicStreamRecord : public test::Scratch {};
+
+TEST_F(TopicStreamRecord, GivesTheSame) {
+  const std::filesystem::path file = folder_ / "heard.mcap";
+  std::deque<std::string> messages = clouds(10, true);
+  messages[4].resize(100);
+  const Streamed live = streamed(messages, file);
+  const auto recording = io::open_recording(file);
+  for (const io::ScanItem& item : live.items) {
+    const std::optional<io::ScanItem> again = recording->next();
+    ASSERT_TRUE(again.has_value());
+    ASSERT_EQ(item.scan.has_value(), again->scan.has_value());
+    EXPECT_EQ(item.name, again->name);
+    if (!item.scan) continue;
+    EXPECT_EQ(item.scan->stamp_ns, again->scan->stamp_ns);
+    EXPECT_EQ(item.scan->times_ns, again->scan->times_ns);
+    EXPECT_EQ(item.scan->points, again->scan->points);
+  }
+  EXPECT_FALSE(recording->next().has_value());
+}
+
+TEST(TopicStream, SaysWhyThereIsNothing) {
+  EXPECT_EQ(streamed({}).nothing,
+            "topic /points: 0 messages, no scan among them; nobody else is there");
+  EXPECT_EQ(streamed(clouds(1, true)).nothing, "");
+}
+
+}  // namespace
+}  // namespace surefoot::live
