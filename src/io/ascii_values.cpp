@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string>
 
+#include "io/recording.hpp"
+
 namespace surefoot::io {
 namespace {
 
@@ -47,6 +49,14 @@ bool store_float(std::string_view word, std::byte* out) {
 }
 
 }  // namespace
+
+void fail_at_line(std::size_t line, const std::string& what) {
+  throw ReadError("line " + std::to_string(line) + ": " + what);
+}
+
+bool is_whole(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 bool LineReader::next(std::string_view& line) {
   if (offset_ >= text_.size()) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,12 @@ class LineReader {
   std::size_t offset_ = 0;
   std::size_t line_number_ = 0;
 };
+
+/// Throws ReadError: "line 7: what".
+[[noreturn]] void fail_at_line(std::size_t line, const std::string& what);
+
+/// Whether a word is digits alone.
+[[nodiscard]] bool is_whole(std::string_view word);
 
 /// Takes the first word off the text; empty when only white space is left.
 [[nodiscard]] std::string_view take_word(std::string_view& text);

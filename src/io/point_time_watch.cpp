@@ -43,7 +43,7 @@ double azimuth_of(const Eigen::Vector3f& point) {
   return std::atan2(static_cast<double>(point.y()), static_cast<double>(point.x()));
 }
 
-bool is_return(const Eigen::Vector3f& point) { return point.allFinite() && !point.isZero(); }
+bool has_returned(const Eigen::Vector3f& point) { return point.allFinite() && !point.isZero(); }
 
 /// Adds to a recording what its scans' times lack.
 class WatchedRecording : public RecordingFilter {
@@ -149,7 +149,7 @@ std::optional<Spin> spin_of(const Scan& scan) {
   std::array<std::complex<double>, kStretches> sums{};
   std::array<double, kStretches> counts{};
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    if (!is_return(scan.points[i])) continue;
+    if (!has_returned(scan.points[i])) continue;
     const double share =
         (static_cast<double>(scan.times_ns[i]) - static_cast<double>(*least)) / duration;
     const auto k = std::min(static_cast<std::size_t>(share * kStretches), kStretches - 1);
@@ -181,7 +181,7 @@ void derive_times(Scan& scan, const SweepTiming& sweep) {
   scan.times_ns.resize(scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     std::int64_t offset = 0;
-    if (is_return(scan.points[i])) {
+    if (has_returned(scan.points[i])) {
       const double turned = sign * (azimuth_of(scan.points[i]) - cut) / kTurn;
       offset = std::llround((turned - std::floor(turned)) * static_cast<double>(sweep.period_ns));
     }

@@ -20,14 +20,10 @@ namespace {
 constexpr int kMetreDecimals = 9;
 constexpr int kRotationDecimals = 12;
 
-[[noreturn]] void fail(std::size_t line, const std::string& what) {
-  throw ReadError("line " + std::to_string(line) + ": " + what);
-}
-
 double finite_number(std::string_view word, std::size_t line) {
   double value = 0.0;
   if (!parse_real(word, value) || !std::isfinite(value)) {
-    fail(line, in_quotes(word) + " is no finite number");
+    fail_at_line(line, in_quotes(word) + " is no finite number");
   }
   return value;
 }
@@ -42,8 +38,8 @@ void for_each_row(std::string_view text, std::size_t columns, const char* shape,
       continue;
     }
     if (words.size() != columns) {
-      fail(lines.line_number(), std::to_string(words.size()) + " values; expected " +
-                                    std::to_string(columns) + " (" + shape + ")");
+      fail_at_line(lines.line_number(), std::to_string(words.size()) + " values; expected " +
+                                            std::to_string(columns) + " (" + shape + ")");
     }
     use(words, lines.line_number());
   }
@@ -52,7 +48,7 @@ void for_each_row(std::string_view text, std::size_t columns, const char* shape,
 StampedPose pose_of_tum_row(const std::vector<std::string_view>& words, std::size_t line) {
   const std::optional<std::int64_t> stamp = parse_decimal_seconds(words[0]);
   if (!stamp) {
-    fail(line, in_quotes(words[0]) + " is no stamp in seconds");
+    fail_at_line(line, in_quotes(words[0]) + " is no stamp in seconds");
   }
   std::array<double, 7> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -64,7 +60,7 @@ StampedPose pose_of_tum_row(const std::vector<std::string_view>& words, std::siz
   const Eigen::Quaterniond rotation(values[6], values[3], values[4], values[5]);
   // Far from unit length it is no rotation that was written with few digits, but something else.
   if (std::abs(rotation.norm() - 1.0) > 0.01) {
-    fail(line, "quaternion of length " + std::to_string(rotation.norm()) + "; expected 1");
+    fail_at_line(line, "quaternion of length " + std::to_string(rotation.norm()) + "; expected 1");
   }
   pose.pose.rotation = rotation.normalized();
   return pose;
@@ -81,7 +77,7 @@ Pose pose_of_kitti_row(const std::vector<std::string_view>& words, std::size_t l
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
   if (!((given - rotation).norm() < 0.01) || rotation.determinant() < 0.0) {
-    fail(line, "the 3x3 part is no rotation");
+    fail_at_line(line, "the 3x3 part is no rotation");
   }
   return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
 }

@@ -37,20 +37,12 @@ Words columns_of(std::string_view line) {
   return words;
 }
 
-[[noreturn]] void fail(std::size_t line, const std::string& what) {
-  throw ReadError("line " + std::to_string(line) + ": " + what);
-}
-
 double number_of(std::string_view word, std::size_t line) {
   double value = 0.0;
   if (!parse_real(word, value) || !std::isfinite(value)) {
-    fail(line, in_quotes(word) + "; expected a finite number");
+    fail_at_line(line, in_quotes(word) + "; expected a finite number");
   }
   return value;
-}
-
-bool is_whole(std::string_view word) {
-  return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 /// Of nine digits at most.
@@ -65,7 +57,7 @@ std::int64_t stamp_of(std::string_view word, std::size_t line) {
     const auto nanoseconds = parse_stamps(word);  // whole numbers of that size
     if (nanoseconds.size() == 1) return nanoseconds.front();
   }
-  if (!seconds) fail(line, in_quotes(word) + "; expected a time");
+  if (!seconds) fail_at_line(line, in_quotes(word) + "; expected a time");
   return *seconds;
 }
 
@@ -82,8 +74,8 @@ std::optional<Eigen::Quaterniond> rotation_of(const Words& words, std::size_t fi
       number_of(words[first + 1], line), number_of(words[first + 2], line));
   if (rotation.norm() == 0.0) return std::nullopt;
   if (std::abs(rotation.norm() - 1.0) > 0.01) {
-    fail(line, "quaternion of length " + std::to_string(rotation.norm()) +
-                   "; expected 1, or 0 0 0 0 where only the position is known");
+    fail_at_line(line, "quaternion of length " + std::to_string(rotation.norm()) +
+                           "; expected 1, or 0 0 0 0 where only the position is known");
   }
   return rotation.normalized();
 }
@@ -100,7 +92,7 @@ Pose matrix_of(const Words& words, std::size_t first, std::size_t line) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
   if (!((given - rotation).norm() < 0.01) || rotation.determinant() < 0.0) {
-    fail(line, "the 3x3 part is no rotation");
+    fail_at_line(line, "the 3x3 part is no rotation");
   }
   return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
 }
@@ -128,7 +120,7 @@ void add_row(Truth& truth, const Words& words, std::size_t line) {
       std::int64_t stamp = 0;
       if (!whole || !seconds ||
           __builtin_add_overflow(*seconds, whole_number(words[1], line), &stamp)) {
-        fail(line, "9 columns that do not begin with seconds and nanoseconds");
+        fail_at_line(line, "9 columns that do not begin with seconds and nanoseconds");
       }
       return add_pose(truth, words, 2, line, stamp);
     }
@@ -141,8 +133,8 @@ void add_row(Truth& truth, const Words& words, std::size_t line) {
       truth.poses.push_back({stamp_of(words[0], line), matrix_of(words, 1, line)});
       return;
     default:
-      fail(line,
-           std::to_string(words.size()) + " columns; expected 4, 8, 9, 12 or 13: times and poses");
+      fail_at_line(line, std::to_string(words.size()) +
+                             " columns; expected 4, 8, 9, 12 or 13: times and poses");
   }
 }
 
@@ -288,8 +280,8 @@ Truth parse_truth_table(std::string_view text) {
     if (columns == 0) columns = words.size();
     if (names) continue;
     if (words.size() != columns) {
-      fail(reader.line_number(), std::to_string(words.size()) + " columns; expected " +
-                                     std::to_string(columns) + " as before");
+      fail_at_line(reader.line_number(), std::to_string(words.size()) + " columns; expected " +
+                                             std::to_string(columns) + " as before");
     }
     add_row(truth, words, reader.line_number());
   }

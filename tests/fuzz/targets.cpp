@@ -10,6 +10,7 @@
 #include "io/bags/bag_metadata.hpp"
 #include "io/bags/compression.hpp"
 #include "io/bags/mcap_reader.hpp"
+#include "io/bags/ros1_bag_format.hpp"
 #include "io/bags/ros1_bag_reader.hpp"
 #include "io/file_writer.hpp"
 #include "io/files/pcd_writer.hpp"

@@ -16,7 +16,6 @@ using mcap::Opcode;
 
 // Longer schemas, channels and headers are passed over [bytes].
 constexpr std::uint64_t kMostRecordBytes = 16 << 20;
-constexpr std::size_t kMostNameBytes = 4096;
 
 struct RecordHead {
   Opcode opcode{};

@@ -15,6 +15,9 @@
 
 namespace surefoot::io {
 
+/// Longer names of topics and types are cut: no bag has any.
+inline constexpr std::size_t kMostNameBytes = 4096;
+
 enum class MessageEncoding { cdr, ros1, other };
 
 struct Topic {

@@ -7,25 +7,22 @@
 #include <map>
 
 #include "io/bags/compression.hpp"
+#include "io/bags/ros1_bag_format.hpp"
 #include "io/messages/message_reader.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
 namespace {
 
-// rosbag_storage, constants.h.
-enum class Op : std::uint8_t { none = 0, message = 2, file_header = 3, chunk = 5, connection = 7 };
-
 constexpr std::uint32_t kMostHeaderBytes = 1 << 20;
 constexpr std::uint32_t kMostConnectionBytes = 16 << 20;
-constexpr std::size_t kMostNameBytes = 4096;
 // More have never been seen; what a file of nothing else may hold in memory.
 constexpr std::size_t kMostConnections = 65'536;
 
 /// The "name=value" fields of a record's header, or of a connection's data.
-class Fields {
+class RecordFields {
  public:
-  explicit Fields(std::span<const std::byte> bytes) : reader_(MessageReader::packed(bytes)) {}
+  explicit RecordFields(std::span<const std::byte> bytes) : reader_(MessageReader::packed(bytes)) {}
 
   /// Empty where there is none of that name.
   [[nodiscard]] std::string_view find(std::string_view name) const {
@@ -55,8 +52,8 @@ class Fields {
 };
 
 /// A chunk that is being read; the parts refer to each other from top to bottom.
-struct OpenChunk {
-  OpenChunk(ByteStream& file, std::uint32_t size, Compression compression)
+struct OpenRos1Chunk {
+  OpenRos1Chunk(ByteStream& file, std::uint32_t size, Compression compression)
       : record(file, size),
         inside(compression == Compression::none ? nullptr : decompress(compression, record)) {}
   [[nodiscard]] ByteStream& content() {
@@ -141,21 +138,21 @@ class Ros1BagReader final : public MessageSource {
       end_of(false);
       return std::nullopt;
     }
-    const Fields fields(*header);
-    const auto op = static_cast<Op>(fields.number<std::uint8_t>("op"));
-    if (op == Op::chunk && !chunk_) {
+    const RecordFields fields(*header);
+    const auto op = static_cast<RecordKind>(fields.number<std::uint8_t>("op"));
+    if (op == RecordKind::chunk && !chunk_) {
       open_chunk(fields, *data_bytes);
       return std::nullopt;
     }
     LimitedStream data(stream, *data_bytes);
     std::optional<Message> message;
-    if (op == Op::connection) read_connection(fields, data);
-    if (op == Op::message) message = read_message(fields, data);
+    if (op == RecordKind::connection) read_connection(fields, data);
+    if (op == RecordKind::message) message = read_message(fields, data);
     data.skip(data.left());
     return message;
   }
 
-  void open_chunk(const Fields& fields, std::uint32_t size) {
+  void open_chunk(const RecordFields& fields, std::uint32_t size) {
     const std::string name(fields.find("compression").substr(0, kMostNameBytes));
     const std::optional<Compression> compression = compression_named(name);
     chunk_.emplace(*file_, size, compression.value_or(Compression::none));
@@ -163,7 +160,7 @@ class Ros1BagReader final : public MessageSource {
     if (!compression) throw ReadError("its compression is '" + name + "'; expected bz2 or lz4");
   }
 
-  void read_connection(const Fields& fields, LimitedStream& data) {
+  void read_connection(const RecordFields& fields, LimitedStream& data) {
     const auto id = fields.number<std::uint32_t>("conn");
     if (topics_.count(id) > 0 || topics_.size() >= kMostConnections) return;
     if (data.left() > kMostConnectionBytes) return;
@@ -171,12 +168,12 @@ class Ros1BagReader final : public MessageSource {
     topic.name = fields.find("topic").substr(0, kMostNameBytes);
     const auto bytes = read_bytes(data, data.left(), data_);
     if (!bytes) return;
-    topic.type = plain_type_name(Fields(*bytes).find("type").substr(0, kMostNameBytes));
+    topic.type = plain_type_name(RecordFields(*bytes).find("type").substr(0, kMostNameBytes));
     topic.encoding = MessageEncoding::ros1;
     topics_.emplace(id, std::move(topic));
   }
 
-  std::optional<Message> read_message(const Fields& fields, LimitedStream& data) {
+  std::optional<Message> read_message(const RecordFields& fields, LimitedStream& data) {
     const auto topic = topics_.find(fields.number<std::uint32_t>("conn"));
     if (topic == topics_.end()) {
       if (!lost_connection_) {
@@ -200,7 +197,7 @@ class Ros1BagReader final : public MessageSource {
   }
 
   std::unique_ptr<ByteStream> file_;
-  std::optional<OpenChunk> chunk_;
+  std::optional<OpenRos1Chunk> chunk_;
   std::map<std::uint32_t, Topic> topics_;
   std::vector<std::byte> header_;
   std::vector<std::byte> data_;

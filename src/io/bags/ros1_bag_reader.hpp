@@ -3,14 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "io/bags/byte_stream.hpp"
 #include "io/bags/message_source.hpp"
 
 namespace surefoot::io {
-
-inline constexpr std::string_view kRos1BagMagic = "#ROSBAG V2.0\n";
 
 /// The messages of a ROS 1 bag, version 2.0, in the order they are stored; chunks plain, bz2 or
 /// lz4. The index is not looked at: a bag that was never indexed, or is cut anywhere, gives every

@@ -9,20 +9,11 @@
 #include <vector>
 
 #include "io/bags/bag_writer.hpp"
-#include "io/bags/ros1_bag_reader.hpp"
+#include "io/bags/ros1_bag_format.hpp"
 #include "io/file_writer.hpp"
 
 namespace surefoot::io {
 namespace {
-
-enum class Op : char {
-  message = 2,
-  file_header = 3,
-  index = 4,
-  chunk = 5,
-  chunk_info = 6,
-  connection = 7
-};
 
 constexpr std::size_t kFileHeaderBytes = 4096;
 constexpr std::size_t kChunkBytes = 768 * 1024;
@@ -41,7 +32,7 @@ void append_sized(std::string& out, std::string_view bytes) {
 
 class Fields {
  public:
-  explicit Fields(Op op) { add("op", std::string(1, static_cast<char>(op))); }
+  explicit Fields(RecordKind op) { add("op", std::string(1, static_cast<char>(op))); }
   Fields() = default;
   Fields& add(std::string_view name, std::string_view value) {
     append_sized(bytes_, std::string(name) + '=' + std::string(value));
@@ -78,7 +69,7 @@ class Ros1Bag final : public BagWriter {
     Fields data;
     data.add("topic", name).add("type", definition.type).add("md5sum", definition.ros1_md5);
     data.add("message_definition", definition.ros1_text);
-    Fields header(Op::connection);
+    Fields header(RecordKind::connection);
     header.add("conn", bytes_of(id)).add("topic", name);
     connections_.push_back(record(header, data.bytes()));
     chunk_.content += connections_.back();
@@ -91,7 +82,7 @@ class Ros1Bag final : public BagWriter {
     const auto offset = static_cast<std::uint32_t>(chunk_.content.size());
     std::string& index = chunk_.index[id];
     index += time + bytes_of(offset);
-    Fields header(Op::message);
+    Fields header(RecordKind::message);
     header.add("conn", bytes_of(id)).add("time", time);
     chunk_.content += record(header, message);
     const bool first = chunk_.first_ns > chunk_.last_ns;
@@ -127,7 +118,7 @@ class Ros1Bag final : public BagWriter {
 
   // Always of one size, so that it can be written again at the end.
   [[nodiscard]] std::string file_header(std::uint64_t index_position) const {
-    Fields fields(Op::file_header);
+    Fields fields(RecordKind::file_header);
     fields.add("index_pos", bytes_of(index_position));
     fields.add("conn_count", bytes_of(static_cast<std::uint32_t>(connections_.size())));
     fields.add("chunk_count", bytes_of(static_cast<std::uint32_t>(chunk_infos_.size())));
@@ -138,7 +129,7 @@ class Ros1Bag final : public BagWriter {
   void finish_chunk() {
     if (chunk_.content.empty()) return;
     const std::uint64_t chunk_position = position_;
-    Fields header(Op::chunk);
+    Fields header(RecordKind::chunk);
     header.add("compression", "none");
     header.add("size", bytes_of(static_cast<std::uint32_t>(chunk_.content.size())));
     put(record(header, chunk_.content));
@@ -146,13 +137,13 @@ class Ros1Bag final : public BagWriter {
     for (const auto& [id, entries] : chunk_.index) {
       constexpr std::size_t kEntryBytes = 12;
       const auto count = static_cast<std::uint32_t>(entries.size() / kEntryBytes);
-      Fields index(Op::index);
+      Fields index(RecordKind::index);
       index.add("ver", bytes_of(std::uint32_t{1})).add("conn", bytes_of(id));
       index.add("count", bytes_of(count));
       put(record(index, entries));
       counts += bytes_of(id) + bytes_of(count);
     }
-    Fields info(Op::chunk_info);
+    Fields info(RecordKind::chunk_info);
     info.add("ver", bytes_of(std::uint32_t{1})).add("chunk_pos", bytes_of(chunk_position));
     info.add("start_time", ros_time(chunk_.first_ns)).add("end_time", ros_time(chunk_.last_ns));
     info.add("count", bytes_of(static_cast<std::uint32_t>(chunk_.index.size())));

@@ -161,7 +161,6 @@ class SqliteBagReader final : public MessageSource {
   }
 
   static std::string text_of(sqlite3_stmt* row, int column) {
-    constexpr std::size_t kMostNameBytes = 4096;
     const unsigned char* const text = sqlite3_column_text(row, column);
     return text == nullptr
                ? std::string()

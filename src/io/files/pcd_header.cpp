@@ -15,9 +15,9 @@ using Words = std::vector<std::string_view>;
 
 // No driver's points have as many fields; a header of millions would take gigabytes.
 constexpr std::size_t kMostFields = 1000;
-constexpr std::size_t kLongestLine = 100'000;
+constexpr std::size_t kLongestPcdLine = 100'000;
 
-[[noreturn]] void fail(std::size_t line, const std::string& what) {
+[[noreturn]] void refuse_line(std::size_t line, const std::string& what) {
   throw ReadError("PCD header line " + std::to_string(line) + ": " + what);
 }
 
@@ -48,9 +48,10 @@ class HeaderLines {
   PcdHeader parse() {
     std::string_view line;
     while (reader_.next(line)) {
-      if (line.size() > kLongestLine) {
-        fail(reader_.line_number(), std::to_string(line.size()) + " characters; expected at most " +
-                                        std::to_string(kLongestLine));
+      if (line.size() > kLongestPcdLine) {
+        refuse_line(reader_.line_number(), std::to_string(line.size()) +
+                                               " characters; expected at most " +
+                                               std::to_string(kLongestPcdLine));
       }
       Words words = words_of(line);
       if (words.empty() || words[0].front() == '#') {
@@ -86,7 +87,7 @@ class HeaderLines {
     } else if (key == "POINTS") {
       points_ = one_number(values, "POINTS");
     } else if (key != "VERSION" && key != "VIEWPOINT") {
-      fail(reader_.line_number(), in_quotes(key) + " is no PCD 0.7 keyword");
+      refuse_line(reader_.line_number(), in_quotes(key) + " is no PCD 0.7 keyword");
     }
   }
 
@@ -95,8 +96,8 @@ class HeaderLines {
     for (const std::string_view word : words) {
       std::size_t value = 0;
       if (!parse_count(word, value)) {
-        fail(reader_.line_number(),
-             std::string(key) + " has " + in_quotes(word) + "; expected a whole number");
+        refuse_line(reader_.line_number(),
+                    std::string(key) + " has " + in_quotes(word) + "; expected a whole number");
       }
       values.push_back(value);
     }
@@ -105,8 +106,8 @@ class HeaderLines {
 
   std::size_t one_number(const Words& words, const char* key) const {
     if (words.size() != 1) {
-      fail(reader_.line_number(),
-           std::string(key) + " has " + std::to_string(words.size()) + " values; expected one");
+      refuse_line(reader_.line_number(), std::string(key) + " has " + std::to_string(words.size()) +
+                                             " values; expected one");
     }
     return numbers(words, key).front();
   }
@@ -122,8 +123,8 @@ class HeaderLines {
     if (kind == "binary_compressed") {
       return PcdData::binary_compressed;
     }
-    fail(reader_.line_number(),
-         "DATA is " + in_quotes(kind) + "; expected ascii, binary or binary_compressed");
+    refuse_line(reader_.line_number(),
+                "DATA is " + in_quotes(kind) + "; expected ascii, binary or binary_compressed");
   }
 
   void finish() {
@@ -139,28 +140,28 @@ class HeaderLines {
       counts_.assign(n, 1);
     }
     if (n == 0 || sizes_.size() != n || types_.size() != n || counts_.size() != n) {
-      fail(header_.lines, std::to_string(n) + " FIELDS, " + std::to_string(sizes_.size()) +
-                              " SIZE, " + std::to_string(types_.size()) + " TYPE and " +
-                              std::to_string(counts_.size()) +
-                              " COUNT values; expected as many of each, at least one");
+      refuse_line(header_.lines, std::to_string(n) + " FIELDS, " + std::to_string(sizes_.size()) +
+                                     " SIZE, " + std::to_string(types_.size()) + " TYPE and " +
+                                     std::to_string(counts_.size()) +
+                                     " COUNT values; expected as many of each, at least one");
     }
     if (n > kMostFields) {
-      fail(header_.lines,
-           std::to_string(n) + " FIELDS; expected at most " + std::to_string(kMostFields));
+      refuse_line(header_.lines,
+                  std::to_string(n) + " FIELDS; expected at most " + std::to_string(kMostFields));
     }
     std::size_t elements = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const std::optional<ScalarType> type = scalar_type(types_[i], sizes_[i]);
       if (!type) {
-        fail(header_.lines, "field " + in_quotes(names_[i]) + " has TYPE " + in_quotes(types_[i]) +
-                                " SIZE " + std::to_string(sizes_[i]) +
-                                "; expected I or U of 1, 2, 4, 8 or F of 4, 8");
+        refuse_line(header_.lines, "field " + in_quotes(names_[i]) + " has TYPE " +
+                                       in_quotes(types_[i]) + " SIZE " + std::to_string(sizes_[i]) +
+                                       "; expected I or U of 1, 2, 4, 8 or F of 4, 8");
       }
       // Every element takes a byte at least, so that one point is never larger than the file.
       if (counts_[i] == 0 || counts_[i] > file_size_ - elements) {
-        fail(header_.lines, "field " + in_quotes(names_[i]) + " has COUNT " +
-                                std::to_string(counts_[i]) + "; expected 1 or more, and no more " +
-                                "than the file can hold");
+        refuse_line(header_.lines,
+                    "field " + in_quotes(names_[i]) + " has COUNT " + std::to_string(counts_[i]) +
+                        "; expected 1 or more, and no more " + "than the file can hold");
       }
       elements += counts_[i];
       header_.fields.push_back({std::string(names_[i]), *type, counts_[i], header_.point_step});
@@ -170,18 +171,18 @@ class HeaderLines {
 
   void add_size() {
     if (!width_ && !points_) {
-      fail(header_.lines, "neither WIDTH nor POINTS given");
+      refuse_line(header_.lines, "neither WIDTH nor POINTS given");
     }
     if (width_) {
       const std::size_t height = height_.value_or(1);
       if (height != 0 && *width_ > std::numeric_limits<std::size_t>::max() / height) {
-        fail(header_.lines, "WIDTH " + std::to_string(*width_) + " x HEIGHT " +
-                                std::to_string(height) + " is not a number of points");
+        refuse_line(header_.lines, "WIDTH " + std::to_string(*width_) + " x HEIGHT " +
+                                       std::to_string(height) + " is not a number of points");
       }
       header_.points = *width_ * height;
       if (points_ && *points_ != header_.points) {
-        fail(header_.lines, "POINTS " + std::to_string(*points_) + " but WIDTH x HEIGHT is " +
-                                std::to_string(header_.points));
+        refuse_line(header_.lines, "POINTS " + std::to_string(*points_) +
+                                       " but WIDTH x HEIGHT is " + std::to_string(header_.points));
       }
     } else {
       header_.points = *points_;

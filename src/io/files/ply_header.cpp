@@ -12,13 +12,13 @@ using Words = std::vector<std::string_view>;
 
 // No driver's points have as many properties; a header of millions would take gigabytes.
 constexpr std::size_t kMostLines = 1000;
-constexpr std::size_t kLongestLine = 100'000;
+constexpr std::size_t kLongestPlyLine = 100'000;
 
-[[noreturn]] void fail(std::size_t line, const std::string& what) {
+[[noreturn]] void fail_at(std::size_t line, const std::string& what) {
   throw ReadError("PLY header line " + std::to_string(line) + ": " + what);
 }
 
-ScalarType scalar_type(std::string_view word, std::size_t line) {
+ScalarType ply_scalar_type(std::string_view word, std::size_t line) {
   struct Known {
     std::string_view name, sized_name;
     ScalarType type;
@@ -34,7 +34,8 @@ ScalarType scalar_type(std::string_view word, std::size_t line) {
       return known.type;
     }
   }
-  fail(line, "property type " + in_quotes(word) + "; expected char .. double or int8 .. float64");
+  fail_at(line,
+          "property type " + in_quotes(word) + "; expected char .. double or int8 .. float64");
 }
 
 PlyFormat format_of(const Words& words, std::size_t line) {
@@ -49,14 +50,14 @@ PlyFormat format_of(const Words& words, std::size_t line) {
       return PlyFormat::big_endian;
     }
   }
-  fail(line, "format " + in_quotes(words.size() > 1 ? words[1] : std::string_view{}) +
-                 "; expected ascii, binary_little_endian or binary_big_endian, version 1.0");
+  fail_at(line, "format " + in_quotes(words.size() > 1 ? words[1] : std::string_view{}) +
+                    "; expected ascii, binary_little_endian or binary_big_endian, version 1.0");
 }
 
 PlyElement element_of(const Words& words, std::size_t line) {
   PlyElement element;
   if (words.size() != 3 || !parse_count(words[2], element.count)) {
-    fail(line, "expected 'element NAME COUNT'");
+    fail_at(line, "expected 'element NAME COUNT'");
   }
   element.name = words[1];
   return element;
@@ -65,19 +66,19 @@ PlyElement element_of(const Words& words, std::size_t line) {
 PlyProperty property_of(const Words& words, std::size_t line) {
   PlyProperty property;
   if (words.size() == 5 && words[1] == "list") {
-    property.list_count_type = scalar_type(words[2], line);
+    property.list_count_type = ply_scalar_type(words[2], line);
     if (is_float(*property.list_count_type)) {
-      fail(line,
-           "a list is counted by " + in_quotes(words[2]) + "; expected a whole number's type");
+      fail_at(line,
+              "a list is counted by " + in_quotes(words[2]) + "; expected a whole number's type");
     }
-    property.type = scalar_type(words[3], line);
+    property.type = ply_scalar_type(words[3], line);
     property.name = words[4];
     return property;
   }
   if (words.size() != 3) {
-    fail(line, "expected 'property TYPE NAME' or 'property list TYPE TYPE NAME'");
+    fail_at(line, "expected 'property TYPE NAME' or 'property list TYPE TYPE NAME'");
   }
-  property.type = scalar_type(words[1], line);
+  property.type = ply_scalar_type(words[1], line);
   property.name = words[2];
   return property;
 }
@@ -111,10 +112,11 @@ PlyHeader parse_ply_header(std::string_view file) {
   bool format_given = false;
   std::size_t lines = 0;
   while (reader.next(line)) {
-    if (line.size() > kLongestLine || ++lines > kMostLines) {
-      fail(reader.line_number(), "a header of so many lines, or so long ones; expected at most " +
-                                     std::to_string(kMostLines) + " and " +
-                                     std::to_string(kLongestLine) + " characters");
+    if (line.size() > kLongestPlyLine || ++lines > kMostLines) {
+      fail_at(reader.line_number(),
+              "a header of so many lines, or so long ones; expected at most " +
+                  std::to_string(kMostLines) + " and " + std::to_string(kLongestPlyLine) +
+                  " characters");
     }
     const Words words = words_of(line);
     const std::string_view key = words.empty() ? std::string_view{} : words[0];
@@ -130,7 +132,7 @@ PlyHeader parse_ply_header(std::string_view file) {
       header.data_offset = reader.offset();
       return header;
     } else if (!key.empty() && key != "comment" && key != "obj_info") {
-      fail(reader.line_number(), in_quotes(key) + " is not expected here");
+      fail_at(reader.line_number(), in_quotes(key) + " is not expected here");
     }
   }
   throw ReadError("PLY header: " + std::to_string(reader.line_number()) +

@@ -10,7 +10,6 @@ namespace surefoot::io {
 namespace {
 
 constexpr std::size_t kIpHeader = 20;
-constexpr std::size_t kUdpHeader = 8;
 
 void append_network_u16(std::string& out, std::size_t value) {
   out += static_cast<char>(value >> 8 & 0xff);

@@ -59,8 +59,6 @@ std::optional<Bytes> ip_in(LinkLayer link, Bytes frame) {
   return std::nullopt;
 }
 
-constexpr std::size_t kUdpHeader = 8;
-
 // The datagram that begins with a UDP header.
 UdpDatagram datagram_in(Bytes udp, std::uint32_t source) {
   if (udp.size() < kUdpHeader) {

@@ -13,6 +13,8 @@
 
 namespace surefoot::io {
 
+inline constexpr std::size_t kUdpHeader = 8;  // [bytes]
+
 enum class LinkLayer { ethernet, linux_cooked, linux_cooked2, loopback, raw_ip };
 
 enum class FrameContent { udp, other, truncated, fragment };

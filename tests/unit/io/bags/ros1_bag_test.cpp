@@ -7,6 +7,7 @@
 
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
+#include "io/bags/ros1_bag_format.hpp"
 #include "io/bags/ros1_bag_reader.hpp"
 #include "io/recording.hpp"
 #include "unit/io/bags/support.hpp"
