@@ -37,7 +37,7 @@ const std::vector<Scan>& campus_scans() {
 }
 
 Moment::Moment()
-    : map(config.map, max_search_radius(config.registration)), scan(campus_scans()[kWarmUp]) {
+    : map(paper.map, max_search_radius(paper.registration)), scan(campus_scans()[kWarmUp]) {
   Odometry odometry(config);
   const Estimate last = warm_up(odometry);
   for (const Eigen::Vector3d& point : odometry.local_map()) map.insert(point);
@@ -46,11 +46,12 @@ Moment::Moment()
   const LastMotion motion{{last.stamp_ns, last.T_world_lidar}, last.twist};
   prior = predict_motion(motion, prepared.start_ns, prepared.end_ns,
                          config.motion_prior.max_extrapolation);
-  predicted = predict_trajectory(prior, prepared.start_ns, prepared.end_ns, config.deskew);
+  predicted = predict_trajectory(prior, prepared.start_ns, prepared.end_ns, paper.deskew);
   deskewed = deskew(prepared, predicted, workers);
-  thinned = thin_scan(deskewed, config.downsample);
+  thinned = thin_scan(deskewed, paper.downsample);
   source.points = thinned.source_points;
-  registration = register_scan(source, map, predicted.at(0.5), config, workers, [](Step) {});
+  registration = register_scan(source, map, predicted.at(0.5), paper, config.health.min_matches,
+                               workers, [](Step) {});
 }
 
 const Moment& moment() {

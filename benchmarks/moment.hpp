@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "config/method.hpp"
 #include "core/deskew.hpp"
 #include "core/parallel.hpp"
 #include "core/preprocess.hpp"
@@ -30,6 +31,7 @@ inline constexpr std::size_t kMeasured = 100;
 /// Scan number kWarmUp, and what the steps before each step make of it; one thread.
 struct Moment {
   Config config = method_config("paper");
+  PaperParameters paper = own_parameters<PaperParameters>(config);
   Workers workers{1};
   LocalMap map;  ///< of the scans before
   const Scan& scan;

@@ -29,7 +29,7 @@ BENCHMARK(time_preprocess)->Name("preprocess")->Unit(benchmark::kMicrosecond);
 
 void time_deskew(benchmark::State& state, DeskewMode mode) {
   const Moment& at = moment();
-  Config::Deskew config = at.config.deskew;
+  PaperParameters::Deskew config = at.paper.deskew;
   config.mode = mode;
   for (auto _ : state) {
     const ScanTrajectory predicted =
@@ -47,7 +47,7 @@ BENCHMARK_CAPTURE(time_deskew, piecewise, DeskewMode::piecewise)
 
 void time_thin_scan(benchmark::State& state) {
   const Moment& at = moment();
-  for (auto _ : state) benchmark::DoNotOptimize(thin_scan(at.deskewed, at.config.downsample));
+  for (auto _ : state) benchmark::DoNotOptimize(thin_scan(at.deskewed, at.paper.downsample));
   count_points(state, at.deskewed.size());
 }
 BENCHMARK(time_thin_scan)->Name("thin_scan")->Unit(benchmark::kMicrosecond);
@@ -65,7 +65,7 @@ std::vector<Eigen::Vector3d> predicted_places() {
 /// A search for every registered point, as the first iteration makes them.
 void time_nearby(benchmark::State& state) {
   const Moment& at = moment();
-  const double radius = max_search_radius(at.config.registration);
+  const double radius = max_search_radius(at.paper.registration);
   const std::vector<Eigen::Vector3d> places = predicted_places();
   for (auto _ : state) {
     for (const Eigen::Vector3d& place : places) {
@@ -93,7 +93,7 @@ void time_horizontal_equations(benchmark::State& state) {
   const Moment& at = moment();
   for (auto _ : state) {
     benchmark::DoNotOptimize(horizontal_equations(at.source, at.registration.T_map_lidar,
-                                                  at.config.horizontal, at.workers));
+                                                  at.paper.horizontal, at.workers));
   }
   count_points(state, at.source.points.size());
 }
@@ -105,7 +105,7 @@ void time_vertical_equations(benchmark::State& state) {
   Source source = at.source;
   for (auto _ : state) {
     benchmark::DoNotOptimize(vertical_equations(source, at.map, at.registration.T_map_lidar,
-                                                at.config.vertical, at.workers));
+                                                at.paper.vertical, at.workers));
   }
   count_points(state, source.points.size());
 }
@@ -118,7 +118,8 @@ void time_register_scan(benchmark::State& state) {
   const Pose T_0 = at.predicted.at(0.5);
   Source source = at.source;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(register_scan(source, at.map, T_0, at.config, workers, [](Step) {}));
+    benchmark::DoNotOptimize(register_scan(source, at.map, T_0, at.paper,
+                                           at.config.health.min_matches, workers, [](Step) {}));
   }
   count_points(state, source.points.size());
   state.counters["iterations"] = at.registration.horizontal.iterations;
@@ -156,11 +157,11 @@ void time_remove_far(benchmark::State& state) {
   LocalMap map = at.map;
   const Eigen::Vector3d step = Eigen::Vector3d::UnitX() * at.config.map.radius * 0.06;
   const Eigen::Vector3d here = at.registration.T_map_lidar.translation;
-  map.remove_far(here);
+  map.remove_far(here, at.config.map.radius);
   bool away = false;
   for (auto _ : state) {
     away = !away;
-    map.remove_far(away ? here + step : here);
+    map.remove_far(away ? here + step : here, at.config.map.radius);
   }
   state.counters["voxels"] = static_cast<double>(map.voxels());
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.voxels()));

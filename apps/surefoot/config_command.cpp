@@ -9,7 +9,6 @@
 
 #include "commands.hpp"
 #include "runs/config_file.hpp"
-#include "runs/method_parameters.hpp"
 #include "runs/run_yaml.hpp"
 
 namespace surefoot::app {
@@ -28,7 +27,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 void print_text(const Config& config) {
   for (const ParameterInfo& info : parameters()) {
-    if (!runs::reads_parameter(config.method, info.name)) continue;
+    if (!reads_parameter(config, info.name)) continue;
     fmt::print("{} = {}\n    {}\n    range: {}; default: {}; from: {}\n", info.name,
                with_unit(get_parameter(config, info.name), info.unit), info.help,
                with_unit(info.range, info.unit), info.default_value, info.source);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// Parameters by name, as values of Python: whatever the table in config_fields.cpp holds is here.
+// Parameters by name, as values of Python: whatever the tables of the methods hold is here.
 #include "config.hpp"
 
 #include <pybind11/stl.h>
@@ -67,7 +67,7 @@ std::string text_of(const py::handle& value) {
 }
 
 void set(NamedConfig& self, const std::string& name, const py::handle& value) {
-  runs::require_parameter(self.config.method, name);
+  runs::require_parameter(self.config, name);
   std::string text = text_of(value);
   // 3.0 for a parameter of whole numbers is 3.
   if (py::isinstance<py::float_>(value) && !takes_reals(name)) {
@@ -82,7 +82,7 @@ void set(NamedConfig& self, const std::string& name, const py::handle& value) {
 std::vector<std::string> names_of(const NamedConfig& self) {
   std::vector<std::string> names;
   for (const ParameterInfo& info : parameters()) {
-    if (runs::reads_parameter(self.config.method, info.name)) names.push_back(info.name);
+    if (reads_parameter(self.config, info.name)) names.push_back(info.name);
   }
   return names;
 }
@@ -169,10 +169,7 @@ read, is a ConfigError. Iterating gives the names that the method reads.)")
       .def(
           "__contains__",
           [](const NamedConfig& self, const std::string& name) {
-            return runs::reads_parameter(self.config.method, name) && [&] {
-              const std::vector<std::string> names = names_of(self);
-              return std::find(names.begin(), names.end(), name) != names.end();
-            }();
+            return reads_parameter(self.config, name);
           },
           py::arg("name"))
       .def("__len__", [](const NamedConfig& self) { return names_of(self).size(); })

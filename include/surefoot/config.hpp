@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// Every parameter of the odometry. Defaults, units, ranges and where each value comes from stand
-// once, in the table behind parameters(); `surefoot config` and docs/config.md print it.
+// The parameters of the odometry: here what methods share and what the default one reads; those of
+// the methods to compare with are reached by name. Defaults, units, ranges and where each value
+// comes from stand once, in the table behind parameters(); `surefoot config` and docs/config.md
+// print it.
 #pragma once
 
+#include <any>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,58 +16,6 @@
 #include "surefoot/pose.hpp"
 
 namespace surefoot {
-
-/// How points are brought to the mid-scan instant.
-enum class DeskewMode {
-  none,               ///< points are left as measured
-  constant_velocity,  ///< one twist for the scan, not clamped: what KISS-ICP does
-  piecewise           ///< the paper: clamped twist, K segments, eqs. (5)-(12)
-};
-
-/// How the six degrees of freedom are solved.
-enum class RegistrationMode {
-  decoupled,  ///< the paper: horizontal, then vertical stage, Algorithm 1
-  coupled     ///< one 6-DoF problem, eq. (4), to compare with
-};
-
-/// Which front-end registers the scans; each reads its own parameters. See method_config().
-enum class Method {
-  surefoot,  ///< poses within the scan estimated by registration, docs/method.md
-  paper,     ///< the paper's Algorithm 1 and its variants
-  kiss_icp,  ///< KISS-ICP; these are the systems to compare with, see docs/baselines.md
-  icp,       ///< classical point-to-point ICP
-  genz_icp,  ///< GenZ-ICP
-  floam,     ///< F-LOAM
-  ct_icp     ///< CT-ICP
-};
-
-/// What the classical ICP aligns a scan with.
-enum class IcpTarget {
-  scan,  ///< the scan before
-  map    ///< all scans before, thinned in a voxel map
-};
-
-/// Which of CT-ICP's thinned points are registered.
-enum class CtIcpSampling {
-  none,     ///< all
-  grid,     ///< one of every cell
-  adaptive  ///< one of every cell, cells growing with the distance from the sensor
-};
-
-/// Where CT-ICP expects a scan's poses.
-enum class CtIcpInitialization {
-  none,              ///< where the scan before ended
-  constant_velocity  ///< as the scan before
-};
-
-/// What of the map a source point is matched with: q_i.
-enum class TargetKind {
-  point,   ///< the nearest map point
-  surface  ///< the nearest place on the surface about that point, where the map is flat there
-};
-
-/// A registration's residual: eq. (13) or eq. (23).
-enum class Residual { point_to_point, point_to_plane };
 
 /// Where the level frame, in which "horizontal" and "vertical" are split, comes from.
 enum class LevelMode {
@@ -75,7 +26,9 @@ enum class LevelMode {
 
 /// Parameters of the odometry; constant once an Odometry was made from them.
 struct Config {
-  Method method = Method::surefoot;
+  /// Which front-end registers the scans: surefoot, paper, kiss-icp, icp, genz-icp, floam or
+  /// ct-icp. Each reads parameters of its own: reads_parameter(). See method_config().
+  std::string method = "surefoot";
 
   struct Preprocess {
     double min_range;   // [m]
@@ -95,56 +48,9 @@ struct Config {
     double max_extrapolation;  // [s] longer gaps are predicted for this long only
   } motion_prior;
 
-  struct Deskew {
-    DeskewMode mode;
-    int segments;        // K
-    double clamp_z;      // zeta_z [m]
-    double clamp_roll;   // zeta_r [rad]
-    double clamp_pitch;  // zeta_p [rad]
-  } deskew;
-
-  struct Downsample {
-    double map_voxel;     // [m] thinning of what enters the map
-    double source_voxel;  // [m] thinning of what is registered
-    int min_points;       // to be registered; else both voxels are halved
-  } downsample;
-
   struct Map {
-    double voxel_size;  // [m]
-    int points_per_voxel;
-    double min_spacing;  // [m]
-    double radius;       // [m] voxels farther from the sensor leave
+    double radius;  // [m] of methods surefoot and paper: what is farther from the sensor leaves
   } map;
-
-  struct Registration {
-    RegistrationMode mode;
-    Residual coupled_residual;
-    TargetKind target;
-    int max_iterations;
-    double max_distance;      // d_max [m]
-    double relaxed_distance;  // d_relaxed [m]
-    int early_iterations;     // T_early = {1..early_iterations}
-    double convergence;       // [m, rad]
-  } registration;
-
-  struct Horizontal {
-    double kernel_scale;  // kappa_H [m]
-  } horizontal;
-
-  struct Vertical {
-    Residual residual;
-    int sub_iterations;       // U_V
-    int min_neighbours;       // N_min
-    double min_normal_z;      // tau_n
-    double max_range;         // r_max [m]
-    double near_distance;     // d_0 [m]
-    double distance_decay;    // beta [1/m^2]
-    double normal_power;      // of |n_z| in eta; 0: all normals count alike
-    double near_gate;         // epsilon_0 [m]
-    double near_suppression;  // epsilon_s
-    double kernel_scale;      // kappa_V [m]
-    double trust_region;      // zeta_V [m, rad]
-  } vertical;
 
   struct Health {
     int min_matches;
@@ -155,7 +61,7 @@ struct Config {
     int restart_after;       // scans lost in a row before the map is begun anew
   } health;
 
-  /// Method::surefoot.
+  /// Method surefoot.
   struct Knots {
     int segments;             // K: of a scan
     int points;               // to be registered
@@ -197,93 +103,9 @@ struct Config {
     double covariance_scale;  // variance beyond the residuals'
   } knots;
 
-  // The baselines' parameters, under their originals' names.
-
-  struct KissIcp {
-    double max_range, min_range;  // [m] of the deskewed points
-    bool deskew;
-    double voxel_size;  // [m] of the map; half of it thins what enters, 1.5 of it what is matched
-    int max_points_per_voxel;
-    double initial_threshold;  // [m] of the adaptive threshold
-    double min_motion_th;      // [m] smaller deviations from the prediction do not count
-    int max_num_iterations;
-    double convergence_criterion;  // [m, rad]
-  } kiss_icp;
-
-  struct Icp {
-    IcpTarget target;
-    bool constant_velocity;              // begins where the last motion leads
-    double max_correspondence_distance;  // [m]
-    int max_iteration;
-    double relative_fitness;
-    double relative_rmse;
-    double voxel_size;  // [m] of the map
-    int max_points_per_voxel;
-  } icp;
-
-  struct GenzIcp {
-    double max_range, min_range;  // [m]
-    double map_cleanup_radius;    // [m]
-    int max_points_per_voxel;
-    double voxel_size;  // [m] of the map, and thinning to begin with
-    int desired_num_voxelized_points;
-    double min_motion_th;      // [m]
-    double initial_threshold;  // [m]
-    double planarity_threshold;
-    bool deskew;
-    int max_num_iterations;
-    double convergence_criterion;  // [m, rad]
-    bool floor_voxels;             // cells of equal size also at zero
-  } genz_icp;
-
-  struct Floam {
-    int scan_line;            // lasers
-    double max_dis, min_dis;  // [m] horizontal distance
-    double map_resolution;    // [m] thinning of edges; of surfaces twice that
-    bool use_rings;           // lines from the scan's ring numbers
-    bool whole_sectors;
-    bool centred_planes;
-    bool distortion_compensation;  // the paper's two steps
-  } floam;
-
-  struct CtIcp {
-    CtIcpInitialization initialization;
-    CtIcpSampling sampling;
-    int init_num_frames;                             // scans that start the map
-    double init_voxel_size, init_sample_voxel_size;  // [m] of these
-    double voxel_size;                               // [m] thinning
-    double sample_voxel_size;                        // [m] of what is registered
-    int max_num_keypoints;                           // -1: all
-    double max_distance;                             // [m] of the map
-    double resolution;                               // [m] the map's cells
-    double min_distance_between_points;              // [m]
-    int max_num_points;                              // in a cell
-    double default_radius;                           // [m] neighbours
-    int max_num_neighbors, min_number_neighbors;
-    int num_iters_icp;
-    int max_num_residuals;  // -1: all
-    double weight_alpha, weight_neighborhood;
-    double power_planarity;
-    double max_dist_to_plane_ct_icp;    // [m]
-    double threshold_orientation_norm;  // [deg]
-    double threshold_translation_norm;  // [m]
-    int ls_max_num_iters;
-    double ls_sigma;  // [m]
-    double beta_location_consistency, beta_constant_velocity;
-    double beta_small_velocity, beta_orientation_consistency;
-    double distance_error_threshold;          // [m]
-    double orientation_error_threshold;       // [deg]
-    double insertion_ego_rotation_threshold;  // [deg]
-    int insertion_threshold_frames_skipped;
-    bool robust_registration;
-    int robust_num_attempts;
-    double robust_relative_trans_threshold;        // [m]
-    double robust_threshold_ego_orientation;       // [deg]
-    double robust_threshold_relative_orientation;  // [deg]
-    bool floor_voxels;                             // cells of equal size also at zero
-    bool nearest_anchor;                           // planes through the nearest neighbour
-    bool robust_bookkeeping;
-  } ct_icp;
+  /// What the other methods read, each in a struct of its own: reached by name alone, with
+  /// set_parameter() and get_parameter(). Copied with the rest.
+  std::vector<std::any> others;
 
   /// The defaults of the parameter table.
   Config();
@@ -305,19 +127,23 @@ struct ParameterInfo {
   std::string source;  ///< where the default comes from
 };
 
-/// The parameter table, in the order of Config.
+/// The parameter table.
 [[nodiscard]] const std::vector<ParameterInfo>& parameters();
 /// Sets one parameter from text. Throws ConfigError.
 void set_parameter(Config& config, std::string_view name, std::string_view value);
 /// A parameter as text that set_parameter takes back to the same value.
 [[nodiscard]] std::string get_parameter(const Config& config, std::string_view name);
-/// Throws ConfigError if a value is out of its range or two values contradict each other.
+/// Whether config.method reads a parameter; one that it does not read changes nothing. Throws
+/// ConfigError if there is no such method.
+[[nodiscard]] bool reads_parameter(const Config& config, std::string_view name);
+/// Throws ConfigError if there is no such method, a value is out of its range, or two values that
+/// the method reads contradict each other.
 void validate(const Config& config);
 
 /// T_base_lidar of the parameters level.mount_*.
 [[nodiscard]] Pose mount_pose(const Config::Level& level);
 
-/// Names of the methods: named sets of parameters.
+/// Names of the methods and of their variants: named sets of parameters.
 [[nodiscard]] const std::vector<std::string>& methods();
 /// Parameters of a method. Throws ConfigError naming the methods there are.
 [[nodiscard]] Config method_config(std::string_view method);

@@ -75,7 +75,7 @@ class Odometry {
   /// The local map's points, in the world frame [m].
   [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const;
   /// Where the last scan looked through what had been seen before: it has moved away, and who keeps
-  /// a map of their own may forget it, too. Method::surefoot only; else none.
+  /// a map of their own may forget it, too. Method surefoot only; else none.
   [[nodiscard]] Cubes emptied_cubes() const;
 
   /// Called whenever a step begins (and with Step::idle at the end of a scan). The library reads

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "config/config_fields.hpp"
 
+#include "config/method.hpp"
+
 namespace surefoot {
 
 namespace {
 
-#define SLOT(member) [](Config& c) -> FieldSlot { return &c.member; }
+constexpr const char* kLevelModes[] = {"ground", "mount", "none"};
 
-// "sweep": docs/config.md names the command and the recordings. "paper": its section.
-constexpr const char* kPaper = "paper, section 3.2";
-constexpr const char* kSweep = "sweep";
-constexpr const char* kChosen = "chosen";
-constexpr const char* kMethod = "docs/method.md";
-constexpr const char* kKiss = "KISS-ICP 1.2.3+10, KISSConfig";
-constexpr const char* kOpen3d = "Open3D 0.18, ICPConvergenceCriteria";
-constexpr const char* kGenz = "GenZ-ICP 0.3.2+16, odometry.launch";
-constexpr const char* kFloam = "F-LOAM 76e9b02, floam_velodyne.launch";
-constexpr const char* kCtIcp = "CT-ICP d467813, DefaultDrivingProfile";
+#define SLOT(member) [](Config& c) { return field_slot(c.member); }
+#define WORDS(member, words) [](Config& c) { return field_slot(c.member, words); }
 
-const ConfigField kFields[] = {
+const ConfigField kInput[] = {
     {"preprocess.min_range", SLOT(preprocess.min_range), "0.5", "m", 0.0, 100.0,
      "nearer points are the robot's own body", kChosen},
     {"preprocess.max_range", SLOT(preprocess.max_range), "100", "m", 1.0, 1000.0,
@@ -29,7 +23,7 @@ const ConfigField kFields[] = {
     {"preprocess.min_extent", SLOT(preprocess.min_extent), "0.5", "m", 0.0, 100.0,
      "a cloud with a smaller diagonal is rejected", kChosen},
 
-    {"level.mode", SLOT(level.mode), "ground", "", 0, 0,
+    {"level.mode", WORDS(level.mode, kLevelModes), "ground", "", 0, 0,
      "where the level frame comes from: the ground in the first scan, the mount, or the LiDAR's z",
      kChosen},
     {"level.max_tilt_deg", SLOT(level.max_tilt_deg), "45", "deg", 0.0, 80.0,
@@ -47,180 +41,9 @@ const ConfigField kFields[] = {
 
     {"motion_prior.max_extrapolation", SLOT(motion_prior.max_extrapolation), "0.5", "s", 0.0, 10.0,
      "after a longer gap the last velocity is carried on for this long only", kChosen},
+};
 
-    {"deskew.mode", SLOT(deskew.mode), "piecewise", "", 0, 0,
-     "how points are brought to the mid-scan instant", kPaper},
-    {"deskew.segments", SLOT(deskew.segments), "4", "", 1, 64, "K: segments of a scan", kPaper},
-    {"deskew.clamp_z", SLOT(deskew.clamp_z), "0.5", "m", 0.0, 10.0,
-     "zeta_z: limit of the prior's vertical motion over a scan, eq. (6)", kPaper},
-    {"deskew.clamp_roll", SLOT(deskew.clamp_roll), "0.2", "rad", 0.0, 3.2,
-     "zeta_r: limit of the prior's roll over a scan, eq. (6)", kPaper},
-    {"deskew.clamp_pitch", SLOT(deskew.clamp_pitch), "0.2", "rad", 0.0, 3.2,
-     "zeta_p: limit of the prior's pitch over a scan, eq. (6)", kPaper},
-
-    {"downsample.map_voxel", SLOT(downsample.map_voxel), "0.2", "m", 0.01, 10.0,
-     "one point per cube of this size enters the map", kSweep},
-    {"downsample.source_voxel", SLOT(downsample.source_voxel), "1.5", "m", 0.01, 10.0,
-     "one point per cube of this size is registered", kSweep},
-    {"downsample.min_points", SLOT(downsample.min_points), "400", "", 0, 1e6,
-     "where fewer points would be registered, both cubes are halved, four times at most", kSweep},
-
-    {"map.voxel_size", SLOT(map.voxel_size), "1.0", "m", 0.05, 10.0,
-     "cell of the local map; normals are taken over 3 x 3 x 3 cells, eq. (21)", kSweep},
-    {"map.points_per_voxel", SLOT(map.points_per_voxel), "12", "", 1, 64,
-     "a full cell takes no more points", kSweep},
-    {"map.min_spacing", SLOT(map.min_spacing), "0.15", "m", 0.0, 10.0,
-     "a point nearer than this to one in its cell does not enter", kSweep},
-    {"map.radius", SLOT(map.radius), "100", "m", 5.0, 1000.0,
-     "cells farther from the sensor leave the map", "preprocess.max_range"},
-
-    {"registration.mode", SLOT(registration.mode), "decoupled", "", 0, 0,
-     "Algorithm 1's two stages, or one 6-DoF problem to compare with", "paper, section 3.3"},
-    {"registration.coupled_residual", SLOT(registration.coupled_residual), "point_to_point", "", 0,
-     0, "residual of the coupled registration: eq. (13) or eq. (23)", kChosen},
-    {"registration.target", SLOT(registration.target), "point", "", 0, 0,
-     "q_i: the nearest map point, or the nearest place on the flat surface about it (method "
-     "paper-surface)",
-     "paper, section 3.3"},
-    {"registration.max_iterations", SLOT(registration.max_iterations), "50", "", 1, 1000,
-     "outer iterations at most", kSweep},
-    {"registration.max_distance", SLOT(registration.max_distance), "1.0", "m", 0.01, 20.0,
-     "d_max: correspondence distance, eq. (20)", kSweep},
-    {"registration.relaxed_distance", SLOT(registration.relaxed_distance), "2.0", "m", 0.01, 20.0,
-     "d_relaxed: correspondence distance of the early iterations, eq. (20)", kSweep},
-    {"registration.early_iterations", SLOT(registration.early_iterations), "3", "", 0, 1000,
-     "T_early: iterations with the relaxed distance, eq. (20)", kSweep},
-    {"registration.convergence", SLOT(registration.convergence), "0.001", "m, rad", 0.0, 1.0,
-     "stop when an outer iteration's whole update is below this", kSweep},
-
-    {"horizontal.kernel_scale", SLOT(horizontal.kernel_scale), "0.6", "m", 1e-4, 100.0,
-     "kappa_H: scale of the robust weight, eq. (19)", kSweep},
-
-    {"vertical.residual", SLOT(vertical.residual), "point_to_plane", "", 0, 0,
-     "residual of the vertical stage: eq. (23), or to compare with eq. (13)", "paper, section 3.3"},
-    {"vertical.sub_iterations", SLOT(vertical.sub_iterations), "2", "", 0, 50,
-     "U_V: vertical updates per outer iteration", kSweep},
-    {"vertical.min_neighbours", SLOT(vertical.min_neighbours), "8", "", 3, 1000,
-     "N_min: map points that a normal needs", kSweep},
-    {"vertical.min_normal_z", SLOT(vertical.min_normal_z), "0.5", "", 0.0, 1.0,
-     "tau_n: least |n_z| of a vertical constraint", kSweep},
-    {"vertical.max_range", SLOT(vertical.max_range), "60", "m", 1.0, 1000.0,
-     "r_max: farthest vertical constraint", kSweep},
-    {"vertical.near_distance", SLOT(vertical.near_distance), "10", "m", 0.0, 1000.0,
-     "d_0: up to here a point counts in full, eqs. (28), (31)", kSweep},
-    {"vertical.distance_decay", SLOT(vertical.distance_decay), "0.1", "1/m^2", 0.0, 100.0,
-     "beta: decay of the weight beyond d_0, eq. (28)", kSweep},
-    {"vertical.normal_power", SLOT(vertical.normal_power), "1", "", 0.0, 10.0,
-     "power of |n_z| in eta, eq. (29); 0: every normal counts alike", "paper, section 3.4"},
-    {"vertical.near_gate", SLOT(vertical.near_gate), "0.3", "m", 1e-4, 10.0,
-     "epsilon_0: larger near residuals are suppressed, eq. (31)", kSweep},
-    {"vertical.near_suppression", SLOT(vertical.near_suppression), "0.05", "", 0.0, 1.0,
-     "epsilon_s: weight of a suppressed near residual, eq. (31)", kSweep},
-    {"vertical.kernel_scale", SLOT(vertical.kernel_scale), "0.1", "m", 1e-4, 100.0,
-     "kappa_V: scale of the far residuals' Cauchy weight, eq. (31)", kSweep},
-    {"vertical.trust_region", SLOT(vertical.trust_region), "0.2", "m, rad", 1e-6, 10.0,
-     "zeta_V: norm of a vertical update at most, eq. (34)", kSweep},
-
-    {"knots.segments", SLOT(knots.segments), "8", "", 1, 64,
-     "K: segments of constant velocity in a scan", kMethod},
-    {"knots.points", SLOT(knots.points), "2000", "", 100, 1e6,
-     "points to be registered, about; the cubes they are thinned to follow the scene", kMethod},
-    {"knots.map_points", SLOT(knots.map_points), "3000", "", 100, 1e6,
-     "points of a scan that enter the map, about: one per cube, and the cubes follow the scene, up "
-     "to half the finest voxel",
-     kMethod},
-    {"knots.map_voxel", SLOT(knots.map_voxel), "0.1", "m", 0.01, 10.0, "finest of those cubes",
-     kMethod},
-    {"knots.finest_voxel", SLOT(knots.finest_voxel), "0.4", "m", 0.05, 10.0,
-     "voxel of the map's finest grid", kMethod},
-    {"knots.levels", SLOT(knots.levels), "4", "", 1, 8,
-     "grids of the map, each twice as coarse as the one before", kMethod},
-    {"knots.points_per_voxel", SLOT(knots.points_per_voxel), "800", "", 3, 1e6,
-     "a full voxel takes no more points", kMethod},
-    {"knots.min_points", SLOT(knots.min_points), "6", "", 3, 1000, "points that a surfel needs",
-     kMethod},
-    {"knots.breadth", SLOT(knots.breadth), "0.15", "voxels", 0.0, 0.5,
-     "a surfel's points spread at least so far along it (standard deviation)", kMethod},
-    {"knots.flatness", SLOT(knots.flatness), "0.06", "", 0.0, 1.0,
-     "variance across a plane at most, as a share of that along it", kMethod},
-    {"knots.slenderness", SLOT(knots.slenderness), "0.1", "", 0.0, 1.0,
-     "variance across a pole at most, as a share of that along it", kMethod},
-    {"knots.edge_on", SLOT(knots.edge_on), "0.06", "", 0.0, 1.0,
-     "sine of the angle to a plane at which its points were seen, at least (RMS): below, it is the "
-     "plane that one ring sweeps",
-     kMethod},
-    {"knots.ring_gap", SLOT(knots.ring_gap), "0.035", "rad", 0.0, 1.0,
-     "angle between a LiDAR's rings, about: a cloud (neither plane nor pole) is widened across the "
-     "rays by what may lie that far on either side",
-     kMethod},
-    {"knots.cloud_weight", SLOT(knots.cloud_weight), "0.5", "", 0.0, 1.0,
-     "weight of a cloud's residuals, those of planes and poles being 1; 0: no clouds", kMethod},
-    {"knots.gone_after", SLOT(knots.gone_after), "2", "scans", 0, 1000,
-     "what so many scans' beams, and knots.gone_share as many as ever hit it, went through since "
-     "one last hit it has moved away and is forgotten; 0: never",
-     kMethod},
-    {"knots.min_match_ratio", SLOT(knots.min_match_ratio), "0.1", "", 0.0, 1.0,
-     "share of the registered points that must lie on a surfel; a first scan of a forest has few",
-     kMethod},
-    {"knots.noise", SLOT(knots.noise), "0.02", "m", 1e-4, 1.0,
-     "standard deviation of a point's distance to its surfel", kMethod},
-    {"knots.independence", SLOT(knots.independence), "0.1", "", 1e-6, 1.0,
-     "share of the residuals that count as independent", kMethod},
-    {"knots.correlation_time", SLOT(knots.correlation_time), "0.1", "s", 1e-3, 10.0,
-     "time after which the velocity's fluctuation is forgotten", kMethod},
-    {"knots.learning_rate", SLOT(knots.learning_rate), "0.05", "", 0.0, 1.0,
-     "how fast mean velocity and fluctuation are learnt, per scan", kMethod},
-    {"knots.memory", SLOT(knots.memory), "0.3", "", 0.0, 1.0,
-     "share of what is known of the last knots that the next scan relies on", kMethod},
-    {"knots.kernel_start", SLOT(knots.kernel_start), "1.5", "m", 1e-3, 10.0,
-     "the first iterations' kernel is wider than the last ones' by this over knots.kernel_end, and "
-     "asks for no finer voxels than this",
-     kMethod},
-    {"knots.kernel_end", SLOT(knots.kernel_end), "0.1", "m", 1e-3, 10.0, "see knots.kernel_start",
-     kMethod},
-    {"knots.kernel_decay", SLOT(knots.kernel_decay), "0.8", "", 0.0, 0.99,
-     "factor on the kernel's width per iteration", kMethod},
-    {"knots.max_iterations", SLOT(knots.max_iterations), "25", "", 1, 1000, "iterations at most",
-     kMethod},
-    {"knots.convergence", SLOT(knots.convergence), "0.001", "m, rad", 1e-9, 1.0,
-     "stop when no knot moves by more, once the kernel is at its end", kMethod},
-    {"knots.second_attempt", SLOT(knots.second_attempt), "true", "", 0, 0,
-     "try a registration with an unusual misfit again, more slowly", kMethod},
-
-    {"knots.suspicious", SLOT(knots.suspicious), "1.25", "", 1.0, 100.0,
-     "a registration whose misfit or disagreement is so many times the usual is tried again",
-     kMethod},
-    {"knots.misfit_margin", SLOT(knots.misfit_margin), "0.15", "", 0.0, 1.0,
-     "beyond twice the usual misfit to what was seen and this, a registration has diverged",
-     kMethod},
-    {"knots.usual_rate", SLOT(knots.usual_rate), "0.1", "", 0.0, 1.0,
-     "how fast the usual misfit and the residuals' dependence are learnt, per scan", kMethod},
-    {"knots.unseen_weight", SLOT(knots.unseen_weight), "0.2", "", 0.0, 1.0,
-     "among attempts, a point where the map has no surfel counts as this: who climbs a stair sees "
-     "much that is new, and a wrong pose that brings some of it near an old wall must not win",
-     kMethod},
-    {"knots.swing", SLOT(knots.swing), "2", "rad/s", 0.0, 100.0,
-     "attempts begin with so much more roll or pitch: at the foot of a stair a body pitches by "
-     "some degrees within a scan",
-     kMethod},
-    {"knots.swing_kernel", SLOT(knots.swing_kernel), "0.2", "m", 1e-3, 10.0,
-     "their first kernel, narrow enough to leave each where it is", kMethod},
-    {"knots.looser", SLOT(knots.looser), "3", "", 1.0, 1000.0,
-     "the last attempts take the velocity to fluctuate by so many times the usual", kMethod},
-    {"knots.gone_share", SLOT(knots.gone_share), "0.25", "", 0.0, 1000.0,
-     "see knots.gone_after: share of the scans that ever hit it", kMethod},
-    {"knots.lost_probability", SLOT(knots.lost_probability), "0.1", "", 0.0, 1.0,
-     "it is lost when its pose is wrong with a greater probability: a wrong pose taken for right "
-     "costs nine times what a right one taken for wrong does; 1: never",
-     kMethod},
-    {"knots.search_scans", SLOT(knots.search_scans), "60", "scans", 0, 1e6,
-     "so long a lost one searches for itself, until a new segment with a map of its own begins",
-     kMethod},
-    {"knots.covariance_scale", SLOT(knots.covariance_scale), "4", "", 1e-6, 1e6,
-     "variance of a pose beyond what its residuals show, since knots and map have taken up most of "
-     "what neighbours share; from the errors of 1 m motions",
-     "docs/benchmarks.md"},
-
+const ConfigField kHealth[] = {
     {"health.min_matches", SLOT(health.min_matches), "30", "", 6, 1e6,
      "fewer correspondences: the scan is not registered", kChosen},
     {"health.min_match_ratio", SLOT(health.min_match_ratio), "0.3", "", 0.0, 1.0,
@@ -235,178 +58,31 @@ const ConfigField kFields[] = {
      "a direction with a smaller share of an even scene's information is degenerate", kChosen},
     {"health.restart_after", SLOT(health.restart_after), "10", "", 1, 1e6,
      "scans lost in a row after which the map is begun anew", kChosen},
-
-    {"kiss_icp.max_range", SLOT(kiss_icp.max_range), "100", "m", 1.0, 1000.0,
-     "farther deskewed points are left out; also the map's radius", kKiss},
-    {"kiss_icp.min_range", SLOT(kiss_icp.min_range), "0", "m", 0.0, 100.0,
-     "nearer deskewed points are left out", kKiss},
-    {"kiss_icp.deskew", SLOT(kiss_icp.deskew), "true", "", 0, 0,
-     "points are brought to the scan's end by the last motion", kKiss},
-    {"kiss_icp.voxel_size", SLOT(kiss_icp.voxel_size), "1.0", "m", 0.05, 10.0,
-     "cell of the map; half of it thins what enters the map, 1.5 of it what is registered", kKiss},
-    {"kiss_icp.max_points_per_voxel", SLOT(kiss_icp.max_points_per_voxel), "20", "", 1, 64,
-     "a full cell takes no more points", kKiss},
-    {"kiss_icp.initial_threshold", SLOT(kiss_icp.initial_threshold), "2", "m", 1e-3, 100.0,
-     "adaptive threshold before anything was learnt", kKiss},
-    {"kiss_icp.min_motion_th", SLOT(kiss_icp.min_motion_th), "0.1", "m", 0.0, 10.0,
-     "smaller deviations from the prediction do not change the threshold", kKiss},
-    {"kiss_icp.max_num_iterations", SLOT(kiss_icp.max_num_iterations), "500", "", 1, 10000,
-     "iterations at most", kKiss},
-    {"kiss_icp.convergence_criterion", SLOT(kiss_icp.convergence_criterion), "0.0001", "m, rad",
-     0.0, 1.0, "stop when an update's norm is below this", kKiss},
-
-    {"icp.target", SLOT(icp.target), "scan", "", 0, 0,
-     "align with the scan before, or with a map of all before", "Besl and McKay 1992"},
-    {"icp.constant_velocity", SLOT(icp.constant_velocity), "true", "", 0, 0,
-     "begin where the last motion leads; false: at the last pose", kChosen},
-    {"icp.max_correspondence_distance", SLOT(icp.max_correspondence_distance), "1.0", "m", 0.01,
-     20.0, "farther nearest neighbours are no match; Open3D has no default", kChosen},
-    {"icp.max_iteration", SLOT(icp.max_iteration), "30", "", 1, 10000, "iterations at most",
-     kOpen3d},
-    {"icp.relative_fitness", SLOT(icp.relative_fitness), "1e-06", "", 0.0, 1.0,
-     "stop when the share of matched points changes by less, and", kOpen3d},
-    {"icp.relative_rmse", SLOT(icp.relative_rmse), "1e-06", "m", 0.0, 1.0,
-     "the matches' RMS distance changes by less", kOpen3d},
-    {"icp.voxel_size", SLOT(icp.voxel_size), "1.0", "m", 0.05, 20.0,
-     "cell of the map for target map; at least max_correspondence_distance", "kiss_icp.voxel_size"},
-    {"icp.max_points_per_voxel", SLOT(icp.max_points_per_voxel), "20", "", 1, 64,
-     "for target map: a full cell takes no more points", "kiss_icp.max_points_per_voxel"},
-
-    {"genz_icp.max_range", SLOT(genz_icp.max_range), "100", "m", 1.0, 1000.0,
-     "farther points are left out", kGenz},
-    {"genz_icp.min_range", SLOT(genz_icp.min_range), "0.3", "m", 0.0, 100.0,
-     "nearer points are left out", kGenz},
-    {"genz_icp.map_cleanup_radius", SLOT(genz_icp.map_cleanup_radius), "100", "m", 1.0, 10000.0,
-     "cells farther from the sensor leave the map", kGenz},
-    {"genz_icp.max_points_per_voxel", SLOT(genz_icp.max_points_per_voxel), "1", "", 1, 64,
-     "a full cell takes no more points", kGenz},
-    {"genz_icp.voxel_size", SLOT(genz_icp.voxel_size), "0.3", "m", 0.02, 10.0,
-     "cell of the map, and of the thinning that is adapted from then on", kGenz},
-    {"genz_icp.desired_num_voxelized_points", SLOT(genz_icp.desired_num_voxelized_points), "2000",
-     "", 1, 1e6, "the thinning is adapted towards this number of registered points", kGenz},
-    {"genz_icp.min_motion_th", SLOT(genz_icp.min_motion_th), "0.1", "m", 0.0, 10.0,
-     "smaller deviations from the prediction do not change the threshold", kGenz},
-    {"genz_icp.initial_threshold", SLOT(genz_icp.initial_threshold), "2", "m", 1e-3, 100.0,
-     "adaptive threshold while the sensor is near its start", kGenz},
-    {"genz_icp.planarity_threshold", SLOT(genz_icp.planarity_threshold), "0.2", "", 0.0, 1.0,
-     "neighbourhoods with a smaller share of variance along the normal are planar", kGenz},
-    {"genz_icp.deskew", SLOT(genz_icp.deskew), "false", "", 0, 0,
-     "points are brought to mid-scan by the last motion", kGenz},
-    {"genz_icp.max_num_iterations", SLOT(genz_icp.max_num_iterations), "100", "", 1, 10000,
-     "iterations at most", kGenz},
-    {"genz_icp.convergence_criterion", SLOT(genz_icp.convergence_criterion), "0.0001", "m, rad",
-     0.0, 1.0, "stop when an update's norm is below this", kGenz},
-    {"genz_icp.floor_voxels", SLOT(genz_icp.floor_voxels), "false", "", 0, 0,
-     "round cells down; the original rounds towards zero, where cells are twice as wide", kGenz},
-
-    {"floam.scan_line", SLOT(floam.scan_line), "16", "", 16, 64, "lasers: 16, 32 or 64", kFloam},
-    {"floam.max_dis", SLOT(floam.max_dis), "90", "m", 1.0, 1000.0,
-     "points that are farther horizontally are left out", kFloam},
-    {"floam.min_dis", SLOT(floam.min_dis), "0.5", "m", 0.0, 100.0,
-     "points that are nearer horizontally are left out", kFloam},
-    {"floam.map_resolution", SLOT(floam.map_resolution), "0.2", "m", 0.05, 10.0,
-     "thinning of edge points; of surface points twice that", kFloam},
-    {"floam.use_rings", SLOT(floam.use_rings), "false", "", 0, 0,
-     "lines from the scan's ring numbers; the original counts them by elevation", kFloam},
-    {"floam.whole_sectors", SLOT(floam.whole_sectors), "false", "", 0, 0,
-     "use every point of a sector; the original loses the last", kFloam},
-    {"floam.centred_planes", SLOT(floam.centred_planes), "false", "", 0, 0,
-     "fit planes about their centre; the original cannot represent planes through the map's origin",
-     kFloam},
-    {"floam.distortion_compensation", SLOT(floam.distortion_compensation), "false", "", 0, 0,
-     "the paper's two steps: deskew by the last motion, and for the map by the one found", kFloam},
-
-    {"ct_icp.initialization", SLOT(ct_icp.initialization), "constant_velocity", "", 0, 0,
-     "where the solver begins: as the scan before moved, or where it ended", kCtIcp},
-    {"ct_icp.sampling", SLOT(ct_icp.sampling), "grid", "", 0, 0,
-     "which thinned points are registered", kCtIcp},
-    {"ct_icp.init_num_frames", SLOT(ct_icp.init_num_frames), "20", "", 0, 1e6,
-     "scans that start the map: finer thinning, at least 15 iterations", kCtIcp},
-    {"ct_icp.init_voxel_size", SLOT(ct_icp.init_voxel_size), "0.2", "m", 0.02, 10.0,
-     "thinning of these", kCtIcp},
-    {"ct_icp.init_sample_voxel_size", SLOT(ct_icp.init_sample_voxel_size), "1", "m", 0.02, 10.0,
-     "cells of the registered points of these", kCtIcp},
-    {"ct_icp.voxel_size", SLOT(ct_icp.voxel_size), "0.5", "m", 0.02, 10.0,
-     "thinning: one point of every cell", kCtIcp},
-    {"ct_icp.sample_voxel_size", SLOT(ct_icp.sample_voxel_size), "1.5", "m", 0.02, 10.0,
-     "cells of the registered points, for ct_icp.sampling grid", kCtIcp},
-    {"ct_icp.max_num_keypoints", SLOT(ct_icp.max_num_keypoints), "-1", "", -1, 1e6,
-     "registered points, a choice by chance; -1: all", kCtIcp},
-    {"ct_icp.max_distance", SLOT(ct_icp.max_distance), "100", "m", 1.0, 10000.0,
-     "cells farther from the sensor are dropped", kCtIcp},
-    {"ct_icp.resolution", SLOT(ct_icp.resolution), "0.5", "m", 0.05, 10.0,
-     "cell size of the map that is searched", kCtIcp},
-    {"ct_icp.min_distance_between_points", SLOT(ct_icp.min_distance_between_points), "0.1", "m",
-     0.0, 10.0, "between the points of one cell", kCtIcp},
-    {"ct_icp.max_num_points", SLOT(ct_icp.max_num_points), "40", "", 1, 200,
-     "points in one cell of the map", kCtIcp},
-    {"ct_icp.default_radius", SLOT(ct_icp.default_radius), "0.8", "m", 0.05, 80.0,
-     "neighbours are not farther", kCtIcp},
-    {"ct_icp.max_num_neighbors", SLOT(ct_icp.max_num_neighbors), "20", "", 3, 200,
-     "neighbours of a plane, at most", kCtIcp},
-    {"ct_icp.min_number_neighbors", SLOT(ct_icp.min_number_neighbors), "20", "", 3, 200,
-     "neighbours of a plane, at least; and residuals of a scan", kCtIcp},
-    {"ct_icp.num_iters_icp", SLOT(ct_icp.num_iters_icp), "5", "", 1, 1000, "iterations, at most",
-     kCtIcp},
-    {"ct_icp.max_num_residuals", SLOT(ct_icp.max_num_residuals), "-1", "", -1, 1e6,
-     "residuals of a scan, at most; -1: all", kCtIcp},
-    {"ct_icp.weight_alpha", SLOT(ct_icp.weight_alpha), "0.9", "", 1e-06, 1e6,
-     "share of planarity in a residual's weight", kCtIcp},
-    {"ct_icp.weight_neighborhood", SLOT(ct_icp.weight_neighborhood), "0.1", "", 0.0, 1e6,
-     "share of the distance to the plane's point", kCtIcp},
-    {"ct_icp.power_planarity", SLOT(ct_icp.power_planarity), "2", "", 0.0, 100.0,
-     "of planarity in the weight", kCtIcp},
-    {"ct_icp.max_dist_to_plane_ct_icp", SLOT(ct_icp.max_dist_to_plane_ct_icp), "0.3", "m", 0.001,
-     100.0, "times ct_icp.min_number_neighbors: scale of that distance", kCtIcp},
-    {"ct_icp.threshold_orientation_norm", SLOT(ct_icp.threshold_orientation_norm), "0.0001", "deg",
-     0.0, 10.0, "converged if both poses turned less,", kCtIcp},
-    {"ct_icp.threshold_translation_norm", SLOT(ct_icp.threshold_translation_norm), "0.001", "m",
-     0.0, 10.0, "and moved less", kCtIcp},
-    {"ct_icp.ls_max_num_iters", SLOT(ct_icp.ls_max_num_iters), "1", "", 1, 1000,
-     "steps of the solver in one iteration", kCtIcp},
-    {"ct_icp.ls_sigma", SLOT(ct_icp.ls_sigma), "0.1", "m", 1e-06, 100.0, "scale of the Cauchy loss",
-     kCtIcp},
-    {"ct_icp.beta_location_consistency", SLOT(ct_icp.beta_location_consistency), "0.001", "", 0.0,
-     1e6, "weight of beginning where the scan before ended", kCtIcp},
-    {"ct_icp.beta_constant_velocity", SLOT(ct_icp.beta_constant_velocity), "0.001", "", 0.0, 1e6,
-     "weight of moving as the scan before", kCtIcp},
-    {"ct_icp.beta_small_velocity", SLOT(ct_icp.beta_small_velocity), "0", "", 0.0, 1e6,
-     "weight of not moving within the scan", kCtIcp},
-    {"ct_icp.beta_orientation_consistency", SLOT(ct_icp.beta_orientation_consistency), "0", "", 0.0,
-     1e6, "weight of beginning turned as the scan before ended", kCtIcp},
-    {"ct_icp.distance_error_threshold", SLOT(ct_icp.distance_error_threshold), "5", "m", 0.0,
-     1000.0, "a longer way within a scan is an error", kCtIcp},
-    {"ct_icp.orientation_error_threshold", SLOT(ct_icp.orientation_error_threshold), "30", "deg",
-     0.0, 180.0, "a greater turn within a scan, or since the last, is an error", kCtIcp},
-    {"ct_icp.insertion_ego_rotation_threshold", SLOT(ct_icp.insertion_ego_rotation_threshold), "3",
-     "deg", 0.0, 180.0, "scans that turn more do not enter the map", kCtIcp},
-    {"ct_icp.insertion_threshold_frames_skipped", SLOT(ct_icp.insertion_threshold_frames_skipped),
-     "5", "", 0, 1e6, "unless more than so many in a row have not", kCtIcp},
-    {"ct_icp.robust_registration", SLOT(ct_icp.robust_registration), "false", "", 0, 0,
-     "judge registrations, try again with more effort, keep what turns fast out of the map",
-     kCtIcp},
-    {"ct_icp.robust_num_attempts", SLOT(ct_icp.robust_num_attempts), "6", "", 1, 1000,
-     "attempts at a scan, at most", kCtIcp},
-    {"ct_icp.robust_relative_trans_threshold", SLOT(ct_icp.robust_relative_trans_threshold), "1",
-     "m", 0.0, 1000.0, "a longer way within a scan asks for another attempt", kCtIcp},
-    {"ct_icp.robust_threshold_ego_orientation", SLOT(ct_icp.robust_threshold_ego_orientation), "3",
-     "deg", 0.0, 180.0, "so does a greater turn within a scan,", kCtIcp},
-    {"ct_icp.robust_threshold_relative_orientation",
-     SLOT(ct_icp.robust_threshold_relative_orientation), "3", "deg", 0.0, 180.0,
-     "or since the last scan's end", kCtIcp},
-    {"ct_icp.floor_voxels", SLOT(ct_icp.floor_voxels), "false", "", 0, 0,
-     "round cells down; the original rounds towards zero, where cells are twice as wide", kCtIcp},
-    {"ct_icp.nearest_anchor", SLOT(ct_icp.nearest_anchor), "false", "", 0, 0,
-     "put planes through the nearest neighbour; the original takes the farthest for the nearest",
-     kCtIcp},
-    {"ct_icp.robust_bookkeeping", SLOT(ct_icp.robust_bookkeeping), "false", "", 0, 0,
-     "count the levels of effort and the failures that the original means to count", kCtIcp},
 };
 
+#undef WORDS
 #undef SLOT
 
 }  // namespace
 
-std::span<const ConfigField> config_fields() { return kFields; }
+FieldSlot field_slot(bool& value) {
+  static constexpr const char* words[] = {"true", "false"};
+  return WordSlot{
+      words, &value,
+      [](const void* at) -> std::size_t { return *static_cast<const bool*>(at) ? 0 : 1; },
+      [](void* at, std::size_t word) { *static_cast<bool*>(at) = word == 0; }};
+}
+
+std::span<const ConfigField> input_fields() { return kInput; }
+std::span<const ConfigField> health_fields() { return kHealth; }
+
+const std::vector<ConfigField>& config_fields() {
+  static const std::vector<ConfigField> fields = [] {
+    std::vector<ConfigField> all;
+    for (const auto& table : field_tables()) all.insert(all.end(), table.begin(), table.end());
+    return all;
+  }();
+  return fields;
+}
 
 }  // namespace surefoot

@@ -47,5 +47,10 @@ class FrontEnd {
 
 /// The front-end that config.method names.
 [[nodiscard]] std::unique_ptr<FrontEnd> make_front_end(const Session& session);
+/// One of this kind.
+template <typename Kind>
+[[nodiscard]] std::unique_ptr<FrontEnd> make_front_end(const Session& session) {
+  return std::make_unique<Kind>(session);
+}
 
 }  // namespace surefoot

@@ -32,7 +32,7 @@ void set_from_file(const std::string& name, const std::string& value, Config& co
   const Config before = config;
   set_parameter(config, name, value);
   if (get_parameter(before, name) != get_parameter(config, name)) {
-    require_parameter(config.method, name);
+    require_parameter(config, name);
   }
 }
 
@@ -132,7 +132,7 @@ void apply_settings(const std::vector<std::string>& settings, Config& config) {
       throw ConfigError("--set " + setting + ": expected key=value, as in preprocess.max_range=50");
     }
     set_parameter(config, setting.substr(0, equals), setting.substr(equals + 1));
-    require_parameter(config.method, setting.substr(0, equals));
+    require_parameter(config, setting.substr(0, equals));
   }
 }
 

@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// Which of all parameters a method reads. Setting another one changes nothing, which whoever sets
-// it does not expect.
+// Setting a parameter that the method does not read changes nothing, which whoever sets it does not
+// expect.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "surefoot/config.hpp"
 
 namespace surefoot::runs {
 
-[[nodiscard]] bool reads_parameter(Method method, std::string_view parameter);
-
-/// Throws ConfigError naming the methods that read the parameter if this one does not.
-void require_parameter(Method method, std::string_view parameter);
+/// Throws ConfigError naming the methods that read the parameter if config.method does not. What
+/// nobody reads does not exist, which set_parameter() says better.
+void require_parameter(const Config& config, std::string_view parameter);
 
 }  // namespace surefoot::runs

@@ -7,7 +7,6 @@
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
 #include "runs/config_file.hpp"
-#include "runs/method_parameters.hpp"
 
 namespace surefoot::runs {
 
@@ -121,7 +120,7 @@ OptionTexts read_parameters(const YAML::Node& groups) {
 OptionTexts parameter_texts(const Config& config) {
   OptionTexts result;
   for (const ParameterInfo& info : parameters()) {
-    if (!reads_parameter(config.method, info.name)) continue;
+    if (!reads_parameter(config, info.name)) continue;
     result.emplace_back(info.name, get_parameter(config, info.name));
   }
   return result;

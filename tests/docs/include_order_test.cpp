@@ -50,7 +50,7 @@ const std::vector<Layer> kLayers = {
     {"geometry", {}},
     {"config", {}},
     {"core", {"geometry"}},
-    {"methods", {"geometry", "core"}},
+    {"methods", {"geometry", "config", "core"}},
     // The components of the program.
     {"sensors", {}},
     {"io", {"geometry", "sensors"}},

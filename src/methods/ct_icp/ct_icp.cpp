@@ -14,7 +14,7 @@ namespace {
 /// The keypoints' residuals, the first max_num_residuals of them.
 std::vector<CtIcpResidual> match_all(const std::vector<CtIcpPoint>& keypoints,
                                      const VoxelNeighbours& neighbours, const CtIcpFrame& frame,
-                                     const Config::CtIcp& config, const Workers& workers) {
+                                     const CtIcpParameters& config, const Workers& workers) {
   const CtIcpMotion motion(frame);
   std::vector<std::optional<CtIcpResidual>> all(keypoints.size());
   workers.for_chunks(keypoints.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -34,7 +34,7 @@ std::vector<CtIcpResidual> match_all(const std::vector<CtIcpPoint>& keypoints,
 }
 
 /// Whether an iteration has moved neither pose.
-bool is_still(const CtIcpFrame& before, const CtIcpFrame& after, const Config::CtIcp& config) {
+bool is_still(const CtIcpFrame& before, const CtIcpFrame& after, const CtIcpParameters& config) {
   const double way = (after.begin.translation - before.begin.translation).norm() +
                      (after.end.translation - before.end.translation).norm();
   const double turn =
@@ -65,7 +65,7 @@ CtIcpPlane fit_ct_icp_plane(std::span<const VoxelNeighbours::Neighbour> neighbou
   return {eigen.eigenvectors().col(0), apart ? (spread[1] - spread[0]) / spread[2] : 0.0};
 }
 
-double ct_icp_weight(double planarity, double distance, const Config::CtIcp& config) {
+double ct_icp_weight(double planarity, double distance, const CtIcpParameters& config) {
   const double sum = config.weight_alpha + config.weight_neighborhood;
   const double scale = config.max_dist_to_plane_ct_icp * config.min_number_neighbors;
   return (config.weight_alpha * std::pow(planarity, config.power_planarity) +
@@ -75,7 +75,7 @@ double ct_icp_weight(double planarity, double distance, const Config::CtIcp& con
 
 std::optional<CtIcpResidual> match_ct_icp(const CtIcpPoint& keypoint, const Eigen::Vector3d& placed,
                                           const VoxelNeighbours& neighbours,
-                                          const Config::CtIcp& config) {
+                                          const CtIcpParameters& config) {
   std::vector<VoxelNeighbours::Neighbour> found;
   found.reserve(static_cast<std::size_t>(config.max_num_neighbors));
   neighbours.find(placed, found);
@@ -90,7 +90,7 @@ std::optional<CtIcpResidual> match_ct_icp(const CtIcpPoint& keypoint, const Eige
 
 CtIcpResult register_ct_icp(const std::vector<CtIcpPoint>& keypoints,
                             const VoxelNeighbours& neighbours, const CtIcpFrame& start,
-                            const CtIcpFrame& previous, const Config::CtIcp& config,
+                            const CtIcpFrame& previous, const CtIcpParameters& config,
                             const Workers& workers) {
   CtIcpResult result;
   result.frame = start;

@@ -22,14 +22,15 @@ struct CtIcpPlane {
 
 /// weight_alpha planarity^power_planarity + weight_neighborhood exp(-distance / (20 * 0.3 m)), the
 /// two weights scaled to a sum of one; `distance` [m] from the keypoint to its plane's anchor.
-[[nodiscard]] double ct_icp_weight(double planarity, double distance, const Config::CtIcp& config);
+[[nodiscard]] double ct_icp_weight(double planarity, double distance,
+                                   const CtIcpParameters& config);
 
 /// The plane that a keypoint, placed in the map, should lie on; none without
 /// ct_icp.min_number_neighbors neighbours.
 [[nodiscard]] std::optional<CtIcpResidual> match_ct_icp(const CtIcpPoint& keypoint,
                                                         const Eigen::Vector3d& placed,
                                                         const VoxelNeighbours& neighbours,
-                                                        const Config::CtIcp& config);
+                                                        const CtIcpParameters& config);
 
 /// One registration.
 struct CtIcpResult {
@@ -47,7 +48,7 @@ struct CtIcpResult {
 [[nodiscard]] CtIcpResult register_ct_icp(const std::vector<CtIcpPoint>& keypoints,
                                           const VoxelNeighbours& neighbours,
                                           const CtIcpFrame& start, const CtIcpFrame& previous,
-                                          const Config::CtIcp& config, const Workers& workers);
+                                          const CtIcpParameters& config, const Workers& workers);
 
 /// Angle between two rotations [deg].
 [[nodiscard]] double degrees_between(const Pose& a, const Pose& b);

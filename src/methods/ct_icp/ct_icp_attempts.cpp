@@ -30,13 +30,13 @@ CtIcpChange change_of(const CtIcpFrame& previous, const CtIcpFrame& frame) {
           degrees_between(frame.begin, frame.end), degrees_between(previous.end, frame.end)};
 }
 
-bool turns_fast(const CtIcpChange& change, const Config::CtIcp& config) {
+bool turns_fast(const CtIcpChange& change, const CtIcpParameters& config) {
   return change.ego_orientation > config.robust_threshold_ego_orientation ||
          change.relative_orientation > config.robust_threshold_relative_orientation;
 }
 
 bool is_plausible(const CtIcpResult& result, const CtIcpChange& change, int robust_level,
-                  const Config::CtIcp& config) {
+                  const CtIcpParameters& config) {
   if (change.distance > config.distance_error_threshold) return false;
   if (change.relative_orientation > config.orientation_error_threshold) return false;
   if (change.ego_orientation > config.orientation_error_threshold) return false;
@@ -47,7 +47,7 @@ bool is_plausible(const CtIcpResult& result, const CtIcpChange& change, int robu
   return result.success;
 }
 
-CtIcpEffort first_effort(const Config::CtIcp& config, bool starting, int level) {
+CtIcpEffort first_effort(const CtIcpParameters& config, bool starting, int level) {
   CtIcpEffort effort{config, starting ? config.init_sample_voxel_size : config.sample_voxel_size};
   while (effort.level < level) effort.increase();
   if (starting) {

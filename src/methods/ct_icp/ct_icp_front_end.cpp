@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "config/method.hpp"
 #include "methods/shared/constant_velocity.hpp"
 
 namespace surefoot {
@@ -26,7 +27,7 @@ std::string refusal(const CtIcpResult& result, const CtIcpChange& change) {
 
 CtIcpFrontEnd::CtIcpFrontEnd(const Session& session)
     : BaselineFrontEnd(session),
-      ct_(session.config.ct_icp),
+      ct_(own_parameters<CtIcpParameters>(session.config)),
       sampler_(ct_),
       map_({ct_.resolution, ct_.max_num_points, ct_.min_distance_between_points, ct_.max_distance,
             cell_rounding(ct_)}),

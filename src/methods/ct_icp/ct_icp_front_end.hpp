@@ -33,7 +33,7 @@ class CtIcpFrontEnd : public BaselineFrontEnd {
   void update_map(const std::vector<CtIcpPoint>& points, const CtIcpFrame& frame, bool admitted);
   ScanTrajectory finish(const PreparedScan& scan, const CtIcpFrame& frame);
 
-  const Config::CtIcp& ct_;
+  const CtIcpParameters& ct_;
   CtIcpSampler sampler_;
   VoxelMap map_;
   VoxelNeighbours neighbours_;

@@ -49,7 +49,7 @@ std::vector<CtIcpPoint> one_of_each_cell(const std::vector<CtIcpPoint>& points, 
 
 }  // namespace
 
-CellRounding cell_rounding(const Config::CtIcp& config) {
+CellRounding cell_rounding(const CtIcpParameters& config) {
   return config.floor_voxels ? CellRounding::down : CellRounding::to_zero;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/preprocess.hpp"
+#include "methods/ct_icp/ct_icp_parameters.hpp"
 #include "methods/shared/cell_index.hpp"
-#include "surefoot/config.hpp"
 
 namespace surefoot {
 
@@ -18,12 +18,12 @@ struct CtIcpPoint {
   double alpha;
 };
 
-[[nodiscard]] CellRounding cell_rounding(const Config::CtIcp& config);
+[[nodiscard]] CellRounding cell_rounding(const CtIcpParameters& config);
 
 /// CT-ICP's thinning. Its one source of chance is a generator that begins alike in every run.
 class CtIcpSampler {
  public:
-  explicit CtIcpSampler(const Config::CtIcp& config) : config_(config) {}
+  explicit CtIcpSampler(const CtIcpParameters& config) : config_(config) {}
 
   /// One point, by chance, of every cell of `size` [m], in an order by chance. All as if measured
   /// at the scan's last instant if `rigid`, or if the scan has no times.
@@ -35,7 +35,7 @@ class CtIcpSampler {
                                                   double size, bool limited);
 
  private:
-  const Config::CtIcp& config_;
+  const CtIcpParameters& config_;
   std::mt19937_64 random_;
 };
 

@@ -115,7 +115,7 @@ Eigen::Matrix<double, 1, 12> ct_icp_jacobian(const CtIcpResidual& residual,
 }
 
 NormalEquations<12> ct_icp_constraints(const CtIcpFrame& frame, const CtIcpFrame& previous,
-                                       int residuals, const Config::CtIcp& config) {
+                                       int residuals, const CtIcpParameters& config) {
   using Rows = Eigen::Matrix<double, 3, 12>;
   const auto share = [&](double beta) { return residuals * beta; };
   NormalEquations<12> sum;
@@ -141,7 +141,7 @@ NormalEquations<12> ct_icp_constraints(const CtIcpFrame& frame, const CtIcpFrame
 }
 
 CtIcpFrame solve_ct_icp(const std::vector<CtIcpResidual>& residuals, const CtIcpFrame& start,
-                        const CtIcpFrame& previous, const Config::CtIcp& config,
+                        const CtIcpFrame& previous, const CtIcpParameters& config,
                         const Workers& workers) {
   const auto linearise_all = [&](const CtIcpFrame& frame) {
     Linearisation<12> sum = linearise(residuals, frame, config.ls_sigma, workers);
@@ -155,7 +155,7 @@ CtIcpFrame solve_ct_icp(const std::vector<CtIcpResidual>& residuals, const CtIcp
 }
 
 NormalEquations<6> rigid_equations(const std::vector<CtIcpResidual>& residuals,
-                                   const CtIcpFrame& frame, const Config::CtIcp& config,
+                                   const CtIcpFrame& frame, const CtIcpParameters& config,
                                    const Workers& workers) {
   const NormalEquations<12> both = linearise(residuals, frame, config.ls_sigma, workers).equations;
   // The twist's effect on the two poses: a translation also by turning about the far origin.

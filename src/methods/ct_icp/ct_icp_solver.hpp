@@ -7,7 +7,7 @@
 
 #include "core/normal_equations.hpp"
 #include "core/parallel.hpp"
-#include "surefoot/config.hpp"
+#include "methods/ct_icp/ct_icp_parameters.hpp"
 #include "surefoot/pose.hpp"
 
 namespace surefoot {
@@ -70,18 +70,18 @@ struct CtIcpResidual {
 /// weighted_squares.
 [[nodiscard]] NormalEquations<12> ct_icp_constraints(const CtIcpFrame& frame,
                                                      const CtIcpFrame& previous, int residuals,
-                                                     const Config::CtIcp& config);
+                                                     const CtIcpParameters& config);
 
 /// What Ceres' trust-region minimiser gives for the keypoints under a Cauchy loss of
 /// ct_icp.ls_sigma and the trajectory's constraints, after at most ct_icp.ls_max_num_iters steps.
 [[nodiscard]] CtIcpFrame solve_ct_icp(const std::vector<CtIcpResidual>& residuals,
                                       const CtIcpFrame& start, const CtIcpFrame& previous,
-                                      const Config::CtIcp& config, const Workers& workers);
+                                      const CtIcpParameters& config, const Workers& workers);
 
 /// The keypoints' equations for a twist about the map's origin that moves the whole scan.
 [[nodiscard]] NormalEquations<6> rigid_equations(const std::vector<CtIcpResidual>& residuals,
                                                  const CtIcpFrame& frame,
-                                                 const Config::CtIcp& config,
+                                                 const CtIcpParameters& config,
                                                  const Workers& workers);
 
 }  // namespace surefoot

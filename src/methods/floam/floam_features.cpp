@@ -30,7 +30,7 @@ struct Curvature {
   std::size_t at;  // in the line
 };
 
-std::vector<Line> split_lines(const PreparedScan& scan, const Config::Floam& config) {
+std::vector<Line> split_lines(const PreparedScan& scan, const FloamParameters& config) {
   std::vector<Line> lines(static_cast<std::size_t>(config.scan_line));
   const bool by_ring = config.use_rings && !scan.rings.empty();
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
@@ -120,7 +120,7 @@ int line_of(const Eigen::Vector3f& point, int scan_line) {
   }
 }
 
-FloamFeatures extract_features(const PreparedScan& scan, const Config::Floam& config) {
+FloamFeatures extract_features(const PreparedScan& scan, const FloamParameters& config) {
   FloamFeatures features;
   for (const Line& line : split_lines(scan, config)) {
     if (line.points.size() < kLeastPoints) continue;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/preprocess.hpp"
-#include "surefoot/config.hpp"
+#include "methods/floam/floam_parameters.hpp"
 
 namespace surefoot {
 
@@ -18,7 +18,8 @@ struct FloamFeatures {
 
 /// Edges are the points of largest curvature in each sixth of each line, kept apart from one
 /// another; surfaces are what is left.
-[[nodiscard]] FloamFeatures extract_features(const PreparedScan& scan, const Config::Floam& config);
+[[nodiscard]] FloamFeatures extract_features(const PreparedScan& scan,
+                                             const FloamParameters& config);
 
 /// LOAM's curvature of the point at `i` of a line: |sum of five neighbours on each side minus ten
 /// times the point|^2 [m^2]. `i` is at least five from both ends.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/method.hpp"
 #include "methods/floam/floam_features.hpp"
 #include "methods/floam/mean_downsample.hpp"
 #include "methods/shared/constant_velocity.hpp"
@@ -52,7 +53,7 @@ bool find_five(const KdTree& tree, const Eigen::Vector3d& place,
 
 FloamFrontEnd::FloamFrontEnd(const Session& session)
     : BaselineFrontEnd(session),
-      floam_(session.config.floam),
+      floam_(own_parameters<FloamParameters>(session.config)),
       optimization_count_(kFirstOptimizations) {}
 
 Estimate FloamFrontEnd::add(const PreparedScan& scan) {

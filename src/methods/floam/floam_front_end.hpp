@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "methods/floam/floam_parameters.hpp"
 #include "methods/floam/floam_solver.hpp"
 #include "methods/shared/baseline_front_end.hpp"
 #include "methods/shared/kd_tree.hpp"
@@ -32,7 +33,7 @@ class FloamFrontEnd : public BaselineFrontEnd {
   [[nodiscard]] Clouds thinned(const Clouds& clouds) const;
   void add_to_map(const Clouds& clouds, const Pose& T_map_lidar);
 
-  const Config::Floam& floam_;
+  const FloamParameters& floam_;
   Clouds map_;  // in the map's frame
   int optimization_count_;
   Pose last_pose_;

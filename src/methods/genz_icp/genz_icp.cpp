@@ -86,12 +86,12 @@ double GenzThreshold::threshold(bool moved) {
   return samples_ < 1 ? config_.initial_threshold : std::sqrt(squares_ / samples_);
 }
 
-CellRounding cell_rounding(const Config::GenzIcp& config) {
+CellRounding cell_rounding(const GenzIcpParameters& config) {
   return config.floor_voxels ? CellRounding::down : CellRounding::to_zero;
 }
 
 GenzClouds adaptive_voxelize(const std::vector<Eigen::Vector3d>& points, double voxel_size,
-                             const Config::GenzIcp& config) {
+                             const GenzIcpParameters& config) {
   const auto thin = [&](const std::vector<Eigen::Vector3d>& cloud, double size) {
     return cell_downsample(cloud, size, cell_rounding(config), genz_hash);
   };
@@ -124,7 +124,7 @@ Planarity planarity(const VoxelMap& map, const VoxelIndex& cell, double planarit
 }
 
 Alignment align_genz(const std::vector<Eigen::Vector3d>& source, const VoxelMap& map,
-                     const Pose& initial_guess, double sigma, const Config::GenzIcp& config,
+                     const Pose& initial_guess, double sigma, const GenzIcpParameters& config,
                      const Workers& workers) {
   std::vector<KnownPlanarity> known(source.size());
   const auto surface_of = [&](std::size_t i, const VoxelIndex& cell) -> const Planarity& {

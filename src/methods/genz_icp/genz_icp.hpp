@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "methods/genz_icp/genz_icp_parameters.hpp"
 #include "methods/shared/alignment.hpp"
 #include "methods/shared/voxel_map.hpp"
-#include "surefoot/config.hpp"
 
 namespace surefoot {
 
@@ -15,14 +15,14 @@ namespace surefoot {
 /// start, and the first deviation learnt replaces the initial one.
 class GenzThreshold {
  public:
-  explicit GenzThreshold(const Config::GenzIcp& config) : config_(config) {}
+  explicit GenzThreshold(const GenzIcpParameters& config) : config_(config) {}
 
   /// `moved`: whether the sensor has left its start. Counts the last deviation if it has.
   [[nodiscard]] double threshold(bool moved);
   void set_deviation(const Pose& deviation) { deviation_ = deviation; }
 
  private:
-  const Config::GenzIcp& config_;
+  const GenzIcpParameters& config_;
   double squares_ = 0.0;
   int samples_ = 0;
   Pose deviation_;
@@ -35,9 +35,9 @@ struct GenzClouds {
   double voxel_size;                              ///< [m] of `source`; the next scan begins with it
 };
 [[nodiscard]] GenzClouds adaptive_voxelize(const std::vector<Eigen::Vector3d>& points,
-                                           double voxel_size, const Config::GenzIcp& config);
+                                           double voxel_size, const GenzIcpParameters& config);
 
-[[nodiscard]] CellRounding cell_rounding(const Config::GenzIcp& config);
+[[nodiscard]] CellRounding cell_rounding(const GenzIcpParameters& config);
 
 /// What the map is like about a place.
 struct Planarity {
@@ -53,6 +53,6 @@ struct Planarity {
 /// sigma apart.
 [[nodiscard]] Alignment align_genz(const std::vector<Eigen::Vector3d>& source, const VoxelMap& map,
                                    const Pose& initial_guess, double sigma,
-                                   const Config::GenzIcp& config, const Workers& workers);
+                                   const GenzIcpParameters& config, const Workers& workers);
 
 }  // namespace surefoot

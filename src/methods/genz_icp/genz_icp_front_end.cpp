@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "methods/genz_icp/genz_icp_front_end.hpp"
 
+#include "config/method.hpp"
 #include "methods/shared/constant_velocity.hpp"
 
 namespace surefoot {
@@ -12,7 +13,7 @@ constexpr double kMovedThresholds = 5.0;  // farther than so many min_motion_th:
 
 GenzIcpFrontEnd::GenzIcpFrontEnd(const Session& session)
     : BaselineFrontEnd(session),
-      genz_(session.config.genz_icp),
+      genz_(own_parameters<GenzIcpParameters>(session.config)),
       map_({genz_.voxel_size, genz_.max_points_per_voxel, 0.0, genz_.map_cleanup_radius,
             cell_rounding(genz_)}),
       threshold_(genz_),

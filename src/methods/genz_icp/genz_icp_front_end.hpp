@@ -20,7 +20,7 @@ class GenzIcpFrontEnd : public BaselineFrontEnd {
   [[nodiscard]] bool has_moved() const;
   void update_map(const std::vector<Eigen::Vector3d>& points, const Pose& T_map_lidar);
 
-  const Config::GenzIcp& genz_;
+  const GenzIcpParameters& genz_;
   VoxelMap map_;
   GenzThreshold threshold_;
   double voxel_size_;  // of the last scan's thinning

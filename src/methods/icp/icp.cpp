@@ -84,7 +84,7 @@ NormalEquations<6> equations_of(const Matching& matching) {
 }  // namespace
 
 Alignment icp(const std::vector<Eigen::Vector3d>& points, const NearestTarget& nearest,
-              const Pose& initial_guess, const Config::Icp& config, const Workers& workers) {
+              const Pose& initial_guess, const IcpParameters& config, const Workers& workers) {
   constexpr int kLeastPairs = 3;  // for a motion
   Alignment result;
   result.points = static_cast<int>(points.size());

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "methods/icp/icp_parameters.hpp"
 #include "methods/shared/alignment.hpp"
-#include "surefoot/config.hpp"
 
 namespace surefoot {
 
@@ -34,6 +34,6 @@ using NearestTarget = std::function<const Eigen::Vector3d*(const Eigen::Vector3d
 /// points nor their RMS distance changes.
 [[nodiscard]] Alignment icp(const std::vector<Eigen::Vector3d>& points,
                             const NearestTarget& nearest, const Pose& initial_guess,
-                            const Config::Icp& config, const Workers& workers);
+                            const IcpParameters& config, const Workers& workers);
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "config/method.hpp"
 #include "methods/icp/icp.hpp"
 #include "methods/shared/constant_velocity.hpp"
 
@@ -11,16 +12,17 @@ namespace surefoot {
 
 namespace {
 
-VoxelMap::Options map_options(const Config& config) {
-  const double spacing = config.icp.voxel_size / std::sqrt(config.icp.max_points_per_voxel);
-  return {config.icp.voxel_size, config.icp.max_points_per_voxel, spacing,
-          config.preprocess.max_range};
+VoxelMap::Options map_options(const IcpParameters& config, double radius) {
+  const double spacing = config.voxel_size / std::sqrt(config.max_points_per_voxel);
+  return {config.voxel_size, config.max_points_per_voxel, spacing, radius};
 }
 
 }  // namespace
 
 IcpFrontEnd::IcpFrontEnd(const Session& session)
-    : BaselineFrontEnd(session), icp_(session.config.icp), map_(map_options(session.config)) {}
+    : BaselineFrontEnd(session),
+      icp_(own_parameters<IcpParameters>(session.config)),
+      map_(map_options(icp_, session.config.preprocess.max_range)) {}
 
 Estimate IcpFrontEnd::add(const PreparedScan& scan) {
   begin_step(Step::search);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "methods/icp/icp_parameters.hpp"
 #include "methods/shared/baseline_front_end.hpp"
 #include "methods/shared/kd_tree.hpp"
 #include "methods/shared/voxel_map.hpp"
@@ -20,7 +21,7 @@ class IcpFrontEnd : public BaselineFrontEnd {
  private:
   void set_target(const std::vector<Eigen::Vector3d>& points, const Pose& T_map_lidar);
 
-  const Config::Icp& icp_;
+  const IcpParameters& icp_;
   KdTree last_scan_;  // in the map's frame; for IcpTarget::scan
   VoxelMap map_;      // for IcpTarget::map
   Pose last_pose_;

@@ -55,7 +55,7 @@ KissClouds voxelize(const std::vector<Eigen::Vector3d>& points, double voxel_siz
 
 Alignment align_points_to_map(const std::vector<Eigen::Vector3d>& source, const VoxelMap& map,
                               const Pose& initial_guess, double sigma,
-                              const Config::KissIcp& config, const Workers& workers) {
+                              const KissIcpParameters& config, const Workers& workers) {
   return align(source, initial_guess, config.max_num_iterations, config.convergence_criterion,
                [&](std::vector<Eigen::Vector3d>& moved, const Pose& update) {
                  return build_linear_system(moved, update, map, sigma, workers);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "methods/kiss_icp/kiss_icp_parameters.hpp"
 #include "methods/shared/alignment.hpp"
 #include "methods/shared/voxel_map.hpp"
-#include "surefoot/config.hpp"
 
 namespace surefoot {
 
@@ -24,7 +24,7 @@ struct KissClouds {
 /// scale `sigma` [m], matches up to 3 sigma apart.
 [[nodiscard]] Alignment align_points_to_map(const std::vector<Eigen::Vector3d>& source,
                                             const VoxelMap& map, const Pose& initial_guess,
-                                            double sigma, const Config::KissIcp& config,
+                                            double sigma, const KissIcpParameters& config,
                                             const Workers& workers);
 
 }  // namespace surefoot

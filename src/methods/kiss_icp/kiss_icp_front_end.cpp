@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "config/method.hpp"
 #include "methods/kiss_icp/kiss_icp.hpp"
 #include "methods/shared/constant_velocity.hpp"
 
@@ -12,7 +13,7 @@ namespace surefoot {
 namespace {
 
 /// So many points of this spacing fill a voxel's face.
-double map_resolution(const Config::KissIcp& config) {
+double map_resolution(const KissIcpParameters& config) {
   return std::sqrt(config.voxel_size * config.voxel_size / config.max_points_per_voxel);
 }
 
@@ -20,7 +21,7 @@ double map_resolution(const Config::KissIcp& config) {
 
 KissIcpFrontEnd::KissIcpFrontEnd(const Session& session)
     : BaselineFrontEnd(session),
-      kiss_(session.config.kiss_icp),
+      kiss_(own_parameters<KissIcpParameters>(session.config)),
       map_({kiss_.voxel_size, kiss_.max_points_per_voxel, map_resolution(kiss_), kiss_.max_range}),
       adaptive_threshold_(kiss_.initial_threshold, kiss_.min_motion_th, kiss_.max_range) {}
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "methods/kiss_icp/kiss_icp_parameters.hpp"
 #include "methods/shared/adaptive_threshold.hpp"
 #include "methods/shared/baseline_front_end.hpp"
 #include "methods/shared/voxel_map.hpp"
@@ -20,7 +21,7 @@ class KissIcpFrontEnd : public BaselineFrontEnd {
  private:
   void update_map(const std::vector<Eigen::Vector3d>& points, const Pose& T_map_end);
 
-  const Config::KissIcp& kiss_;
+  const KissIcpParameters& kiss_;
   VoxelMap map_;
   AdaptiveThreshold adaptive_threshold_;
   Pose last_pose_;   // T_map_lidar at the end of the last scan

@@ -37,7 +37,7 @@ struct PlaneSum {
 };
 
 PlaneSum sum_planes(Source& source, const LocalMap& map, const Pose& T_map_lidar,
-                    const Config& config, const Workers& workers) {
+                    const PaperParameters::Vertical& config, const Workers& workers) {
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   const Eigen::Vector3d& sensor = T_map_lidar.translation;
   return workers.sum<PlaneSum>(source.points.size(), [&](std::size_t begin, std::size_t end) {
@@ -47,10 +47,9 @@ PlaneSum sum_planes(Source& source, const LocalMap& map, const Pose& T_map_lidar
       if (!match.found) continue;
       const auto [s, q] = about_sensor(R, sensor, source.points[i], match);
       const Surface& surface = surface_at(map, s + sensor, source.surfaces[i]);
-      if (surface.neighbours < config.vertical.min_neighbours) continue;
+      if (surface.neighbours < config.min_neighbours) continue;
       const Eigen::Matrix<double, 1, 1> r(surface.normal.dot(s - q));
-      const double w =
-          surface.planarity * lorentzian_weight(std::abs(r[0]), config.vertical.kernel_scale);
+      const double w = surface.planarity * lorentzian_weight(std::abs(r[0]), config.kernel_scale);
       const Eigen::Matrix<double, 1, 6> J = plane_jacobian(s, surface.normal);
       sum.equations.add<1>(J, r, w);
       sum.sector_g.col(sector_of(source.points[i])) += w * r[0] * J.transpose();
@@ -78,11 +77,12 @@ Matrix6 pose_covariance(const PlaneSum& sum, const Config::Health& config) {
 
 }  // namespace
 
-void assess(Source& source, const LocalMap& map, const Pose& T_map_lidar, const Config& config,
+void assess(Source& source, const LocalMap& map, const Pose& T_map_lidar,
+            const PaperParameters::Vertical& config, const Config::Health& health,
             const Workers& workers, Estimate& estimate) {
   const PlaneSum sum = sum_planes(source, map, T_map_lidar, config, workers);
-  estimate.covariance = pose_covariance(sum, config.health);
-  report_weak_directions(sum.equations, sum.squared_distance, T_map_lidar, config.health, estimate);
+  estimate.covariance = pose_covariance(sum, health);
+  report_weak_directions(sum.equations, sum.squared_distance, T_map_lidar, health, estimate);
 }
 
 }  // namespace surefoot

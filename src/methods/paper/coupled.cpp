@@ -9,7 +9,7 @@
 namespace surefoot {
 
 NormalEquations<6> coupled_equations(Source& source, const LocalMap& map, const Pose& T_map_lidar,
-                                     const Config& config, const Workers& workers) {
+                                     const PaperParameters& config, const Workers& workers) {
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   const Eigen::Vector3d& sensor = T_map_lidar.translation;
   const bool planes = config.registration.coupled_residual == Residual::point_to_plane;

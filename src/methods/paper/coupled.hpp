@@ -5,7 +5,7 @@
 #include "core/normal_equations.hpp"
 #include "core/parallel.hpp"
 #include "methods/paper/matches.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 
 namespace surefoot {
 
@@ -13,7 +13,8 @@ namespace surefoot {
 /// [dx dy dz droll dpitch dyaw] about the sensor, of point-to-point residuals with the weight of
 /// eq. (19), or of point-to-plane residuals on every surface with the same weight.
 [[nodiscard]] NormalEquations<6> coupled_equations(Source& source, const LocalMap& map,
-                                                   const Pose& T_map_lidar, const Config& config,
+                                                   const Pose& T_map_lidar,
+                                                   const PaperParameters& config,
                                                    const Workers& workers);
 
 }  // namespace surefoot

@@ -18,7 +18,8 @@ Eigen::Matrix3d select_horizontal(const Eigen::Matrix<double, 3, 6>& J) {
 }  // namespace
 
 NormalEquations<3> horizontal_equations(const Source& source, const Pose& T_map_lidar,
-                                        const Config::Horizontal& config, const Workers& workers) {
+                                        const PaperParameters::Horizontal& config,
+                                        const Workers& workers) {
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   return workers.sum<NormalEquations<3>>(
       source.points.size(), [&](std::size_t begin, std::size_t end) {

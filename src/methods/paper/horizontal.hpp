@@ -5,13 +5,13 @@
 #include "core/normal_equations.hpp"
 #include "core/parallel.hpp"
 #include "methods/paper/matches.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 
 namespace surefoot {
 
 /// H_H and g_H over [dx dy dyaw] about the sensor, eqs. (13)-(19).
 [[nodiscard]] NormalEquations<3> horizontal_equations(const Source& source, const Pose& T_map_lidar,
-                                                      const Config::Horizontal& config,
+                                                      const PaperParameters::Horizontal& config,
                                                       const Workers& workers);
 
 /// The full-state form of a horizontal update, eq. (17).

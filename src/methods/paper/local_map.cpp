@@ -66,11 +66,10 @@ void LocalMap::Moments::add(const Moments& other, const Eigen::Vector3d& offset)
   count += other.count;
 }
 
-LocalMap::LocalMap(const Config::Map& config, double max_radius)
+LocalMap::LocalMap(const PaperParameters::Map& config, double max_radius)
     : size_(config.voxel_size),
       inverse_size_(1.0 / config.voxel_size),
       min_spacing2_(static_cast<float>(config.min_spacing * config.min_spacing)),
-      radius_(config.radius),
       capacity_(static_cast<std::uint32_t>(config.points_per_voxel)),
       stride_((capacity_ + kLanes - 1) / kLanes * kLanes),
       reach_(std::min(static_cast<int>(std::ceil(max_radius * inverse_size_)), kMaxReach)) {
@@ -129,15 +128,15 @@ void LocalMap::insert(const Eigen::Vector3d& point) {
   voxels_[voxel].moments.add(local.cast<double>());
 }
 
-void LocalMap::remove_far(const Eigen::Vector3d& sensor) {
+void LocalMap::remove_far(const Eigen::Vector3d& sensor, double radius) {
   if (!cleaned_at_) cleaned_at_ = sensor;
-  if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius_) return;
+  if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius) return;
   cleaned_at_ = sensor;
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * size_);
   std::uint32_t kept = 0;
   table_.clear();
   for (std::uint32_t voxel = 0; voxel < voxels_.size(); ++voxel) {
-    if ((corner(voxels_[voxel].index) + half - sensor).norm() > radius_) continue;
+    if ((corner(voxels_[voxel].index) + half - sensor).norm() > radius) continue;
     if (kept != voxel) {
       voxels_[kept] = voxels_[voxel];
       counts_[kept] = counts_[voxel];

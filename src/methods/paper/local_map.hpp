@@ -10,7 +10,7 @@
 
 #include "core/voxel_key.hpp"
 #include "core/voxel_table.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 
 namespace surefoot {
 
@@ -42,12 +42,12 @@ class LocalMap {
   static constexpr int kMaxReach = 10;
 
   /// `max_radius`: the largest that nearby() will be asked for [m], at most kMaxReach voxels.
-  LocalMap(const Config::Map& config, double max_radius);
+  LocalMap(const PaperParameters::Map& config, double max_radius);
 
   /// Adds a point, unless its voxel is full or holds a point nearer than min_spacing.
   void insert(const Eigen::Vector3d& point);
-  /// Drops the voxels that lie farther than the radius from the sensor.
-  void remove_far(const Eigen::Vector3d& sensor);
+  /// Drops the voxels that lie farther than `radius` [m] from the sensor.
+  void remove_far(const Eigen::Vector3d& sensor, double radius);
   void clear();
 
   /// The points nearer to a place than `radius` [m], or the nearest of them. Exact. A radius beyond
@@ -104,7 +104,6 @@ class LocalMap {
   double size_;
   double inverse_size_;
   float min_spacing2_;
-  double radius_;
   std::uint32_t capacity_;
   std::size_t stride_;                 // capacity, rounded up to whole vectors
   int reach_;                          // voxels to look at each way

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "config/method.hpp"
 #include "core/deskew.hpp"
 #include "core/health.hpp"
 #include "core/information.hpp"
@@ -29,8 +30,9 @@ ScanTrajectory through_pose(const ScanTrajectory& predicted, const Pose& T_map_l
 PaperFrontEnd::PaperFrontEnd(const Session& session)
     : session_(session),
       config_(session.config),
+      paper_(own_parameters<PaperParameters>(session.config)),
       workers_(session.workers),
-      map_(config_.map, max_search_radius(config_.registration)) {}
+      map_(paper_.map, max_search_radius(paper_.registration)) {}
 
 /// Algorithm 1. Computes first; what outlives the scan changes in the last lines.
 Estimate PaperFrontEnd::add(const PreparedScan& scan) {
@@ -38,13 +40,14 @@ Estimate PaperFrontEnd::add(const PreparedScan& scan) {
   const ScanTrajectory predicted = predict(scan);                 // lines 1-6
   last_scan_ = {at_mid_scan(scan, predicted), scan.intensities};  // line 7
   session_.begin_step(Step::downsample);
-  ThinnedScan thinned = thin_scan(last_scan_.points, config_.downsample, session_.workers);
+  ThinnedScan thinned = thin_scan(last_scan_.points, paper_.downsample, session_.workers);
   if (map_.empty()) return begin_map(thinned.map_points, predicted);
 
   Source source = make_source(thinned);
   const Pose T_0 = predicted.at(0.5);  // line 8
   const Registration registration =
-      register_scan(source, map_, T_0, config_, workers_, session_.begin_step);  // lines 9-30
+      register_scan(source, map_, T_0, paper_, config_.health.min_matches, workers_,
+                    session_.begin_step);  // lines 9-30
   session_.begin_step(Step::assess);
   Estimate estimate = conclude(registration, T_0, source);
   session_.begin_step(Step::map);
@@ -64,13 +67,13 @@ Estimate PaperFrontEnd::add(const PreparedScan& scan) {
 ScanTrajectory PaperFrontEnd::predict(const PreparedScan& scan) const {
   const MotionPrior prior =
       predict_motion(motion_, scan.start_ns, scan.end_ns, config_.motion_prior.max_extrapolation);
-  return predict_trajectory(prior, scan.start_ns, scan.end_ns, config_.deskew);
+  return predict_trajectory(prior, scan.start_ns, scan.end_ns, paper_.deskew);
 }
 
 /// Line 7.
 std::vector<Eigen::Vector3f> PaperFrontEnd::at_mid_scan(const PreparedScan& scan,
                                                         const ScanTrajectory& predicted) const {
-  if (config_.deskew.mode == DeskewMode::none) return scan.points;
+  if (paper_.deskew.mode == DeskewMode::none) return scan.points;
   return deskew(scan, predicted, workers_);
 }
 
@@ -79,7 +82,7 @@ Estimate PaperFrontEnd::conclude(const Registration& registration, const Pose& T
                                  Source& source) const {
   Estimate estimate;
   estimate.converged = registration.converged;
-  estimate.stages = registration.stages(config_.registration.mode);
+  estimate.stages = registration.stages(paper_.registration.mode);
   estimate.registered_points = static_cast<int>(source.points.size());
   Judgement judgement = judge_registration(
       {T_0, registration.T_map_lidar, registration.matches, source.points.size()},
@@ -87,7 +90,8 @@ Estimate PaperFrontEnd::conclude(const Registration& registration, const Pose& T
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);
   if (judgement.status == Status::ok) {
-    assess(source, map_, registration.T_map_lidar, config_, workers_, estimate);
+    assess(source, map_, registration.T_map_lidar, paper_.vertical, config_.health, workers_,
+           estimate);
   }
   return estimate;
 }
@@ -121,7 +125,7 @@ Estimate PaperFrontEnd::lose(const std::vector<Eigen::Vector3f>& points,
 }
 
 void PaperFrontEnd::integrate(const std::vector<Eigen::Vector3f>& points, const Pose& T_map_lidar) {
-  map_.remove_far(T_map_lidar.translation);
+  map_.remove_far(T_map_lidar.translation, config_.map.radius);
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   for (const Eigen::Vector3f& point : points) {
     map_.insert(R * point.cast<double>() + T_map_lidar.translation);

@@ -37,6 +37,7 @@ class PaperFrontEnd : public FrontEnd {
 
   const Session& session_;
   const Config& config_;
+  const PaperParameters& paper_;
   const Workers& workers_;
 
   // Everything that outlives a scan.

@@ -19,7 +19,7 @@ MotionPrior predict_motion(const LastMotion& motion, std::int64_t start_ns, std:
   return {T_start, T_start * se3_exp(duration * motion.velocity)};
 }
 
-Twist clamp_twist(const Twist& twist, const Config::Deskew& config) {
+Twist clamp_twist(const Twist& twist, const PaperParameters::Deskew& config) {
   Twist clamped = twist;  // [Eq 6]
   clamped[2] = std::clamp(twist[2], -config.clamp_z, config.clamp_z);
   clamped[3] = std::clamp(twist[3], -config.clamp_roll, config.clamp_roll);
@@ -33,7 +33,7 @@ Pose interpolate(const Pose& T_a, const Pose& T_b, double u) {
 }
 
 ScanTrajectory predict_trajectory(const MotionPrior& prior, std::int64_t start_ns,
-                                  std::int64_t end_ns, const Config::Deskew& config) {
+                                  std::int64_t end_ns, const PaperParameters::Deskew& config) {
   const Pose& T_s = prior.T_start;
   if (config.mode != DeskewMode::piecewise) {
     return ScanTrajectory({T_s, prior.T_end}, start_ns, end_ns);

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/last_motion.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 #include "surefoot/scan_trajectory.hpp"
 
 namespace surefoot {
@@ -25,7 +25,7 @@ struct MotionPrior {
                                          std::int64_t end_ns, double max_extrapolation);
 
 /// The corrected twist of eq. (6): x, y and yaw stay, z, roll and pitch are clipped.
-[[nodiscard]] Twist clamp_twist(const Twist& twist, const Config::Deskew& config);
+[[nodiscard]] Twist clamp_twist(const Twist& twist, const PaperParameters::Deskew& config);
 
 /// I(T_a, T_b, u) of eq. (8): slerp of the rotation, linear in the translation.
 [[nodiscard]] Pose interpolate(const Pose& T_a, const Pose& T_b, double u);
@@ -33,6 +33,7 @@ struct MotionPrior {
 /// The predicted motion within the scan, eqs. (5)-(9), Algorithm 1 lines 1-6. With
 /// DeskewMode::constant_velocity (and none) it is the prior's one twist, not clamped.
 [[nodiscard]] ScanTrajectory predict_trajectory(const MotionPrior& prior, std::int64_t start_ns,
-                                                std::int64_t end_ns, const Config::Deskew& config);
+                                                std::int64_t end_ns,
+                                                const PaperParameters::Deskew& config);
 
 }  // namespace surefoot

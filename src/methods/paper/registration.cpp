@@ -15,7 +15,7 @@ namespace surefoot {
 namespace {
 
 /// d_max(t), eq. (20); iterations count from 1.
-double correspondence_distance(int t, const Config::Registration& config) {
+double correspondence_distance(int t, const PaperParameters::Registration& config) {
   return t <= config.early_iterations ? config.relaxed_distance : config.max_distance;  // [Eq 20]
 }
 
@@ -70,7 +70,8 @@ void slide_on_surface(const Eigen::Vector3d& place, const Surface& surface,
 
 /// Algorithm 1, line 16. Returns the number of matches.
 int find_correspondences(Source& source, const LocalMap& map, const Pose& T_map_lidar,
-                         double max_distance, const Config& config, const Workers& workers) {
+                         double max_distance, const PaperParameters& config,
+                         const Workers& workers) {
   const bool on_surface = config.registration.target == TargetKind::surface;
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   return workers.sum<int>(source.points.size(), [&](std::size_t begin, std::size_t end) {
@@ -98,7 +99,7 @@ void report(const NormalEquations<Size>& equations, StageReport& stage) {
 }
 
 /// Lines 17-28: one horizontal update, then U_V vertical ones. Returns the whole update.
-Twist update_decoupled(Source& source, const LocalMap& map, const Config& config,
+Twist update_decoupled(Source& source, const LocalMap& map, const PaperParameters& config,
                        const Workers& workers, const StepObserver& begin_step,
                        Registration& result) {
   begin_step(Step::solve);
@@ -123,7 +124,7 @@ Twist update_decoupled(Source& source, const LocalMap& map, const Config& config
 }
 
 /// The coupled problem, to compare with: one 6-DoF update.
-Twist update_coupled(Source& source, const LocalMap& map, const Config& config,
+Twist update_coupled(Source& source, const LocalMap& map, const PaperParameters& config,
                      const Workers& workers, const StepObserver& begin_step, Registration& result) {
   begin_step(Step::solve);
   const NormalEquations<6> equations =
@@ -136,12 +137,12 @@ Twist update_coupled(Source& source, const LocalMap& map, const Config& config,
 
 }  // namespace
 
-double max_search_radius(const Config::Registration& config) {
+double max_search_radius(const PaperParameters::Registration& config) {
   return std::max(config.max_distance, config.relaxed_distance) + kSearchMargin;
 }
 
 Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
-                           const Config& config, const Workers& workers,
+                           const PaperParameters& config, int min_matches, const Workers& workers,
                            const StepObserver& begin_step) {
   Registration result;
   // Lines 8-9. T_map_lidar is T_icp * T_0 throughout: updates are applied to it from the left.
@@ -155,7 +156,7 @@ Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
     begin_step(Step::search);
     const double d_corr = correspondence_distance(t, config.registration);  // lines 11-15
     result.matches = find_correspondences(source, map, result.T_map_lidar, d_corr, config, workers);
-    if (result.matches < config.health.min_matches) break;  // too little to solve with
+    if (result.matches < min_matches) break;  // too little to solve with
     const Twist update = (coupled ? update_coupled : update_decoupled)(source, map, config, workers,
                                                                        begin_step, result);
     result.converged = update.norm() < config.registration.convergence;

@@ -4,7 +4,7 @@
 
 #include "core/parallel.hpp"
 #include "methods/paper/matches.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 #include "surefoot/estimate.hpp"
 #include "surefoot/odometry.hpp"
 
@@ -27,12 +27,13 @@ struct Registration {
 };
 
 /// The largest radius in which register_scan searches the map [m].
-[[nodiscard]] double max_search_radius(const Config::Registration& config);
+[[nodiscard]] double max_search_radius(const PaperParameters::Registration& config);
 
 /// Registers a deskewed scan to the map: Algorithm 1, lines 8-30. `T_0` is the predicted mid-scan
-/// pose. Leaves the last matches and surfaces in `source`.
+/// pose; it ends where fewer than `min_matches` points have a correspondence. Leaves the last
+/// matches and surfaces in `source`.
 [[nodiscard]] Registration register_scan(Source& source, const LocalMap& map, const Pose& T_0,
-                                         const Config& config, const Workers& workers,
-                                         const StepObserver& begin_step);
+                                         const PaperParameters& config, int min_matches,
+                                         const Workers& workers, const StepObserver& begin_step);
 
 }  // namespace surefoot

@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points, const Config::Downsample& config,
-                      const Workers& workers) {
+ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points,
+                      const PaperParameters::Downsample& config, const Workers& workers) {
   constexpr double kFinest = 1.0 / 16.0;  // of the cubes that were asked for
   const auto enough = static_cast<std::size_t>(config.min_points);
   for (double scale = 1.0;; scale *= 0.5) {

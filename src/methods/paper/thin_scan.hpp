@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 
 namespace surefoot {
 
@@ -20,7 +20,7 @@ struct ThinnedScan {
 /// downsample.min_points to register (a stairwell, a small room), both cubes are halved until it
 /// does not, four times at most.
 [[nodiscard]] ThinnedScan thin_scan(const std::vector<Eigen::Vector3f>& points,
-                                    const Config::Downsample& config,
+                                    const PaperParameters::Downsample& config,
                                     const Workers& workers = Workers(1));
 
 }  // namespace surefoot

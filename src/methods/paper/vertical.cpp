@@ -18,13 +18,15 @@ Eigen::Matrix<double, Rows, 3> select_vertical(const Eigen::Matrix<double, Rows,
 
 }  // namespace
 
-bool valid_vertical(const Surface& surface, double distance, const Config::Vertical& config) {
+bool valid_vertical(const Surface& surface, double distance,
+                    const PaperParameters::Vertical& config) {
   return surface.neighbours >= config.min_neighbours &&
          std::abs(surface.normal.z()) >= config.min_normal_z && distance <= config.max_range;
 }
 
 VerticalEquations vertical_equations(Source& source, const LocalMap& map, const Pose& T_map_lidar,
-                                     const Config::Vertical& config, const Workers& workers) {
+                                     const PaperParameters::Vertical& config,
+                                     const Workers& workers) {
   const Eigen::Matrix3d R = T_map_lidar.rotation.toRotationMatrix();
   const Eigen::Vector3d& sensor = T_map_lidar.translation;
   return workers.sum<VerticalEquations>(

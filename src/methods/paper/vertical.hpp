@@ -5,14 +5,14 @@
 #include "core/normal_equations.hpp"
 #include "core/parallel.hpp"
 #include "methods/paper/matches.hpp"
-#include "surefoot/config.hpp"
+#include "methods/paper/paper_parameters.hpp"
 
 namespace surefoot {
 
 /// Whether a correspondence may constrain the vertical state: Algorithm 1, line 21. `distance` is
 /// |s_i - o| [m].
 [[nodiscard]] bool valid_vertical(const Surface& surface, double distance,
-                                  const Config::Vertical& config);
+                                  const PaperParameters::Vertical& config);
 
 /// Normal equations with the sum of Omega_i, eq. (30), over what they were taken from.
 struct VerticalEquations : NormalEquations<3> {
@@ -29,7 +29,7 @@ struct VerticalEquations : NormalEquations<3> {
 /// changed and keeps them in `source`.
 [[nodiscard]] VerticalEquations vertical_equations(Source& source, const LocalMap& map,
                                                    const Pose& T_map_lidar,
-                                                   const Config::Vertical& config,
+                                                   const PaperParameters::Vertical& config,
                                                    const Workers& workers);
 
 /// A vertical update no longer than the trust region, its direction kept, eq. (34).

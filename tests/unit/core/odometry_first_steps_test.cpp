@@ -84,7 +84,7 @@ TEST(OdometryFirstSteps, NearestSamplesHoldTheSensorBack) {
 TEST(OdometryFirstSteps, PointToPlaneFollowsEachOfTheseWalks) {
   // The scans do tell the motion: what the first motion is taken from never loses it.
   Config config = method_config("paper-coupled");
-  config.registration.coupled_residual = Residual::point_to_plane;
+  set_parameter(config, "registration.coupled_residual", "point_to_plane");
   for (const Scene& scene : {bare_hall(), furnished_hall()}) {
     for (const double speed : {1.0, 0.5}) {
       for (const auto& motion : {straight_walk(speed), pitched(straight_walk(speed))}) {

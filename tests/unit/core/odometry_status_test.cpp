@@ -229,7 +229,7 @@ TEST_P(OdometryStatus, PartsOfAScanMayBeNonsense) {
 
 TEST(OdometryConfiguration, AnInvalidConfigurationIsRefused) {
   Config config;
-  config.deskew.segments = 0;
+  config.knots.segments = 0;
   EXPECT_THROW(Odometry{config}, ConfigError);
 }
 

@@ -35,7 +35,7 @@ class Recordings : public test::EveryMethod {
   static std::vector<Estimate> run(const char* name);
   /// The bound for the method under test.
   static double either(double surefoot, double paper) {
-    return config().method == Method::surefoot ? surefoot : paper;
+    return config().method == "surefoot" ? surefoot : paper;
   }
   static void expect_absolute_error(const char* name, std::size_t scans, double bound);
 };

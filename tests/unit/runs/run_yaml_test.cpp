@@ -57,7 +57,7 @@ TEST_F(RunYaml, WhatIsWrittenIsReadBack) {
 
 TEST_F(RunYaml, IsTakenAsConfiguration) {
   Config used = method_config("paper");
-  used.deskew.segments = 6;
+  set_parameter(used, "deskew.segments", "6");
   RunDescription run = some_run();
   run.parameters = parameter_texts(used);
   write_run_yaml(folder_ / "run.yaml", run);

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -35,7 +36,7 @@ PreparedScan random_scan(int points, double size) {
 TEST(CtIcpSampling, KeepsOnePointOfEveryCellWithItsTime) {
   const PreparedScan scan = random_scan(5000, 4.0);
   for (const bool floor : {false, true}) {
-    Config::CtIcp config = Config().ct_icp;
+    CtIcpParameters config = test::default_parameters<CtIcpParameters>();
     config.floor_voxels = floor;
     std::set<Cell> expected, seen;
     for (const auto& point : scan.points) {
@@ -52,7 +53,7 @@ TEST(CtIcpSampling, KeepsOnePointOfEveryCellWithItsTime) {
 
 TEST(CtIcpSampling, ChanceIsTheSameInEveryRunAndAnotherInEveryScan) {
   const PreparedScan scan = random_scan(3000, 4.0);
-  const Config::CtIcp config = Config().ct_icp;
+  const CtIcpParameters config = test::default_parameters<CtIcpParameters>();
   CtIcpSampler one(config), other(config);
   const auto first = one.thin(scan, false, 0.5), second = one.thin(scan, false, 0.5);
   const auto again = other.thin(scan, false, 0.5);
@@ -68,7 +69,7 @@ TEST(CtIcpSampling, ChanceIsTheSameInEveryRunAndAnotherInEveryScan) {
 
 TEST(CtIcpSampling, RigidScansAreOfTheLastInstant) {
   PreparedScan scan = random_scan(500, 4.0);
-  const Config::CtIcp config = Config().ct_icp;
+  const CtIcpParameters config = test::default_parameters<CtIcpParameters>();
   for (const auto& kept : CtIcpSampler(config).thin(scan, true, 0.5)) EXPECT_EQ(kept.alpha, 1.0);
   scan.taus.clear();
   for (const auto& kept : CtIcpSampler(config).thin(scan, false, 0.5)) EXPECT_EQ(kept.alpha, 1.0);
@@ -77,7 +78,7 @@ TEST(CtIcpSampling, RigidScansAreOfTheLastInstant) {
 TEST(CtIcpSampling, KeypointsAreAsManyAsAllowed) {
   const PreparedScan scan = random_scan(3000, 10.0);
   for (const auto sampling : {CtIcpSampling::none, CtIcpSampling::grid, CtIcpSampling::adaptive}) {
-    Config::CtIcp config = Config().ct_icp;
+    CtIcpParameters config = test::default_parameters<CtIcpParameters>();
     config.sampling = sampling;
     config.max_num_keypoints = 200;
     CtIcpSampler sampler(config);

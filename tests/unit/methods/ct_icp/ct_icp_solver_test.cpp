@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -80,8 +81,8 @@ TEST(CtIcpSolver, APointOfTheLastInstantSaysNothingOfTheFirst) {
   EXPECT_GT(J.rightCols<6>().norm(), 0.0);
 }
 
-Config::CtIcp all_constraints() {
-  Config::CtIcp config = Config().ct_icp;
+CtIcpParameters all_constraints() {
+  CtIcpParameters config = test::default_parameters<CtIcpParameters>();
   config.beta_location_consistency = 0.3;
   config.beta_constant_velocity = 0.2;
   config.beta_small_velocity = 0.5;
@@ -135,7 +136,7 @@ TEST(CtIcpSolver, FindsBothPosesOfACorner) {
   test::Random random(6);
   const CtIcpFrame truth{{so3_exp({0.01, -0.02, 0.1}), {0.3, -0.2, 0.1}},
                          {so3_exp({-0.02, 0.03, 0.2}), {0.5, -0.1, 0.15}}};
-  Config::CtIcp config = Config().ct_icp;
+  CtIcpParameters config = test::default_parameters<CtIcpParameters>();
   config.beta_location_consistency = config.beta_constant_velocity = 0.0;
   config.ls_max_num_iters = 50;
   const Workers workers(1);
@@ -149,7 +150,7 @@ TEST(CtIcpSolver, FindsBothPosesOfACorner) {
 TEST(CtIcpSolver, RigidEquationsMoveTheWholeScan) {
   test::Random random(7);
   const CtIcpFrame frame = random_frame(random, 0.1);
-  Config::CtIcp config = Config().ct_icp;
+  CtIcpParameters config = test::default_parameters<CtIcpParameters>();
   config.ls_sigma = 1e6;  // no loss: squares
   std::vector<CtIcpResidual> residuals;
   for (int i = 0; i < 300; ++i) residuals.push_back(random_residual(random));
@@ -174,7 +175,7 @@ TEST(CtIcpSolver, ThreadsDoNotChangeABit) {
   test::Random random(8);
   const auto residuals = corner({}, random);
   const CtIcpFrame start{{so3_exp({0.0, 0.0, 0.05}), {0.2, 0.1, 0.0}}, {}};
-  const Config::CtIcp config = Config().ct_icp;
+  const CtIcpParameters config = test::default_parameters<CtIcpParameters>();
   const Workers one(1), four(4);
   const CtIcpFrame a = solve_ct_icp(residuals, start, {}, config, one);
   const CtIcpFrame b = solve_ct_icp(residuals, start, {}, config, four);

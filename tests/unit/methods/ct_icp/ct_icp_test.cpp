@@ -6,18 +6,20 @@
 
 #include <cmath>
 
+#include "config/method.hpp"
 #include "methods/ct_icp/ct_icp_attempts.hpp"
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
 namespace {
 
-Config::CtIcp defaults() { return Config().ct_icp; }
+CtIcpParameters defaults() { return test::default_parameters<CtIcpParameters>(); }
 
 TEST(CtIcp, WeightsAreTheOriginals) {
   // (0.9 * 0.5^2 + 0.1 * exp(-3 / (0.3 * 20))) / 1.0
   EXPECT_NEAR(ct_icp_weight(0.5, 3.0, defaults()), 0.225 + 0.1 * std::exp(-0.5), 1e-12);
-  Config::CtIcp config = defaults();
+  CtIcpParameters config = defaults();
   config.weight_alpha = 8.0;
   config.weight_neighborhood = 2.0;
   EXPECT_NEAR(ct_icp_weight(1.0, 0.0, config), 1.0, 1e-12);
@@ -92,7 +94,7 @@ TEST(CtIcp, FindsTheMotionWithinAScan) {
   const VoxelNeighbours neighbours(map, 0.8, 20);
   const Workers workers(1);
   for (const bool nearest : {false, true}) {
-    Config::CtIcp config = defaults();
+    CtIcpParameters config = defaults();
     config.nearest_anchor = nearest;
     config.beta_location_consistency = config.beta_constant_velocity = 0.0;
     config.num_iters_icp = 50;
@@ -121,7 +123,7 @@ TEST(CtIcp, StopsAtItsNumbers) {
   const VoxelMap map = room();
   const VoxelNeighbours neighbours(map, 0.8, 20);
   const Workers workers(1);
-  Config::CtIcp config = defaults();
+  CtIcpParameters config = defaults();
   config.max_num_residuals = 100;
   config.num_iters_icp = 1;
   const CtIcpResult few = register_ct_icp(seen(kTruth, 900), neighbours, {}, {}, config, workers);
@@ -138,7 +140,7 @@ TEST(CtIcp, TheAnchorIsTheFarthestNeighbourUnlessSetRight) {
   const Eigen::Vector3d placed(1.23, 2.34, kHalf - 0.05);
   std::vector<VoxelNeighbours::Neighbour> found;
   neighbours.find(placed, found);
-  Config::CtIcp config = defaults();
+  CtIcpParameters config = defaults();
   EXPECT_EQ(match_ct_icp({placed, 0.0}, placed, neighbours, config)->anchor, *found.back().point);
   config.nearest_anchor = true;
   EXPECT_EQ(match_ct_icp({placed, 0.0}, placed, neighbours, config)->anchor, *found.front().point);
@@ -146,7 +148,8 @@ TEST(CtIcp, TheAnchorIsTheFarthestNeighbourUnlessSetRight) {
 }
 
 TEST(CtIcpAttempts, EveryLevelTriesHarder) {
-  const Config::CtIcp config = method_config("ct-icp-low-inertia").ct_icp;
+  const CtIcpParameters config =
+      own_parameters<CtIcpParameters>(method_config("ct-icp-low-inertia"));
   CtIcpEffort effort = first_effort(config, false, 0);
   EXPECT_EQ(effort.sample_voxel_size, 1.5);
   EXPECT_EQ(effort.config.num_iters_icp, 30);
@@ -168,7 +171,8 @@ TEST(CtIcpAttempts, EveryLevelTriesHarder) {
 TEST(CtIcpAttempts, FastTurnsArePlausibleOnlyForPlainProfilesAndHigherLevels) {
   const CtIcpResult good{.frame = {}, .success = true, .equations = {}};
   const CtIcpChange slow{0.1, 1.0, 1.0}, fast{0.1, 4.0, 1.0}, far{6.0, 1.0, 1.0};
-  const Config::CtIcp robust = method_config("ct-icp-low-inertia").ct_icp;
+  const CtIcpParameters robust =
+      own_parameters<CtIcpParameters>(method_config("ct-icp-low-inertia"));
   EXPECT_TRUE(is_plausible(good, slow, 0, robust));
   EXPECT_FALSE(is_plausible(good, fast, 0, robust));
   EXPECT_TRUE(is_plausible(good, fast, 1, robust));
@@ -182,7 +186,7 @@ TEST(CtIcpAttempts, FastTurnsArePlausibleOnlyForPlainProfilesAndHigherLevels) {
 TEST(CtIcpAttempts, FastTurnsStayOutOfTheMap) {
   const CtIcpResult good{.frame = {}, .success = true, .equations = {}};
   const CtIcpChange slow{0.1, 1.0, 1.0}, fast{0.1, 4.0, 1.0};
-  Config::CtIcp config = method_config("ct-icp-low-inertia").ct_icp;
+  CtIcpParameters config = own_parameters<CtIcpParameters>(method_config("ct-icp-low-inertia"));
   CtIcpCaution original(config);
   for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(original.admit(good, fast, 3));
   EXPECT_EQ(original.level(), 1);

@@ -9,8 +9,10 @@
 #include <set>
 #include <tuple>
 
+#include "config/method.hpp"
 #include "methods/shared/adaptive_threshold.hpp"
 #include "methods/shared/constant_velocity.hpp"
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -57,7 +59,7 @@ TEST(GenzIcp, FourNeighboursMakeNoPlane) {
 }
 
 TEST(GenzIcp, TheThresholdLearnsOnlyAwayFromTheStart) {
-  const Config::GenzIcp config = Config().genz_icp;
+  const GenzIcpParameters config = test::default_parameters<GenzIcpParameters>();
   GenzThreshold threshold(config);
   threshold.set_deviation({Eigen::Quaterniond::Identity(), {0.5, 0.0, 0.0}});
   EXPECT_EQ(threshold.threshold(false), config.initial_threshold);
@@ -74,7 +76,7 @@ TEST(GenzIcp, TheThinningIsAdaptedByTheNumberItGave) {
   test::Random random(2);
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 5000; ++i) points.push_back(random.vector(8.0));
-  const Config::GenzIcp config = Config().genz_icp;
+  const GenzIcpParameters config = test::default_parameters<GenzIcpParameters>();
   for (const double voxel : {0.5, 1.0, 1.5, 4.0}) {
     std::set<std::tuple<int, int, int>> cells;
     for (const auto& point : points) {
@@ -86,7 +88,7 @@ TEST(GenzIcp, TheThinningIsAdaptedByTheNumberItGave) {
     EXPECT_NEAR(clouds.voxel_size, std::clamp(adapted, 0.02, 2.0), 1e-12) << voxel;
     EXPECT_GE(clouds.frame_downsample.size(), clouds.source.size());
   }
-  Config::GenzIcp extreme = config;
+  GenzIcpParameters extreme = config;
   extreme.desired_num_voxelized_points = 1;
   EXPECT_EQ(adaptive_voxelize(points, 0.5, extreme).voxel_size, 2.0);
   extreme.desired_num_voxelized_points = 1'000'000;
@@ -99,7 +101,7 @@ TEST(GenzIcp, PlanarAndOtherMatchesAreWeightedByTheirNumbers) {
   const Eigen::Vector3d pole(30.0, 0.3, 1.2);
   points.push_back(pole);
   const VoxelMap map = map_of(points);
-  Config::GenzIcp config = Config().genz_icp;
+  GenzIcpParameters config = test::default_parameters<GenzIcpParameters>();
   config.max_num_iterations = 1;
   const std::vector<Eigen::Vector3d> source = {
       {5.03, 4.02, 3.1}, {4.04, 4.43, 3.05}, pole + Eigen::Vector3d(0.1, 0.05, -0.1)};
@@ -130,13 +132,17 @@ TEST(GenzIcp, PlanarAndOtherMatchesAreWeightedByTheirNumbers) {
   EXPECT_LT((found.equations.g - g).norm(), 1e-9 * g.norm());
 }
 
+GenzIcpParameters parameters_of(const char* method) {
+  return own_parameters<GenzIcpParameters>(method_config(method));
+}
+
 TEST(GenzIcp, ConfigurationsAreTheOriginalsFiles) {
-  EXPECT_EQ(method_config("genz-icp").genz_icp.voxel_size, 0.3);
-  EXPECT_EQ(method_config("genz-icp-kitti").genz_icp.planarity_threshold, 0.18);
-  EXPECT_EQ(method_config("genz-icp-kitti").genz_icp.min_range, 5.0);
-  EXPECT_EQ(method_config("genz-icp-exp07").genz_icp.max_range, 120.0);
-  EXPECT_EQ(method_config("genz-icp-long-corridor").genz_icp.map_cleanup_radius, 300.0);
-  EXPECT_EQ(method_config("genz-icp-outdoor").genz_icp.max_points_per_voxel, 3);
+  EXPECT_EQ(parameters_of("genz-icp").voxel_size, 0.3);
+  EXPECT_EQ(parameters_of("genz-icp-kitti").planarity_threshold, 0.18);
+  EXPECT_EQ(parameters_of("genz-icp-kitti").min_range, 5.0);
+  EXPECT_EQ(parameters_of("genz-icp-exp07").max_range, 120.0);
+  EXPECT_EQ(parameters_of("genz-icp-long-corridor").map_cleanup_radius, 300.0);
+  EXPECT_EQ(parameters_of("genz-icp-outdoor").max_points_per_voxel, 3);
 }
 
 }  // namespace

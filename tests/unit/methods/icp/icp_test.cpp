@@ -9,6 +9,7 @@
 
 #include "methods/shared/constant_velocity.hpp"
 #include "methods/shared/kd_tree.hpp"
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -83,7 +84,8 @@ TEST(Icp, FindsAKnownMotionAndReportsIt) {
   const KdTree tree(cloud(2000, 5.0, 5));
   const Pose truth = se3_exp((Twist() << 0.05, -0.04, 0.02, 0.01, 0.005, -0.01).finished());
   const auto points = transformed(truth.inverse(), tree.points());
-  const Alignment found = icp(points, in(tree), Pose{}, Config().icp, Workers(1));
+  const Alignment found =
+      icp(points, in(tree), Pose{}, test::default_parameters<IcpParameters>(), Workers(1));
   EXPECT_TRUE(found.converged);
   EXPECT_EQ(found.points, 2000);
   EXPECT_EQ(found.equations.count, 2000);
@@ -96,7 +98,8 @@ TEST(Icp, MatchesAreNearestNeighboursWhateverTheGuessWas) {
   const KdTree tree(cloud(3000, 4.0, 6));
   const auto points =
       transformed(se3_exp((Twist() << 0.3, 0.2, 0, 0, 0, 0.1).finished()), cloud(500, 3.0, 7));
-  const Alignment found = icp(points, in(tree), Pose{}, Config().icp, Workers(1));
+  const Alignment found =
+      icp(points, in(tree), Pose{}, test::default_parameters<IcpParameters>(), Workers(1));
   double squares = 0.0;
   for (const auto& point : transformed(found.T_map_lidar, points)) {
     squares += (*tree.nearest(point, 100.0) - point).squaredNorm();
@@ -107,7 +110,8 @@ TEST(Icp, MatchesAreNearestNeighboursWhateverTheGuessWas) {
 TEST(Icp, WithoutTargetsTheGuessStands) {
   const KdTree tree(cloud(10, 1.0, 8));
   const Pose guess{Eigen::Quaterniond::Identity(), {500.0, 0.0, 0.0}};
-  const Alignment found = icp(cloud(100, 1.0, 9), in(tree), guess, Config().icp, Workers(1));
+  const Alignment found = icp(cloud(100, 1.0, 9), in(tree), guess,
+                              test::default_parameters<IcpParameters>(), Workers(1));
   EXPECT_FALSE(found.converged);
   EXPECT_EQ(found.equations.count, 0);
   EXPECT_EQ(found.T_map_lidar.translation, guess.translation);

@@ -9,6 +9,7 @@
 #include "geometry/so3.hpp"
 #include "methods/shared/adaptive_threshold.hpp"
 #include "methods/shared/constant_velocity.hpp"
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -113,8 +114,8 @@ TEST(KissIcp, RegistrationFindsAKnownMotion) {
   for (const auto& point : room()) map.insert(point);
   const Pose truth{so3_exp({0.01, -0.02, 0.03}), {0.1, -0.08, 0.05}};
   const auto seen = transformed(truth.inverse(), room());
-  const Alignment found =
-      align_points_to_map(seen, map, Pose{}, 1.0, Config().kiss_icp, Workers(1));
+  const Alignment found = align_points_to_map(
+      seen, map, Pose{}, 1.0, test::default_parameters<KissIcpParameters>(), Workers(1));
   EXPECT_TRUE(found.converged);
   EXPECT_EQ(found.equations.count, static_cast<int>(seen.size()));
   EXPECT_LT((found.T_map_lidar.translation - truth.translation).norm(), 1e-3);
@@ -125,8 +126,8 @@ TEST(KissIcp, WithoutMatchesThePredictionStands) {
   VoxelMap map({1.0, 20, 0.0, 100.0});
   map.insert({50.0, 50.0, 50.0});
   const Pose guess{so3_exp({0.1, 0.0, 0.0}), {1.0, 2.0, 3.0}};
-  const Alignment found =
-      align_points_to_map(room(), map, guess, 1.0, Config().kiss_icp, Workers(1));
+  const Alignment found = align_points_to_map(
+      room(), map, guess, 1.0, test::default_parameters<KissIcpParameters>(), Workers(1));
   EXPECT_EQ(found.equations.count, 0);
   EXPECT_TRUE(found.finite);
   EXPECT_LT((found.T_map_lidar.translation - guess.translation).norm(), 1e-12);

@@ -20,12 +20,12 @@ namespace {
 
 using test::Random;
 
-Config information_config() {
-  Config config = test::step_config();
-  config.health.min_information = 0.02;
-  config.health.max_correction = 3.0;
-  config.health.max_correction_deg = 45.0;
-  return config;
+Config::Health information_health() {
+  Config::Health health = Config().health;
+  health.min_information = 0.02;
+  health.max_correction = 3.0;
+  health.max_correction_deg = 45.0;
+  return health;
 }
 
 std::vector<Eigen::Vector3d> floor_points(std::uint64_t seed, int count) {
@@ -49,13 +49,15 @@ std::vector<Eigen::Vector3d> corridor_points(std::uint64_t seed, int count) {
 /// Registers a scan of one set of points to a map of another, and assesses it.
 Estimate assess_scene(const std::vector<Eigen::Vector3d>& map_points,
                       const std::vector<Eigen::Vector3d>& scan_points, const Pose& T) {
-  const Config config = information_config();
+  const PaperParameters config = test::step_config();
   const LocalMap map = test::make_map(map_points, config);
   Source source = test::make_source(scan_points, T);
-  const Registration registration = register_scan(source, map, T, config, Workers(1), [](Step) {});
+  const Registration registration =
+      register_scan(source, map, T, config, test::kMinMatches, Workers(1), [](Step) {});
   Estimate estimate;
   estimate.status = Status::ok;
-  assess(source, map, registration.T_map_lidar, config, Workers(1), estimate);
+  assess(source, map, registration.T_map_lidar, config.vertical, information_health(), Workers(1),
+         estimate);
   return estimate;
 }
 
@@ -114,7 +116,7 @@ TEST(Assessment, CovarianceIsSymmetricPositiveDefiniteEvenWhereNothingIsKnown) {
     const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(estimate.covariance);
     EXPECT_GT(eigen.eigenvalues()[0], 0.0);
     // Never less certain than a prediction.
-    const Matrix6 bound = unregistered_covariance(information_config().health);
+    const Matrix6 bound = unregistered_covariance(information_health());
     EXPECT_LT(eigen.eigenvalues()[5], bound.diagonal().maxCoeff() * (1.0 + 1e-9));
   }
 }
@@ -131,7 +133,7 @@ TEST(Assessment, CovarianceAgreesWithRepeatedRegistrationsToAnOrderOfMagnitude) 
   // point-to-point against a map of discrete points, which adds scatter along the faces. So the
   // standard deviations agree to a factor of some units, not to percents: a factor of 5 holds.
   constexpr int kScans = 60;
-  const Config config = information_config();
+  const PaperParameters config = test::step_config();
   const LocalMap map = test::make_map(test::room_points(1, 6000), config);
   Matrix6 sample = Matrix6::Zero(), reported = Matrix6::Zero();
   Twist mean = Twist::Zero();
@@ -142,9 +144,11 @@ TEST(Assessment, CovarianceAgreesWithRepeatedRegistrationsToAnOrderOfMagnitude) 
     for (Eigen::Vector3f& p : source.points) {
       for (int axis = 0; axis < 3; ++axis) p[axis] += static_cast<float>(random.normal(0.02));
     }
-    const Registration result = register_scan(source, map, Pose{}, config, Workers(1), [](Step) {});
+    const Registration result =
+        register_scan(source, map, Pose{}, config, test::kMinMatches, Workers(1), [](Step) {});
     Estimate estimate;
-    assess(source, map, result.T_map_lidar, config, Workers(1), estimate);
+    assess(source, map, result.T_map_lidar, config.vertical, information_health(), Workers(1),
+           estimate);
     reported += estimate.covariance / kScans;
     errors.push_back(se3_log(result.T_map_lidar));
     mean += errors.back() / kScans;

@@ -19,7 +19,7 @@ namespace {
 using test::Random;
 
 struct Scene {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   Pose T{so3_exp({0.02, -0.03, 0.4}), {1.0, -0.5, 0.2}};
   LocalMap map = test::make_map(test::room_points(1, 1000), config);
   Source source;

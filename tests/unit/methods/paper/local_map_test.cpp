@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -16,12 +17,11 @@ namespace {
 
 using test::Random;
 
-Config::Map map_config(double voxel_size) {
-  Config::Map config = Config().map;
+PaperParameters::Map map_config(double voxel_size) {
+  PaperParameters::Map config = test::default_parameters<PaperParameters>().map;
   config.voxel_size = voxel_size;
   config.points_per_voxel = 20;
   config.min_spacing = 0.0;
-  config.radius = 50.0;
   return config;
 }
 
@@ -137,7 +137,7 @@ TEST(LocalMap, VoxelsAreEquallyLargeOnBothSidesOfZero) {
 }
 
 TEST(LocalMap, AFullVoxelTakesNoMore) {
-  Config::Map config = map_config(1.0);
+  PaperParameters::Map config = map_config(1.0);
   for (const int capacity : {1, 3, 4, 5, 17}) {  // around the width of the vector search
     config.points_per_voxel = capacity;
     LocalMap map(config, 1.0);
@@ -150,7 +150,7 @@ TEST(LocalMap, AFullVoxelTakesNoMore) {
 
 TEST(LocalMap, PointsOfAVoxelKeepTheirDistance) {
   Random random(8);
-  Config::Map config = map_config(1.0);
+  PaperParameters::Map config = map_config(1.0);
   config.min_spacing = 0.2;
   config.points_per_voxel = 60;
   LocalMap map(config, 1.0);
@@ -167,14 +167,12 @@ TEST(LocalMap, PointsOfAVoxelKeepTheirDistance) {
 
 TEST(LocalMap, ForgetsWhatIsFarAndKeepsWhatIsNear) {
   Random random(9);
-  Config::Map config = map_config(1.0);
-  config.radius = 20.0;
-  LocalMap map(config, 2.0);
-  map.remove_far(Eigen::Vector3d::Zero());
+  LocalMap map(map_config(1.0), 2.0);
+  map.remove_far(Eigen::Vector3d::Zero(), 20.0);
   for (int i = 0; i < 5000; ++i) map.insert(random.vector(30.0));
   const Eigen::Vector3d sensor(10.0, 0.0, 0.0);
   const auto before = map.points();
-  map.remove_far(sensor);
+  map.remove_far(sensor, 20.0);
   const auto after = map.points();
   const auto centre = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     return map.voxel_of(p).cast<double>().array() + 0.5;
@@ -193,13 +191,11 @@ TEST(LocalMap, ForgetsWhatIsFarAndKeepsWhatIsNear) {
 
 TEST(LocalMap, MemoryStaysBoundedOnALongWay) {
   Random random(10);
-  Config::Map config = map_config(1.0);
-  config.radius = 10.0;
-  LocalMap map(config, 1.0);
+  LocalMap map(map_config(1.0), 1.0);
   std::size_t most = 0;
   for (int step = 0; step < 500; ++step) {
     const Eigen::Vector3d sensor(2.0 * step, -1.0 * step, 0.1 * step);
-    map.remove_far(sensor);
+    map.remove_far(sensor, 10.0);
     for (int i = 0; i < 200; ++i) map.insert(sensor + random.vector(5.0));
     most = std::max(most, map.voxels());
   }

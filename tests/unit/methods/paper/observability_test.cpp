@@ -11,8 +11,8 @@
 namespace surefoot {
 namespace {
 
-Config::Vertical weights_config() {
-  Config::Vertical config = test::step_config().vertical;
+PaperParameters::Vertical weights_config() {
+  PaperParameters::Vertical config = test::step_config().vertical;
   config.near_distance = 10.0;
   config.distance_decay = 0.04;
   config.near_gate = 0.3;
@@ -24,7 +24,7 @@ Config::Vertical weights_config() {
 const double kJustBelow10 = std::nextafter(10.0, 0.0);
 
 TEST(Observability, DistanceTermIsOneUpToTheNearDistanceAndDecaysBeyond) {
-  const Config::Vertical c = weights_config();
+  const PaperParameters::Vertical c = weights_config();
   EXPECT_EQ(distance_observability(0.0, c), 1.0);
   EXPECT_EQ(distance_observability(kJustBelow10, c), 1.0);
   EXPECT_EQ(distance_observability(10.0, c), 1.0);  // continuous there
@@ -33,7 +33,7 @@ TEST(Observability, DistanceTermIsOneUpToTheNearDistanceAndDecaysBeyond) {
 }
 
 TEST(Observability, NormalTermIsTheUprightPartOfEitherSign) {
-  const Config::Vertical c = weights_config();
+  const PaperParameters::Vertical c = weights_config();
   EXPECT_EQ(normal_observability({0.0, 0.0, 1.0}, c), 1.0);
   EXPECT_EQ(normal_observability({0.0, 0.0, -1.0}, c), 1.0);
   EXPECT_EQ(normal_observability({1.0, 0.0, 0.0}, c), 0.0);
@@ -41,7 +41,7 @@ TEST(Observability, NormalTermIsTheUprightPartOfEitherSign) {
 }
 
 TEST(Observability, NormalPowerFlattensOrSharpensTheNormalTerm) {
-  Config::Vertical c = weights_config();
+  PaperParameters::Vertical c = weights_config();
   c.normal_power = 0.0;  // off, also for a wall
   EXPECT_EQ(normal_observability({0.6, 0.0, -0.8}, c), 1.0);
   EXPECT_EQ(normal_observability({1.0, 0.0, 0.0}, c), 1.0);
@@ -53,14 +53,14 @@ TEST(Observability, NormalPowerFlattensOrSharpensTheNormalTerm) {
 }
 
 TEST(Observability, ScoreIsTheProduct) {
-  const Config::Vertical c = weights_config();
+  const PaperParameters::Vertical c = weights_config();
   EXPECT_DOUBLE_EQ(observability(5.0, {0.6, 0.0, 0.8}, c), 0.8);
   EXPECT_DOUBLE_EQ(observability(15.0, {0.6, 0.0, -0.8}, c), 0.5 * 0.8);
   EXPECT_EQ(observability(5.0, {0.0, 1.0, 0.0}, c), 0.0);
 }
 
 TEST(Observability, NearResidualsCountInFullUpToTheGateThenHardlyAtAll) {
-  const Config::Vertical c = weights_config();
+  const PaperParameters::Vertical c = weights_config();
   for (const double sign : {-1.0, 1.0}) {
     EXPECT_EQ(robust_term(5.0, 0.0, c), 1.0);
     EXPECT_EQ(robust_term(5.0, sign * 0.3, c), 1.0);
@@ -70,7 +70,7 @@ TEST(Observability, NearResidualsCountInFullUpToTheGateThenHardlyAtAll) {
 }
 
 TEST(Observability, FarResidualsFadeByCauchysKernel) {
-  const Config::Vertical c = weights_config();
+  const PaperParameters::Vertical c = weights_config();
   for (const double r : {0.0, 0.05, 0.2, -0.2, 0.3, 0.31, -5.0}) {
     EXPECT_DOUBLE_EQ(robust_term(20.0, r, c), 0.2 * 0.2 / (0.2 * 0.2 + r * r));
   }
@@ -78,7 +78,7 @@ TEST(Observability, FarResidualsFadeByCauchysKernel) {
 }
 
 TEST(Observability, RobustTermJumpsAtTheNearDistance) {
-  const Config::Vertical c = weights_config();
+  const PaperParameters::Vertical c = weights_config();
   EXPECT_EQ(robust_term(kJustBelow10, 0.2, c), 1.0);
   EXPECT_DOUBLE_EQ(robust_term(10.0, 0.2, c), 0.5);
   EXPECT_EQ(robust_term(kJustBelow10, 0.4, c), 0.05);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/deskew.hpp"
+#include "support/default_parameters.hpp"
 #include "support/matrix_exponential.hpp"
 #include "support/random.hpp"
 
@@ -19,8 +20,8 @@ using test::Random;
 constexpr std::int64_t kStart = 5'000'000'000;
 constexpr std::int64_t kEnd = 5'100'000'000;
 
-Config::Deskew paper_config(int segments) {
-  Config::Deskew config = Config().deskew;
+PaperParameters::Deskew paper_config(int segments) {
+  PaperParameters::Deskew config = test::default_parameters<PaperParameters>().deskew;
   config.mode = DeskewMode::piecewise;
   config.segments = segments;
   config.clamp_z = 0.5;
@@ -30,8 +31,8 @@ Config::Deskew paper_config(int segments) {
 }
 
 /// Limits that no motion in these tests reaches.
-Config::Deskew loose_config(int segments) {
-  Config::Deskew config = paper_config(segments);
+PaperParameters::Deskew loose_config(int segments) {
+  PaperParameters::Deskew config = paper_config(segments);
   config.clamp_z = config.clamp_roll = config.clamp_pitch = 3.0;
   return config;
 }
@@ -43,7 +44,7 @@ MotionPrior prior_of(const Pose& T_start, const Twist& twist) {
 double difference(const Pose& a, const Eigen::Matrix4d& b) { return (a.matrix() - b).norm(); }
 
 TEST(Prediction, ClampLimitsExactlyZRollAndPitch) {
-  const Config::Deskew config = paper_config(4);
+  const PaperParameters::Deskew config = paper_config(4);
   for (const double sign : {-1.0, 1.0}) {
     const Twist beyond = sign * (Twist() << 9.0, 8.0, 7.0, 1.0, 1.1, 1.2).finished();
     const Twist expected = sign * (Twist() << 9.0, 8.0, 0.5, 0.2, 0.2, 1.2).finished();
@@ -54,7 +55,7 @@ TEST(Prediction, ClampLimitsExactlyZRollAndPitch) {
 }
 
 TEST(Prediction, ClampTakesEachLimitFromItsOwnParameter) {
-  Config::Deskew config = paper_config(4);
+  PaperParameters::Deskew config = paper_config(4);
   config.clamp_z = 0.1;
   config.clamp_roll = 0.2;
   config.clamp_pitch = 0.3;
@@ -119,7 +120,7 @@ TEST(Prediction, InterpolationMeetsItsEndsAndTakesTheShorterWay) {
 TEST(Prediction, OtherModesPredictThePriorsOneTwistUnclamped) {
   const MotionPrior prior = prior_of(Pose{}, (Twist() << 1, 0, 2.0, 0.6, 0.7, 0.1).finished());
   for (const DeskewMode mode : {DeskewMode::none, DeskewMode::constant_velocity}) {
-    Config::Deskew config = paper_config(4);
+    PaperParameters::Deskew config = paper_config(4);
     config.mode = mode;
     const ScanTrajectory trajectory = predict_trajectory(prior, kStart, kEnd, config);
     EXPECT_EQ(trajectory.segments(), 1U);
@@ -170,7 +171,7 @@ TEST(Prediction, PiecewiseRestoresAStaticSceneUnderConstantVelocityOrRotation) {
     if (!turning) twist.head<3>() << 0.2, 0.05, -0.1;
     const auto motion = [&](double tau) { return T_start * se3_exp(tau * twist); };
     const auto scene = random_scene(random, T_start, 2000);
-    const Config::Deskew config = paper_config(4);
+    const PaperParameters::Deskew config = paper_config(4);
     const ScanTrajectory trajectory =
         predict_trajectory(prior_of(T_start, twist), kStart, kEnd, config);
     const auto deskewed = deskew(measure(scene, motion), trajectory, Workers(1));

@@ -9,18 +9,20 @@
 #include "core/parallel.hpp"
 #include "methods/paper/local_map.hpp"
 #include "methods/paper/matches.hpp"
+#include "support/default_parameters.hpp"
 #include "support/random.hpp"
-#include "surefoot/config.hpp"
 
 namespace surefoot::test {
 
+/// Of a registration.
+inline constexpr int kMinMatches = 20;
+
 /// Parameters that the steps' tests rely on; the table's defaults do not matter to them.
-inline Config step_config() {
-  Config config = method_config("paper");
+inline PaperParameters step_config() {
+  PaperParameters config = default_parameters<PaperParameters>();
   config.map.voxel_size = 1.0;
   config.map.points_per_voxel = 40;
   config.map.min_spacing = 0.05;
-  config.map.radius = 200.0;
   config.registration.mode = RegistrationMode::decoupled;
   config.registration.target = TargetKind::point;
   config.registration.max_iterations = 50;
@@ -39,7 +41,6 @@ inline Config step_config() {
   config.vertical.near_suppression = 0.05;
   config.vertical.kernel_scale = 0.15;
   config.vertical.trust_region = 0.2;
-  config.health.min_matches = 20;
   return config;
 }
 
@@ -68,7 +69,7 @@ inline std::vector<Eigen::Vector3d> room_points(std::uint64_t seed, int per_face
   return points;
 }
 
-inline LocalMap make_map(const std::vector<Eigen::Vector3d>& points, const Config& config,
+inline LocalMap make_map(const std::vector<Eigen::Vector3d>& points, const PaperParameters& config,
                          const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
   // The registration may look a little beyond its correspondence distance.
   LocalMap map(config.map, config.registration.relaxed_distance + 1.0);

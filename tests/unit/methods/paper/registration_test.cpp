@@ -20,13 +20,14 @@ const Pose kTrue{so3_exp({0.0, 0.0, 0.4}), {1.0, -0.5, 0.2}};
 const Twist kOffset = (Twist() << 0.15, -0.1, 0.08, 0.01, -0.015, 0.03).finished();
 
 struct Scene {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   LocalMap map = test::make_map(test::room_points(1, 6000), config);
   Source source = test::make_source(test::room_points(2, 200), kTrue);
   Pose T_0 = apply_update(kTrue, kOffset);
 
   Registration run(int threads = 1) {
-    return register_scan(source, map, T_0, config, Workers(threads), [](Step) {});
+    return register_scan(source, map, T_0, config, test::kMinMatches, Workers(threads),
+                         [](Step) {});
   }
 };
 
@@ -80,7 +81,7 @@ TEST(Registration, OneVerticalUpdateMovesOnlyZRollAndPitch) {
 TEST(Registration, AnIterationIsOneHorizontalAndThenUVVerticalUpdates) {
   for (const int sub_iterations : {0, 1, 3}) {
     Scene scene;
-    const Config& config = scene.config;
+    const PaperParameters& config = scene.config;
     scene.config.registration.max_iterations = 1;
     scene.config.registration.early_iterations = 0;
     scene.config.vertical.sub_iterations = sub_iterations;
@@ -136,7 +137,8 @@ TEST(Registration, StepsFollowTheOrderOfAlgorithm1) {
   scene.config.registration.convergence = 0.0;
   std::vector<Step> steps;
   const auto note = [&](Step step) { steps.push_back(step); };
-  (void)register_scan(scene.source, scene.map, scene.T_0, scene.config, Workers(1), note);
+  (void)register_scan(scene.source, scene.map, scene.T_0, scene.config, test::kMinMatches,
+                      Workers(1), note);
   const std::vector<Step> once = {Step::search, Step::solve};
   std::vector<Step> expected = once;
   expected.insert(expected.end(), once.begin(), once.end());

@@ -17,20 +17,20 @@ const Pose kTrue{so3_exp({0.0, 0.0, 0.4}), {1.0, -0.5, 0.2}};
 const Twist kOffset = (Twist() << 0.35, -0.25, 0.15, 0.02, -0.03, 0.06).finished();
 
 struct Scene {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   LocalMap map;
   std::vector<Eigen::Vector3d> points;  // the map's
   Pose T_true;
 
-  explicit Scene(const std::function<void(Config&)>& set,
+  explicit Scene(const std::function<void(PaperParameters&)>& set,
                  const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
       : config(configure(set)),
         map(test::make_map(test::room_points(1, 1500), config, shift)),
         points(map.points()),
         T_true{kTrue.rotation, kTrue.translation + shift} {}
 
-  static Config configure(const std::function<void(Config&)>& set) {
-    Config config = test::step_config();
+  static PaperParameters configure(const std::function<void(PaperParameters&)>& set) {
+    PaperParameters config = test::step_config();
     config.registration.convergence = 0.0;  // every iteration asked for is made
     set(config);
     return config;
@@ -40,8 +40,8 @@ struct Scene {
   std::pair<Pose, Source> run(int iterations) {
     config.registration.max_iterations = iterations;
     Source source = test::make_source(test::room_points(2, 60), kTrue);
-    const Registration result =
-        register_scan(source, map, apply_update(T_true, kOffset), config, Workers(1), [](Step) {});
+    const Registration result = register_scan(source, map, apply_update(T_true, kOffset), config,
+                                              test::kMinMatches, Workers(1), [](Step) {});
     EXPECT_EQ(result.horizontal.iterations, iterations);
     return {result.T_map_lidar, std::move(source)};
   }
@@ -84,7 +84,7 @@ Tally expect_exact_matches(Scene scene) {
   for (const int iterations : {1, 2, 3, 4, 6, 9, 14, 22, 35}) {
     const Pose before = scene.run(iterations).first;
     const Source after = scene.run(iterations + 1).second;
-    const Config::Registration& config = scene.config.registration;
+    const PaperParameters::Registration& config = scene.config.registration;
     const bool early = iterations + 1 <= config.early_iterations;
     compare(after, scene.points, before, early ? config.relaxed_distance : config.max_distance,
             tally);
@@ -97,13 +97,13 @@ Tally expect_exact_matches(Scene scene) {
 }
 
 TEST(SearchReuse, MatchesAreTheNearestPointsAtEveryIteration) {
-  const Tally tally = expect_exact_matches(Scene([](Config&) {}));
+  const Tally tally = expect_exact_matches(Scene([](PaperParameters&) {}));
   EXPECT_GT(tally.matched, 3000);
   EXPECT_GT(tally.reused, 1000) << "the test should hold answers that were kept";
 }
 
 TEST(SearchReuse, PointsWithoutAMatchStayWithoutOneJustAsLongAsTheyShould) {
-  const Tally tally = expect_exact_matches(Scene([](Config& config) {
+  const Tally tally = expect_exact_matches(Scene([](PaperParameters& config) {
     config.registration.max_distance = 0.12;  // less than the spacing of the map's points
     config.registration.relaxed_distance = 0.3;
   }));
@@ -114,7 +114,7 @@ TEST(SearchReuse, PointsWithoutAMatchStayWithoutOneJustAsLongAsTheyShould) {
 
 TEST(SearchReuse, LongMovesAndShortOnesAlike) {
   // Early iterations reach far; the vertical trust region makes a long way of many short moves.
-  const Tally tally = expect_exact_matches(Scene([](Config& config) {
+  const Tally tally = expect_exact_matches(Scene([](PaperParameters& config) {
     config.registration.early_iterations = 10;
     config.registration.relaxed_distance = 3.0;
     config.vertical.trust_region = 0.004;
@@ -125,19 +125,20 @@ TEST(SearchReuse, LongMovesAndShortOnesAlike) {
 }
 
 TEST(SearchReuse, TenKilometresAway) {
-  const Tally tally = expect_exact_matches(Scene([](Config&) {}, {10'000.3, -10'000.7, 500.1}));
+  const Tally tally =
+      expect_exact_matches(Scene([](PaperParameters&) {}, {10'000.3, -10'000.7, 500.1}));
   EXPECT_GT(tally.matched, 3000);
   EXPECT_GT(tally.reused, 1000);
 }
 
 TEST(SearchReuse, ASourceThatWasUsedBeforeBringsNothingAlong) {
   // Registered to one map, then to another: nothing that was known of the first may remain.
-  Scene scene([](Config&) {}), other([](Config&) {}, {0.31, 0.17, 0.05});
+  Scene scene([](PaperParameters&) {}), other([](PaperParameters&) {}, {0.31, 0.17, 0.05});
   scene.run(1);
   Source source = test::make_source(test::room_points(2, 60), kTrue);
   const auto register_to = [&](Scene& to) {
-    return register_scan(source, to.map, apply_update(kTrue, kOffset), to.config, Workers(1),
-                         [](Step) {});
+    return register_scan(source, to.map, apply_update(kTrue, kOffset), to.config, test::kMinMatches,
+                         Workers(1), [](Step) {});
   };
   (void)register_to(other);
   const Pose again = register_to(scene).T_map_lidar;

@@ -41,7 +41,7 @@ Expected eigen_of(const std::vector<Eigen::Vector3d>& neighbours) {
 }
 
 void expect_surfaces(double size, const Eigen::Vector3d& shift, double tolerance) {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   config.map.voxel_size = size;
   const LocalMap map = test::make_map(test::room_points(3, 800), config, shift);
   const std::vector<Eigen::Vector3d> points = map.points();
@@ -80,7 +80,7 @@ TEST(Surface, NormalsEqualEigenTenKilometresAway) {
 
 TEST(Surface, NormalOfAPlaneIsItsNormalWithEitherSign) {
   Random random(5);
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   for (int i = 0; i < 20; ++i) {
     const Eigen::Vector3d n = random.unit_vector();
     const Eigen::Vector3d u = n.unitOrthogonal(), v = n.cross(u);
@@ -95,7 +95,7 @@ TEST(Surface, NormalOfAPlaneIsItsNormalWithEitherSign) {
 
 TEST(Surface, PlanarityIsSmallForALineAndABall) {
   Random random(6);
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   LocalMap line(config.map, 2.0), ball(config.map, 2.0);
   for (int i = 0; i < 300; ++i) {
     line.insert({0.01 * i, 0.5, 0.5});
@@ -107,7 +107,7 @@ TEST(Surface, PlanarityIsSmallForALineAndABall) {
 
 TEST(Surface, FlatnessTellsPlanesAlsoLongOnesFromLinesAndBalls) {
   Random random(7);
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   LocalMap plane(config.map, 2.0), strip(config.map, 2.0), ring(config.map, 2.0),
       ball(config.map, 2.0);
   for (int i = 0; i < 900; ++i) {
@@ -124,7 +124,7 @@ TEST(Surface, FlatnessTellsPlanesAlsoLongOnesFromLinesAndBalls) {
 }
 
 TEST(Surface, FewerThanThreePointsHaveNoSurface) {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   LocalMap map(config.map, 2.0);
   EXPECT_EQ(map.surface({0, 0, 0}).neighbours, 0);
   map.insert({0.1, 0.1, 0.1});
@@ -135,7 +135,7 @@ TEST(Surface, FewerThanThreePointsHaveNoSurface) {
 }
 
 TEST(Surface, EqualPointsDoNotMakeNaN) {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   config.map.min_spacing = 0.0;
   LocalMap map(config.map, 2.0);
   for (int i = 0; i < 10; ++i) map.insert({0.3, 0.3, 0.3});

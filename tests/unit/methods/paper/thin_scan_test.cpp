@@ -29,8 +29,8 @@ void shuffle(std::vector<Eigen::Vector3f>& cloud, Random& random) {
   for (std::size_t i = cloud.size(); i > 1; --i) std::swap(cloud[i - 1], cloud[random.below(i)]);
 }
 
-Config::Downsample cubes(double map_voxel, double source_voxel, int min_points) {
-  Config::Downsample config;
+PaperParameters::Downsample cubes(double map_voxel, double source_voxel, int min_points) {
+  PaperParameters::Downsample config;
   config.map_voxel = map_voxel;
   config.source_voxel = source_voxel;
   config.min_points = min_points;
@@ -38,8 +38,8 @@ Config::Downsample cubes(double map_voxel, double source_voxel, int min_points) 
 }
 
 /// Both clouds with cubes `halvings` times halved.
-ThinnedScan thinned_at(const std::vector<Eigen::Vector3f>& cloud, const Config::Downsample& config,
-                       int halvings) {
+ThinnedScan thinned_at(const std::vector<Eigen::Vector3f>& cloud,
+                       const PaperParameters::Downsample& config, int halvings) {
   const double scale = std::ldexp(1.0, -halvings);
   ThinnedScan thinned;
   thinned.map_points = downsample(cloud, scale * config.map_voxel);
@@ -54,7 +54,7 @@ void expect_equal(const ThinnedScan& a, const ThinnedScan& b) {
 
 TEST(ThinScan, ADenseSceneKeepsTheCubesItWasGiven) {
   const auto cloud = random_cloud(5, 20'000, 20.0);
-  const Config::Downsample config = cubes(0.5, 2.0, 400);
+  const PaperParameters::Downsample config = cubes(0.5, 2.0, 400);
   const ThinnedScan expected = thinned_at(cloud, config, 0);
   ASSERT_GE(expected.source_points.size(), 400U);
   expect_equal(thin_scan(cloud, config), expected);
@@ -64,7 +64,7 @@ TEST(ThinScan, CubesAreHalvedJustOftenEnough) {
   // Ever smaller rooms; the last halving is the one that was needed.
   for (const auto& [half, halvings] : {std::pair{3.9, 1}, {1.95, 2}, {0.97, 3}, {0.48, 4}}) {
     const auto cloud = random_cloud(6, 20'000, half);
-    const Config::Downsample config = cubes(0.4, 2.0, 400);
+    const PaperParameters::Downsample config = cubes(0.4, 2.0, 400);
     ASSERT_LT(thinned_at(cloud, config, halvings - 1).source_points.size(), 400U);
     ASSERT_GE(thinned_at(cloud, config, halvings).source_points.size(), 400U);
     expect_equal(thin_scan(cloud, config), thinned_at(cloud, config, halvings));
@@ -73,7 +73,7 @@ TEST(ThinScan, CubesAreHalvedJustOftenEnough) {
 
 TEST(ThinScan, ExactlyEnoughIsEnough) {
   const auto cloud = random_cloud(7, 20'000, 3.9);
-  Config::Downsample config = cubes(0.4, 2.0, 0);
+  PaperParameters::Downsample config = cubes(0.4, 2.0, 0);
   config.min_points = static_cast<int>(thinned_at(cloud, config, 0).source_points.size());
   expect_equal(thin_scan(cloud, config), thinned_at(cloud, config, 0));
   ++config.min_points;
@@ -82,7 +82,7 @@ TEST(ThinScan, ExactlyEnoughIsEnough) {
 
 TEST(ThinScan, WhereNothingIsGainedTheFinestIsReturned) {
   const auto cloud = random_cloud(8, 50, 0.4);  // 50 points never become 400
-  const Config::Downsample config = cubes(0.5, 2.0, 400);
+  const PaperParameters::Downsample config = cubes(0.5, 2.0, 400);
   const ThinnedScan thinned = thin_scan(cloud, config);
   expect_equal(thinned, thinned_at(cloud, config, 4));
   EXPECT_GT(thinned.source_points.size(), thinned_at(cloud, config, 3).source_points.size());
@@ -106,7 +106,7 @@ TEST(ThinScan, OrderOfThePointsDoesNotChangeABit) {
   Random random(10);
   for (const double half : {0.5, 2.0, 20.0}) {
     auto cloud = random_cloud(11, 5000, half);
-    const Config::Downsample config = cubes(0.3, 1.7, 400);
+    const PaperParameters::Downsample config = cubes(0.3, 1.7, 400);
     const ThinnedScan expected = thin_scan(cloud, config);
     for (int round = 0; round < 3; ++round) {
       shuffle(cloud, random);

@@ -17,7 +17,7 @@ namespace {
 using test::Random;
 
 struct Scene {
-  Config config = test::step_config();
+  PaperParameters config = test::step_config();
   Pose T{so3_exp({0.02, -0.03, 0.4}), {1.0, -0.5, 0.2}};
   LocalMap map = test::make_map(test::room_points(1, 1000), config);
   Source source;
@@ -32,7 +32,8 @@ struct Scene {
 };
 
 /// Eqs. (28)-(32) as printed.
-double paper_weight(double d, double r, const Eigen::Vector3d& n, const Config::Vertical& c) {
+double paper_weight(double d, double r, const Eigen::Vector3d& n,
+                    const PaperParameters::Vertical& c) {
   const double excess = d - c.near_distance;
   const double gamma = d < c.near_distance ? 1.0 : 1.0 / (1.0 + c.distance_decay * excess * excess);
   const double eta = std::abs(n.z());
@@ -44,7 +45,7 @@ double paper_weight(double d, double r, const Eigen::Vector3d& n, const Config::
 
 TEST(Vertical, NormalEquationsEqualTheDenseSum) {
   Scene scene;
-  const Config::Vertical& c = scene.config.vertical;
+  const PaperParameters::Vertical& c = scene.config.vertical;
   Eigen::Matrix<double, 6, 3> S_V;
   S_V << 0, 0, 0, /**/ 0, 0, 0, /**/ 1, 0, 0, /**/ 0, 1, 0, /**/ 0, 0, 1, /**/ 0, 0, 0;
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
@@ -87,7 +88,7 @@ TEST(Vertical, NormalEquationsEqualTheDenseSum) {
 // The same correspondences and weights with the whole residual of eq. (13) in its place.
 TEST(Vertical, PointToPointResidualsEqualTheDenseSum) {
   Scene scene;
-  Config::Vertical& c = scene.config.vertical;
+  PaperParameters::Vertical& c = scene.config.vertical;
   const int planes = vertical_equations(scene.source, scene.map, scene.T, c, Workers(1)).count;
   c.residual = Residual::point_to_point;
   Eigen::Matrix<double, 6, 3> S_V;
@@ -140,7 +141,7 @@ TEST(Vertical, CachedSurfaceIsRenewedWhenAPointChangesItsVoxel) {
 }
 
 TEST(Vertical, ValidityHoldsAtEachLimitAndFailsBeyond) {
-  Config::Vertical c = test::step_config().vertical;
+  PaperParameters::Vertical c = test::step_config().vertical;
   c.min_neighbours = 8;
   c.min_normal_z = 0.5;
   c.max_range = 20.0;

@@ -92,8 +92,8 @@ void expect_numbers(const Estimate& estimate, const char* name) {
 
 TEST_P(Malformed, AnywhereInARunLeaveNumbersAndWords) {
   Config config = method_config(GetParam());
-  config.icp.max_iteration = 5;
-  config.floam.use_rings = true;
+  set_parameter(config, "icp.max_iteration", "5");
+  set_parameter(config, "floam.use_rings", "true");
   for (const auto& [name, spoil] : kSpoilers) {
     for (const std::size_t place : {0U, 2U}) {
       std::vector<Scan> scans = short_walk();

@@ -22,7 +22,7 @@ const Twist kWalk = (Twist() << 0.8, 0.0, 0.0, 0.0, 0.0, 0.05).finished();
 
 Config config_of(const std::string& method) {
   Config config = method_config(method);
-  if (method == "icp") config.icp.max_iteration = 15;  // for speed
+  if (method == "icp") set_parameter(config, "icp.max_iteration", "15");  // for speed
   return config;
 }
 
@@ -108,7 +108,7 @@ TEST(Baselines, ScansWithoutTimesAreTakenAsTheyAre) {
 
 TEST(Baselines, KissIcpDoesNotConvergeInOneIterationAndSaysSo) {
   Config config = method_config("kiss-icp");
-  config.kiss_icp.max_num_iterations = 1;
+  set_parameter(config, "kiss_icp.max_num_iterations", "1");
   const auto estimates = run(config, {walk().begin(), walk().begin() + 3});
   EXPECT_FALSE(estimates.back().converged);
   EXPECT_NE(estimates.back().message.find("not converged after 1"), std::string::npos);
@@ -116,13 +116,16 @@ TEST(Baselines, KissIcpDoesNotConvergeInOneIterationAndSaysSo) {
 
 TEST(Baselines, SettingsOfTheirOwnFollowToo) {
   Config to_map = config_of("icp");
-  to_map.icp.target = IcpTarget::map;
+  set_parameter(to_map, "icp.target", "map");
   Config deskewed = config_of("genz-icp");
-  deskewed.genz_icp.deskew = deskewed.genz_icp.floor_voxels = true;
+  set_parameter(deskewed, "genz_icp.deskew", "true");
+  set_parameter(deskewed, "genz_icp.floor_voxels", "true");
   Config compensated = config_of("floam");
-  compensated.floam.distortion_compensation = compensated.floam.centred_planes = true;
+  set_parameter(compensated, "floam.distortion_compensation", "true");
+  set_parameter(compensated, "floam.centred_planes", "true");
   Config mended = config_of("ct-icp");
-  mended.ct_icp.nearest_anchor = mended.ct_icp.floor_voxels = true;
+  set_parameter(mended, "ct_icp.nearest_anchor", "true");
+  set_parameter(mended, "ct_icp.floor_voxels", "true");
   for (const Config& config : {to_map, deskewed, compensated, mended}) {
     const auto estimates = run(config, walk());
     const Error error = error_against(estimates, constant_velocity(kStart, kWalk));
