@@ -6,21 +6,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "commands.hpp"
-#include "io/robots.hpp"
 #include "live/command_queue.hpp"
 #include "live/live_recording.hpp"
+#include "live_ends.hpp"
 #include "live_figures.hpp"
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
@@ -28,31 +24,12 @@
 #include "recorded_options.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
-#ifdef SUREFOOT_HAS_ROS2
-#include "ros2/command_server.hpp"
-#include "ros2/topic_publisher.hpp"
-#include "ros2/topic_subscription.hpp"
-#include "ros2_options.hpp"
-#endif
 
 namespace surefoot::app {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-struct LiveArguments {
-  runs::RunOptions run;
-  live::LiveOptions live;
-  std::uint16_t udp = 0;
-  std::string address;
-  std::filesystem::path replay;
-  double speed = 1.0;
-  std::filesystem::path record;
-#ifdef SUREFOOT_HAS_ROS2
-  Ros2Arguments ros2;
-#endif
-};
 
 void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome, bool of_topic) {
   fmt::print("{}\n", state_text(figures));
@@ -71,58 +48,6 @@ void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome
   fmt::print("results: {}\n", outcome.folder.string());
 }
 
-/// An Ouster's packets are not understood without what it says about itself.
-std::string metadata_of(const LiveArguments& arguments) {
-  std::filesystem::path file = arguments.replay;
-  std::ifstream stream(file.replace_extension(".json"), std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// What is not kept has a name, but cannot be opened again.
-void name_input(LiveArguments& arguments, const std::string& name) {
-  arguments.run.is_live = arguments.record.empty();
-  arguments.run.input = arguments.run.is_live ? std::filesystem::path(name) : arguments.record;
-}
-
-std::unique_ptr<live::ScanStream> packets_of(LiveArguments& arguments) {
-  arguments.run.given.emplace_back("repair-stamps", "false");  // which would wait for two scans
-  if (!arguments.replay.empty()) {
-    arguments.run.input = arguments.replay;
-    return live::packet_stream(live::replay_capture(arguments.replay, arguments.speed),
-                               arguments.run.reader, metadata_of(arguments), {});
-  }
-  name_input(arguments, fmt::format("udp-{}", arguments.udp));
-  return live::packet_stream(live::listen_udp(arguments.address, arguments.udp),
-                             arguments.run.reader, "", arguments.record);
-}
-
-#ifdef SUREFOOT_HAS_ROS2
-std::unique_ptr<live::ScanStream> messages_of(LiveArguments& arguments,
-                                              std::shared_ptr<ros2::Participant> participant) {
-  if (!arguments.record.empty() && arguments.record.extension() != ".mcap") {
-    throw std::invalid_argument("live: messages are recorded as MCAP: --record expects FILE.mcap");
-  }
-  std::string name = "ros2" + arguments.ros2.topic;
-  std::replace(name.begin(), name.end(), '/', '-');
-  name_input(arguments, name);
-  io::OpenOptions& reader = arguments.run.reader;
-  reader = io::with_robot(reader);
-  if (!std::exchange(reader.repair_at_once, true) || !reader.robot.empty()) {
-    arguments.run.given.emplace_back("repair-at-once", "true");
-  }
-  const auto say = [quiet = arguments.run.quiet](const std::string& text) {
-    if (!quiet) fmt::print(stderr, "note: {}\n", text);
-  };
-  return live::topic_stream(
-      ros2::subscribe(std::move(participant), {arguments.ros2.topic, arguments.ros2.reliable, say}),
-      reader, arguments.record);
-}
-#endif
-
-[[maybe_unused]] std::vector<std::string> command_names() {
-  return {"reset", "pause", "resume", "save_map"};
-}
-
 live::CommandAnswer execute(const std::string& command, live::LiveRecording& recording,
                             runs::RunControl& run) {
   if (command == "pause" || command == "resume") {
@@ -134,58 +59,6 @@ live::CommandAnswer execute(const std::string& command, live::LiveRecording& rec
   recording.log().reset();
   run.reset();
   return {true, "the odometry begins anew with the next scan"};
-}
-
-/// Where scans come from and where messages go.
-struct Ends {
-  std::unique_ptr<live::ScanStream> stream;
-  std::shared_ptr<io::BagWriter> messages;  ///< null: nowhere
-  bool of_topic = false;
-#ifdef SUREFOOT_HAS_ROS2
-  std::unique_ptr<ros2::CommandServer> commands;
-#endif
-};
-
-Ends ends_of(LiveArguments& arguments, [[maybe_unused]] live::CommandQueue& commands) {
-  Ends ends;
-#ifdef SUREFOOT_HAS_ROS2
-  std::shared_ptr<ros2::Participant> participant;
-  if (arguments.ros2.any()) {
-    participant = std::make_shared<ros2::Participant>(arguments.ros2.participant);
-  }
-  if (arguments.ros2.publish) ends.messages = ros2::publish(participant);
-  if (arguments.ros2.commands) {
-    ends.commands = std::make_unique<ros2::CommandServer>(
-        participant, command_names(),
-        [&](const std::string& command) { return commands.ask(command); });
-  }
-  ends.of_topic = !arguments.ros2.topic.empty();
-  if (ends.of_topic) {
-    ends.stream = messages_of(arguments, participant);
-    return ends;
-  }
-#endif
-  ends.stream = packets_of(arguments);
-  return ends;
-}
-
-void check_source(LiveArguments& arguments) {
-  bool has_topic = false;
-  const bool has_packets = !arguments.replay.empty() || arguments.udp != 0;
-#ifdef SUREFOOT_HAS_ROS2
-  std::string& topic = arguments.ros2.topic;
-  const std::string& robot = arguments.run.reader.robot;
-  if (topic.empty() && !robot.empty() && !has_packets) topic = io::robot_named(robot).topic;
-  has_topic = !topic.empty();
-  constexpr const char* kExpected =
-      "live: expected --udp PORT, --replay CAPTURE or --ros2-topic TOPIC";
-#else
-  constexpr const char* kExpected = "live: expected --udp PORT or --replay CAPTURE";
-#endif
-  if (!has_topic && !has_packets) throw std::invalid_argument(kExpected);
-  if (!arguments.record.empty() && !arguments.replay.empty()) {
-    throw std::invalid_argument("live: --record of what --replay plays would be that capture");
-  }
 }
 
 int run_live(CLI::App& command, LiveArguments& arguments) {
@@ -248,7 +121,9 @@ void add_source_options(CLI::App& command, LiveArguments& arguments) {
                   "address of the interface to listen on (default: all of them)")
       ->needs("--udp")
       ->group(kSourceGroup);
-  command.add_option("--replay", arguments.replay, "a capture, played at its own pace, instead")
+  command
+      .add_option("--replay", arguments.replay,
+                  "a capture or a bag, played at its own pace, instead")
       ->excludes("--udp")
       ->group(kSourceGroup);
   command

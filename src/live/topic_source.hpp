@@ -7,10 +7,13 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "io/bags/message_source.hpp"
+#include "io/recording.hpp"
 #include "live/datagram_source.hpp"
 
 namespace surefoot::live {
@@ -32,10 +35,16 @@ class TopicSource {
   /// Messages that were sent but lost before they could be received.
   [[nodiscard]] virtual std::uint64_t lost() const { return 0; }
   [[nodiscard]] virtual bool patient() const { return false; }
+  /// What is known of the sensor whose packets the messages hold, as Ouster's metadata.
+  [[nodiscard]] virtual std::string calibration() const { return {}; }
   /// "ROS 2 topic /velodyne_points".
   [[nodiscard]] virtual std::string name() const = 0;
   /// What there is instead of the topic, for messages; empty where that is not known.
   [[nodiscard]] virtual std::string others() const { return {}; }
 };
+
+/// A bag's topic. @param speed times its own; 0: as fast as it is taken. Throws io::ReadError.
+[[nodiscard]] std::unique_ptr<TopicSource> replay_bag(const std::filesystem::path& path,
+                                                      const io::OpenOptions& options, double speed);
 
 }  // namespace surefoot::live

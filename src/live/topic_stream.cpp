@@ -171,11 +171,12 @@ class TopicStream final : public ScanStream {
  private:
   void open() {
     const io::Topic topic = messages_->source().topic();
+    const std::string calibration = messages_->source().calibration();
     io::TopicRecordingParts parts{
         messages_->source().name(), io::TopicMessages(std::move(owned_)), {}};
     std::unique_ptr<io::Recording> scans =
         io::is_packet_type(topic.type)
-            ? io::open_packet_topic(std::move(parts), topic, options_, "")
+            ? io::open_packet_topic(std::move(parts), topic, options_, calibration)
             : io::open_cloud_topic(std::move(parts), topic, options_);
     messages_->keep_no_more();
     scans = io::watch_point_times(std::move(scans), options_);

@@ -123,6 +123,21 @@ TEST_F(LiveTest, AReplayLeavesWhatTheCaptureDoes) {
   EXPECT_EQ(content("live/live.log").find("dropped"), std::string::npos);
 }
 
+TEST_F(LiveTest, AReplayedBagLeavesWhatItsRunDoes) {
+  const auto done = [&](const std::vector<std::string>& arguments) {
+    const ProcessResult result = run_surefoot(arguments, scratch_.path());
+    EXPECT_EQ(result.exit_code, 0) << result;
+  };
+  done({"convert", "hall.pcap", "hall.mcap"});
+  done(with({"run", "hall.mcap", "-o", "bag"}, kBare));
+  done(with({"live", "--replay", "hall.mcap", "--speed", "0", "-o", "live"}, kBare));
+  expect_same("bag", "live", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+  done(with({"live", "--replay", "hall.mcap", "--speed", "20", "--queue", "100", "-o", "paced"},
+            kBare));
+  expect_same("bag", "paced", {"trajectory.tum", "map.ply"});
+  expect_repeated("paced");
+}
+
 TEST_F(LiveTest, PacketsOverLoopbackGiveWhatTheCaptureGives) {
   const Sender sender;
   const Process process(with({"live", "--udp", sender.port(), "-o", "live", "--record",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/bags/bag_recording.hpp"
 
+#include <utility>
+
 #include "io/bags/bag_files.hpp"
 #include "io/bags/topic_recordings.hpp"
 #include "io/bags/topic_survey.hpp"
@@ -23,20 +25,25 @@ std::string likely_topic(const std::vector<TopicSurvey>& topics,
 
 }  // namespace
 
-std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,
-                                              const OpenOptions& options) {
+BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
   TopicRecordingParts parts{path.string(), TopicMessages(bag_files(path)), {}};
-  const BagSurvey survey = survey_topics(parts.messages.bag(), options);
+  BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
-  const Topic topic = choose_topic(survey.topics, asked, parts.bag).topic;
+  Topic topic = choose_topic(survey.topics, asked, parts.bag).topic;
   if (survey.topics.size() > 1) {
     parts.notes.push_back("topic: " + topic.name + ", one of " +
                           std::to_string(survey.topics.size()) + " in the bag");
   }
-  return is_packet_type(topic.type)
-             ? open_packet_topic(std::move(parts), topic, options, survey.calibration)
-             : open_cloud_topic(std::move(parts), topic, options);
+  return {std::move(parts), std::move(topic), std::move(survey.calibration)};
+}
+
+std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,
+                                              const OpenOptions& options) {
+  BagTopic bag = open_bag_topic(path, options);
+  return is_packet_type(bag.topic.type)
+             ? open_packet_topic(std::move(bag.parts), bag.topic, options, bag.calibration)
+             : open_cloud_topic(std::move(bag.parts), bag.topic, options);
 }
 
 }  // namespace surefoot::io

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
+#include "io/bags/topic_recordings.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -14,5 +16,16 @@ namespace surefoot::io {
 /// that cannot be used is an item without scan. Throws ReadError.
 [[nodiscard]] std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,
                                                             const OpenOptions& options);
+
+/// What that reads: the topic that is asked for, or the only one, and what the bag has of its
+/// sensor.
+struct BagTopic {
+  TopicRecordingParts parts;
+  Topic topic;
+  std::string calibration;
+};
+/// Throws ReadError.
+[[nodiscard]] BagTopic open_bag_topic(const std::filesystem::path& path,
+                                      const OpenOptions& options);
 
 }  // namespace surefoot::io
