@@ -127,7 +127,7 @@ class TopicSubscription final : public live::TopicSource {
       ++taken_;
       return true;
     }
-    overwritten_ = std::max(overwritten_, arrived - std::min(arrived, taken_));
+    overwritten_ = arrived - std::min(arrived, taken_);
     return false;
   }
 
@@ -154,7 +154,7 @@ class TopicSubscription final : public live::TopicSource {
   dds_entity_t waitset_ = 0;
   Clock::time_point begun_, found_;
   std::uint64_t taken_ = 0;
-  std::uint64_t overwritten_ = 0;  ///< newer ones came before they were taken
+  std::uint64_t overwritten_ = 0;  ///< by newer ones, or, for a moment, about to be there
   bool said_ = false;
 };
 
