@@ -25,15 +25,7 @@ void LocalizationRun::add(const Estimate& estimate, const DeskewedScan& scan) {
     csv_ += fmt::format("{},0,,,,{}\n", stamp, to_string(estimate.status));
     return;
   }
-  mapping::PlacedScan placed;
-  placed.stamp_ns = estimate.stamp_ns;
-  placed.T_world_lidar = estimate.T_world_lidar;
-  placed.covariance = estimate.covariance;
-  placed.restarted =
-      begun_ && (estimate.status == Status::first_scan || estimate.segment != segment_);
-  segment_ = estimate.segment;
-  begun_ = true;
-  localizer_.add(placed, scan);
+  localizer_.add(placed_.next(estimate), scan);
   outcome_.message = localizer_.message();
   if (!localizer_.T_map_world()) {
     csv_ += fmt::format("{},0,,,,{}\n", stamp, outcome_.message);

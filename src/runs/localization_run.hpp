@@ -10,6 +10,7 @@
 
 #include "mapping/map_localizer.hpp"
 #include "runs/map_outcome.hpp"
+#include "runs/placed_scans.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -33,8 +34,7 @@ class LocalizationRun {
   std::string csv_;
   LocalizationOutcome outcome_;
   std::int64_t first_stamp_ns_ = 0;
-  int segment_ = 0;     // the odometry's
-  bool begun_ = false;  // the odometry
+  PlacedScans placed_;
 };
 
 }  // namespace surefoot::runs

@@ -18,16 +18,8 @@
 namespace surefoot::runs {
 
 void MapRun::add(const Estimate& estimate, const DeskewedScan& scan) {
-  if (!begun_) first_stamp_ns_ = estimate.stamp_ns;
-  mapping::PlacedScan placed;
-  placed.stamp_ns = estimate.stamp_ns;
-  placed.T_world_lidar = estimate.T_world_lidar;
-  placed.covariance = estimate.covariance;
-  placed.restarted =
-      begun_ && (estimate.status == Status::first_scan || estimate.segment != segment_);
-  segment_ = estimate.segment;
-  begun_ = true;
-  mapper_.add(placed, scan);
+  if (!first_stamp_ns_) first_stamp_ns_ = estimate.stamp_ns;
+  mapper_.add(placed_.next(estimate), scan);
 }
 
 MapOutcome MapRun::finish(const std::filesystem::path& folder, const Trajectory& measured,
@@ -55,7 +47,7 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const Trajectory&
   if (save) write_saved_map(folder / kSavedMapFile, saved_map_of(mapper_));
   if (map.points().empty()) return outcome;
   map.correct([this](double time) {
-    return mapper_.correction(first_stamp_ns_ + std::llround(1e9 * time));
+    return mapper_.correction(first_stamp_ns_.value_or(0) + std::llround(1e9 * time));
   });
   const std::vector<io::PlyColumn> columns = {{"intensity", map.intensities()},
                                               {"first_seen", map.first_seen()}};

@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "mapping/map_builder.hpp"
 #include "mapping/mapper.hpp"
 #include "runs/map_outcome.hpp"
+#include "runs/placed_scans.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -35,9 +37,8 @@ class MapRun {
   mapping::MapperOptions options_;
   mapping::Mapper mapper_;
   Trajectory truth_;
-  int segment_ = 0;  // the odometry's
-  bool begun_ = false;
-  std::int64_t first_stamp_ns_ = 0;
+  PlacedScans placed_;
+  std::optional<std::int64_t> first_stamp_ns_;
 };
 
 }  // namespace surefoot::runs
