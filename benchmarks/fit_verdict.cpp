@@ -26,6 +26,8 @@ namespace surefoot::benchmarks {
 namespace {
 
 constexpr std::size_t kFields = kEvidenceFields.size();
+// Before the evidence: walk, fault, scan, status, wrong, disturbed.
+constexpr std::size_t kColumns = 6;
 using Weights = std::array<double, kFields + 1>;  // the offset last
 
 struct Sample {
@@ -38,6 +40,7 @@ struct Sample {
 struct Window {
   std::size_t first = 0, last = 0;  // both included
   bool wrong = false;
+  bool disturbed = false;  // a fault has begun
 };
 
 struct Data {
@@ -55,28 +58,57 @@ std::vector<std::string> cells_of(const std::string& line) {
 void read(const std::string& file, Data& data) {
   std::ifstream in(file);
   std::string line;
-  if (!in || !std::getline(in, line) || cells_of(line).size() != kFields + 5) {
+  if (!in || !std::getline(in, line) || cells_of(line).size() != kFields + kColumns) {
     throw std::runtime_error(file + ": expected what reliability --samples writes");
   }
   std::string run;
   std::size_t first = data.samples.size();  // of the segment
   while (std::getline(in, line)) {
     const std::vector<std::string> cells = cells_of(line);
-    if (cells.size() != kFields + 5) throw std::runtime_error(file + ": a line of another length");
+    if (cells.size() != kFields + kColumns) {
+      throw std::runtime_error(file + ": a line of another length");
+    }
     if (cells[0] + ',' + cells[1] != run || cells[3] == "first_scan") first = data.samples.size();
     run = cells[0] + ',' + cells[1];
     if (cells[3] != "ok" && cells[3] != "degenerate") continue;
     Sample sample;
-    for (std::size_t i = 0; i < kFields; ++i) sample.evidence[i] = std::stod(cells[5 + i]);
+    for (std::size_t i = 0; i < kFields; ++i) sample.evidence[i] = std::stod(cells[kColumns + i]);
     data.samples.push_back(sample);
     const std::size_t last = data.samples.size() - 1;
     if (cells[4] == "-") continue;
-    data.windows.push_back({std::max(first, last >= 9 ? last - 9 : 0), last, cells[4] == "1"});
+    data.windows.push_back(
+        {std::max(first, last >= 9 ? last - 9 : 0), last, cells[4] == "1", cells[5] == "1"});
   }
 }
 
-/// Its gradient by the weights; the wrong ones weigh so much that they are `base` of all.
-Weights gradient(Data& data, const Weights& weights, double weight_of_wrong) {
+/// What a pose counts. Right ones under a fault are as rare as wrong ones are; so much of both that
+/// the wrong ones are `base` of all.
+struct Counts {
+  double disturbed = 1.0;
+  double sum = 0.0;  // of all
+
+  [[nodiscard]] double of(const Window& window) const {
+    return window.wrong || window.disturbed ? disturbed : 1.0;
+  }
+};
+
+Counts count(const Data& data, double base) {
+  double wrong = 0.0, rare = 0.0, calm = 0.0;
+  for (const Window& window : data.windows) {
+    wrong += window.wrong ? 1.0 : 0.0;
+    (window.wrong || window.disturbed ? rare : calm) += 1.0;
+  }
+  if (calm == 0.0 || wrong <= base * rare) throw std::runtime_error("no wrong or no calm poses");
+  Counts counts{base * calm / (wrong - base * rare), 0.0};
+  counts.sum = calm + counts.disturbed * rare;
+  fmt::print(
+      "// {} poses: {} under a fault or wrong, {} of them wrong and weighed as one in {:.0f}\n",
+      data.windows.size(), rare, wrong, 1.0 / base);
+  return counts;
+}
+
+/// Of the loss, by the weights.
+Weights gradient(Data& data, const Weights& weights, const Counts& counts) {
   for (Sample& sample : data.samples) {
     double sum = weights.back();
     for (std::size_t i = 0; i < kFields; ++i) sum += weights[i] * sample.evidence[i];
@@ -87,7 +119,7 @@ Weights gradient(Data& data, const Weights& weights, double weight_of_wrong) {
     double right = 1.0;
     for (std::size_t i = window.first; i <= window.last; ++i) right *= 1.0 - data.samples[i].hazard;
     right = std::clamp(right, 1e-12, 1.0 - 1e-12);
-    const double factor = window.wrong ? -weight_of_wrong * right / (1.0 - right) : 1.0;
+    const double factor = counts.of(window) * (window.wrong ? -right / (1.0 - right) : 1.0);
     for (std::size_t i = window.first; i <= window.last; ++i) {
       data.samples[i].slope += factor * data.samples[i].hazard;
     }
@@ -104,16 +136,12 @@ Weights gradient(Data& data, const Weights& weights, double weight_of_wrong) {
 Weights fit(Data& data, double base) {
   constexpr int kSteps = 3000;
   constexpr double kRate = 0.05, kFirst = 0.9, kSecond = 0.999, kRidge = 1e-3;
-  double wrong = 0.0;
-  for (const Window& window : data.windows) wrong += window.wrong ? 1.0 : 0.0;
-  const double right = static_cast<double>(data.windows.size()) - wrong;
-  if (wrong == 0.0 || right == 0.0) throw std::runtime_error("no wrong or no right poses");
-  const double weight_of_wrong = base / (1.0 - base) * right / wrong;
-  const double scale = 1.0 / (base * right);
+  const Counts counts = count(data, base);
+  const double scale = 1.0 / (base * counts.sum);
   Weights weights{}, mean{}, square{};
   weights.back() = -5.0;
   for (int step = 1; step <= kSteps; ++step) {
-    const Weights g = gradient(data, weights, weight_of_wrong);
+    const Weights g = gradient(data, weights, counts);
     for (std::size_t i = 0; i <= kFields; ++i) {
       const double slope = scale * g[i] + (i < kFields ? kRidge * weights[i] : 0.0);
       mean[i] += (1.0 - kFirst) * (slope - mean[i]);
@@ -124,8 +152,6 @@ Weights fit(Data& data, double base) {
       if (i < kFields) weights[i] = std::max(weights[i], 0.0);
     }
   }
-  fmt::print("// {} poses, {} of them wrong and weighed as one in {:.0f}\n", data.windows.size(),
-             wrong, 1.0 / base);
   return weights;
 }
 

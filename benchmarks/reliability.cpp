@@ -95,7 +95,7 @@ class Report {
   explicit Report(const Options& options) : options_(options) {
     if (!options.samples.empty()) {
       samples_.open(options.samples);
-      samples_ << "walk,fault,scan,status,wrong";
+      samples_ << "walk,fault,scan,status,wrong,disturbed";
       for (const EvidenceField& field : kEvidenceFields) samples_ << ',' << field.name;
       samples_ << '\n';
     }
@@ -146,10 +146,13 @@ class Report {
     for (std::size_t n = 0; n < judged.size(); ++n) {
       const Estimate& estimate = judged[n].estimate;
       const bool told = estimate.status == Status::ok && judged[n].over_ten;
-      samples_ << fmt::format("{},{},{},{},{}", walk, fault.name, n, to_string(estimate.status),
+      const bool calm =
+          n < simulation::kFaultBegins || fault.name == simulation::fault_catalogue().front().name;
+      samples_ << fmt::format("{},{},{},{},{},{}", walk, fault.name, n, to_string(estimate.status),
                               !told                         ? "-"
                               : judged[n].over_ten->wrong() ? "1"
-                                                            : "0");
+                                                            : "0",
+                              calm ? 0 : 1);
       for (const EvidenceField& field : kEvidenceFields) {
         samples_ << fmt::format(",{:.4f}", estimate.evidence.*field.member);
       }

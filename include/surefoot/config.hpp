@@ -78,7 +78,6 @@ struct Config {
     double ring_gap;          // [rad] between a LiDAR's rings: a cloud is known no finer
     double cloud_weight;      // of a cloud's residuals, those of planes and poles being 1
     int gone_after;           // scans that beams went through a voxel until it is emptied, 0: never
-    double min_match_ratio;   // of the registered points
     double noise;             // [m] of a residual
     double independence;      // share of the residuals that count as independent
     double correlation_time;  // [s] of the velocity's fluctuation
@@ -91,7 +90,7 @@ struct Config {
     double convergence;       // [m, rad]
     bool second_attempt;      // where the misfit is worse than usual
     double suspicious;        // by so many times
-    double misfit_margin;     // beyond twice the usual and this, a registration is wrong
+    double misfit_margin;     // beyond twice the usual and this, it is tried more loosely
     double usual_rate;        // of usual misfit and dependence, per scan
     double unseen_weight;     // of a point where the map has no surfel, among attempts
     double swing;             // [rad/s] attempts that roll and pitch by so much more

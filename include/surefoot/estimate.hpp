@@ -74,26 +74,28 @@ struct Evidence {
   double unseen = 0.0;         ///< share of the points where the map has nothing
   double contradiction = 0.0;  ///< share that scans went through of each other
   double motion = 0.0;         ///< against the velocity model
+  double unconverged = 0.0;    ///< that the last update was not small yet
   // Others.
   double uncertainty = 0.0;  ///< logarithm of the standard deviation over 1 cm
   double gap = 0.0;          ///< of the time since the last trusted scan over 0.1 s
-  double unconverged = 0.0;  ///< 1: the last update was not small yet
   double frozen = 0.0;       ///< up to 1: the same scan again, byte by byte, of who walked
+  double rival = 0.0;        ///< logarithm of what it disagrees over what another place does
 };
 
 struct EvidenceField {
   const char* name;
   double Evidence::*member;
 };
-inline constexpr std::array<EvidenceField, 8> kEvidenceFields = {{
+inline constexpr std::array<EvidenceField, 9> kEvidenceFields = {{
     {"misfit", &Evidence::misfit},
     {"unseen", &Evidence::unseen},
     {"contradiction", &Evidence::contradiction},
     {"motion", &Evidence::motion},
+    {"unconverged", &Evidence::unconverged},
     {"uncertainty", &Evidence::uncertainty},
     {"gap", &Evidence::gap},
-    {"unconverged", &Evidence::unconverged},
     {"frozen", &Evidence::frozen},
+    {"rival", &Evidence::rival},
 }};
 
 /// The answer to one scan.

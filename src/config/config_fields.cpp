@@ -48,7 +48,7 @@ const ConfigField kHealth[] = {
      "fewer correspondences: the scan is not registered", kChosen},
     {"health.min_match_ratio", SLOT(health.min_match_ratio), "0.3", "", 0.0, 1.0,
      "share of the registered points that must have a correspondence at the end (method surefoot: "
-     "knots.min_match_ratio)",
+     "none, the share is evidence among other)",
      kChosen},
     {"health.max_correction", SLOT(health.max_correction), "3", "m", 0.0, 100.0,
      "a registration farther from the prediction has diverged", kChosen},

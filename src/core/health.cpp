@@ -10,12 +10,13 @@ Judgement judge_registration(const RegistrationEnd& end, double min_match_ratio,
                              const Config::Health& config) {
   const double ratio =
       end.points > 0 ? static_cast<double>(end.matches) / static_cast<double>(end.points) : 0.0;
+  const std::string share =
+      min_match_ratio > 0.0 ? " and a share of " + std::to_string(min_match_ratio) : "";
   if (end.matches < config.min_matches || ratio < min_match_ratio) {
     return {Status::too_few_matches, std::to_string(end.matches) + " of " +
                                          std::to_string(end.points) +
                                          " points have a match in the map; expected at least " +
-                                         std::to_string(config.min_matches) + " and a share of " +
-                                         std::to_string(min_match_ratio)};
+                                         std::to_string(config.min_matches) + share};
   }
   const Pose correction = end.T_0.inverse() * end.T_map_lidar;
   if (!correction.translation.allFinite() || !correction.rotation.coeffs().allFinite()) {

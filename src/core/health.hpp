@@ -25,7 +25,7 @@ struct Judgement {
 };
 
 /// Whether a registration can be trusted: ok, too_few_matches or diverged. Degeneracy is judged
-/// apart (information.hpp). `min_match_ratio`: share of the points that must have a match.
+/// apart (information.hpp). `min_match_ratio`: share of the points that must have a match, 0: none.
 [[nodiscard]] Judgement judge_registration(const RegistrationEnd& end, double min_match_ratio,
                                            const Config::Health& config);
 

@@ -126,6 +126,37 @@ Maker mounted(const Pose& T_old_new) {
   };
 }
 
+/// Every fifth scan, at its own stamp, of who turns the sensor by so much [rad] in between.
+Maker turned_by_hand(double least, double most) {
+  return [=](std::uint64_t n, const FaultSource& walk, const FaultSource&) {
+    if (!from_then_on(n)) return taken(walk, n);
+    double yaw = 0.0;
+    for (std::uint64_t k = kFaultBegins; k <= n; ++k) {
+      const CounterRandom random(k, 77);
+      yaw += random.uniform(0, least, most) * (random.uniform(1) < 0.7 ? 1.0 : -1.0);
+    }
+    FaultyScan result = taken(walk, kFaultBegins + 5 * (n - kFaultBegins));
+    const Pose turn{from_roll_pitch_yaw({0.0, 0.0, yaw}), {0, 0, 0}};
+    result.T_map_lidar = result.T_map_lidar * turn;
+    const Pose back = turn.inverse();
+    for (Eigen::Vector3f& p : result.scan.points) p = (back * p.cast<double>()).cast<float>();
+    return result;
+  };
+}
+
+/// A car's recording of which few scans were kept: each a stretch farther on, 0.8 s later. At its
+/// end it begins again from the other end.
+Maker leaps(std::uint64_t stretch) {
+  return [=](std::uint64_t n, const FaultSource& walk, const FaultSource&) {
+    constexpr std::uint64_t kMost = kFaultReach - kFaultyScans;
+    const std::uint64_t phase = n * stretch % (2 * kMost);
+    FaultyScan result = taken(walk, std::min(phase, 2 * kMost - phase));
+    result.scan.stamp_ns =
+        walk.scan(0).stamp_ns + static_cast<std::int64_t>(n) * 8 * (kSecond / 10);
+    return result;
+  };
+}
+
 Change at_later_stamps(std::int64_t shift_ns) {
   return [=](Scan& scan, std::uint64_t) { scan.stamp_ns += shift_ns; };
 }
@@ -366,11 +397,14 @@ std::vector<Fault> what_drivers_and_files_do() {
       {"backwards 2 s", "2 s of scans in the reverse order", reordered(backwards)},
       {"every third", "every third scan from then on", every(3)},
       {"every eighth", "every eighth scan from then on", every(8)},
+      {"leaps", "every scan 4 s of walking farther on, 0.8 s later: from the first on", leaps(40)},
   };
 }
 
 std::vector<Fault> what_those_who_carry_it_do() {
   return {
+      {"turned by hand", "every fifth scan, turned by 26 to 41 degrees in between",
+       turned_by_hand(0.454, 0.716)},
       {"carried 1 m", "carried 1 m along its way, unseen", carried(1.0)},
       {"carried 5 m", "carried 5 m", carried(5.0)},
       {"carried 20 m", "carried 20 m", carried(20.0)},

@@ -20,10 +20,11 @@ constexpr std::size_t kStride = 3;  // of a view's points so many are asked for
 constexpr double kBegin = 3.0;
 
 // What is smaller than these is nothing, so that the ratio of two such is no evidence.
-constexpr Signs kNothing{.misfit = 0.01, .unseen = 0.02, .contradiction = 0.01, .motion = 0.1};
+constexpr Signs kNothing{
+    .misfit = 0.01, .unseen = 0.02, .contradiction = 0.01, .motion = 0.1, .unconverged = 0.1};
 
-constexpr std::array<double Signs::*, 4> kSigns = {&Signs::misfit, &Signs::unseen,
-                                                   &Signs::contradiction, &Signs::motion};
+constexpr std::array<double Signs::*, 5> kSigns = {
+    &Signs::misfit, &Signs::unseen, &Signs::unconverged, &Signs::contradiction, &Signs::motion};
 
 constexpr double kMost = 4.0;
 
@@ -73,6 +74,7 @@ Evidence UsualSigns::compare(const Signs& signs) const {
   evidence.unseen = ratio(&Signs::unseen);
   evidence.contradiction = ratio(&Signs::contradiction);
   evidence.motion = ratio(&Signs::motion);
+  evidence.unconverged = ratio(&Signs::unconverged);
   return evidence;
 }
 
@@ -89,6 +91,8 @@ double hazard(const Evidence& evidence) {
   }
   return 1.0 / (1.0 + std::exp(-sum));  // [K27]
 }
+
+bool is_doubtful(double hazard) { return hazard > kVerdictBase / kScans; }
 
 double Verdict::add(double hazard) {
   right_.push_back(1.0 - hazard);

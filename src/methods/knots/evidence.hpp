@@ -47,6 +47,7 @@ struct Signs {
   double unseen = 0.0;         ///< KnotRegistration::unseen
   double contradiction = 0.0;  ///< LastViews::contradiction()
   double motion = 0.0;         ///< KnotPrior::surprise()
+  double unconverged = 0.0;    ///< 1: the last update was not small yet
 };
 
 /// The logarithm of a ratio, 0 if it is below 1 and 4 at most: no evidence is stronger.
@@ -55,19 +56,24 @@ struct Signs {
 /// What right registrations of this run usually show: fading means.
 class UsualSigns {
  public:
-  /// The first four of the evidence.
+  /// The first five of the evidence.
   [[nodiscard]] Evidence compare(const Signs& signs) const;
   /// `right`: how probably this registration is right; a wrong one must not become usual.
   void learn(const Signs& signs, double right, double rate);
 
  private:
   // Of a walk over the simulated campus, until there is something of the run's own.
-  Signs mean_{.misfit = 0.35, .unseen = 0.3, .contradiction = 0.02, .motion = 1.0};
+  Signs mean_{
+      .misfit = 0.35, .unseen = 0.3, .contradiction = 0.02, .motion = 1.0, .unconverged = 0.05};
   int learnt_ = 0;
 };
 
 /// How probably this scan, by itself, went wrong.
 [[nodiscard]] double hazard(const Evidence& evidence);
+
+/// Whether it went wrong more probably than any scan of the mix that the hazard is for: worth a
+/// look at other places.
+[[nodiscard]] bool is_doubtful(double hazard);
 
 /// How probably something went wrong within the last ten scans, the motion over which a pose is
 /// held to.

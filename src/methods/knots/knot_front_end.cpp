@@ -16,6 +16,7 @@
 #include "core/level.hpp"
 #include "methods/knots/calibration.hpp"
 #include "methods/knots/drift.hpp"
+#include "methods/knots/verdict_weights.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
@@ -82,12 +83,19 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   Registered registered = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
   if (!registered.estimate.trusted()) return lose(scan, thinned, std::move(registered));
   View view = look(scan, thinned, registered.trajectory);
-  const double hazard_now = judge(scan, view, registered);
+  const double hazard_now = hazard_of(scan, thinned, view, registered);
   registered.estimate.wrong_probability = verdict_.add(hazard_now);
-  if (registered.estimate.wrong_probability > config_.knots.lost_probability) {
+  if (is_lost(hazard_now, registered.estimate.wrong_probability)) {
     return lose(scan, thinned, std::move(registered));
   }
   return accept(hazard_now, std::move(view), std::move(registered));
+}
+
+/// To begin a map of few scans anew costs little: there a single scan is held to what poses are
+/// held to in all.
+bool KnotFrontEnd::is_lost(double hazard_now, double wrong_probability) const {
+  const double most = config_.knots.lost_probability;
+  return wrong_probability > most || (agreed_ < kAgree && most < 1.0 && hazard_now > kVerdictBase);
 }
 
 /// A scan from where it is taken to begin, and what is known of the pose by itself.
@@ -144,16 +152,24 @@ double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
                            Registered& registered) const {
   const KnotRegistration& found = registered.found;
   registered.signs = {found.misfit_of_seen(), found.unseen, views_.contradiction(view),
-                      registered.begin.prior.surprise(found.window)};
+                      registered.begin.prior.surprise(found.window), found.converged ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
   const Matrix6& covariance = registered.estimate.covariance;
   evidence.uncertainty = strength(std::sqrt(covariance.diagonal().head<3>().maxCoeff()) / kKnown);
   const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
   evidence.gap = strength(seconds(mid_ns - last_pose_->stamp_ns) / kUsualPeriod);
-  evidence.unconverged = found.converged ? 0.0 : 1.0;
   const double speed = model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
   evidence.frozen = seen_again_ ? std::min(speed / kWalks, 1.0) : 0.0;
   return hazard(evidence);
+}
+
+/// Likewise, and where that leaves doubt, whether another place fits better.
+double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                               const View& view, Registered& registered) {
+  const double alone = judge(scan, view, registered);
+  if (!is_doubtful(alone)) return alone;
+  registered.estimate.evidence.rival = rival_of(scan, thinned, registered);
+  return hazard(registered.estimate.evidence);
 }
 
 /// What a trusted registration tells for the next scan.
@@ -180,17 +196,10 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   estimate.registered_points = static_cast<int>(points);
   const Pose T_map_lidar = trajectory.at(0.5);
   const Pose T_0 = registered.predicted.trajectory().at_time(trajectory.mid_ns());
-  Judgement judgement = judge_registration({T_0, T_map_lidar, found.matches, points},
-                                           config_.knots.min_match_ratio, config_.health);
+  Judgement judgement =
+      judge_registration({T_0, T_map_lidar, found.matches, points}, 0.0, config_.health);
   if (!found.solved && judgement.status == Status::ok) {
     judgement = {Status::diverged, "the knots' normal equations gave no finite solution"};
-  }
-  const double misfit = found.misfit_of_seen();
-  const double most = usual_.most_misfit_of_seen(config_.knots);
-  if (misfit > most && judgement.status == Status::ok) {
-    judgement = {Status::diverged, "the misfit to what the map has seen is " +
-                                       std::to_string(misfit) + "; expected at most " +
-                                       std::to_string(most) + ", from the last scans"};
   }
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);

@@ -9,6 +9,7 @@
 #include "methods/knots/evidence.hpp"
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_prediction.hpp"
+#include "methods/knots/knot_search.hpp"
 #include "methods/knots/surfel_map.hpp"
 #include "methods/knots/velocity_model.hpp"
 
@@ -58,12 +59,25 @@ class KnotFrontEnd : public FrontEnd {
   void conclude(const PreparedScan& scan, std::size_t points, Registered& registered) const;
   [[nodiscard]] double judge(const PreparedScan& scan, const View& view,
                              Registered& registered) const;
+  [[nodiscard]] double hazard_of(const PreparedScan& scan,
+                                 const std::vector<std::uint32_t>& thinned, const View& view,
+                                 Registered& registered);
+  [[nodiscard]] bool is_lost(double hazard_now, double wrong_probability) const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 Registered registered);
   Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] SearchRegion region_about(std::int64_t instant_ns) const;
+  [[nodiscard]] std::vector<Registered> register_about(const PreparedScan& scan,
+                                                       const std::vector<std::uint32_t>& thinned,
+                                                       const SearchRegion& region);
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] double disagreement_of(const Registered& registered) const;
+  [[nodiscard]] std::optional<Estimate> go_on(const PreparedScan& scan,
+                                              const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] double rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                                const Registered& registered);
   void learn(const Registered& registered, double right);
   void let_drift(Registered& registered);
   void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);

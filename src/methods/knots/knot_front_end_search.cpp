@@ -23,6 +23,10 @@ constexpr int kAgree = 3;
 constexpr double kNear = 1.0, kSpeed = 4.0, kFar = 20.0;
 constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
 
+// Another place than the registration's is looked for as if so much more time had passed: who was
+// carried, or turned by hand, went faster than it walks.
+constexpr std::int64_t kLeewayNs = 500'000'000;
+
 // A large region is gone through at every so many-th scan.
 constexpr double kLarge = 6.0;  // [m]
 constexpr int kSeldom = 5;
@@ -52,18 +56,21 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
 
 }  // namespace
 
-/// The place of the region that fits best, if there is one that fits clearly best.
-std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
-    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
-  const double since = seconds(scan.end_ns - last_pose_->stamp_ns);
+/// Where it may be, the longer after the last trusted scan the farther from it.
+SearchRegion KnotFrontEnd::region_about(std::int64_t instant_ns) const {
+  const double since = seconds(instant_ns - last_pose_->stamp_ns);
   // [K30]
-  const SearchRegion region{end_.prior.means[1], std::min(kNear + kSpeed * since, kFar),
-                            std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
-  if (region.radius > kLarge && search_->scans % kSeldom != 0) return std::nullopt;
+  return {end_.prior.means[1], std::min(kNear + kSpeed * since, kFar),
+          std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
+}
+
+/// A scan registered at the places of a region that fit it best; the best one first.
+std::vector<KnotFrontEnd::Registered> KnotFrontEnd::register_about(
+    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+    const SearchRegion& region) {
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
   session_.begin_step(Step::search);
   const auto places = search_places(map_, some_of(scan, chosen), region, kPlaces, session_.workers);
-  const double unseen_weight = config_.knots.unseen_weight;
   std::vector<Registered> found;
   for (const PlaceFit& place : places) {
     const KnotEnd begin = begin_at(place.pose, scan, config_.knots);
@@ -76,20 +83,68 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
     conclude(scan, points.points.size(), here);
     found.push_back(std::move(here));
   }
-  const auto misfit = [&](const Registered& r) { return r.found.disagreement(unseen_weight); };
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const Registered& a, const Registered& b) { return misfit(a) < misfit(b); });
+  std::stable_sort(found.begin(), found.end(), [&](const Registered& a, const Registered& b) {
+    return disagreement_of(a) < disagreement_of(b);
+  });
+  return found;
+}
+
+double KnotFrontEnd::disagreement_of(const Registered& registered) const {
+  return registered.found.disagreement(config_.knots.unseen_weight);
+}
+
+/// How much better the scan fits at another place than where it was registered.
+double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                              const Registered& registered) {
+  const PointChoice choice = choice_;  // what is asked here must not change the next scan
+  const auto others = register_about(scan, thinned, region_about(scan.end_ns + kLeewayNs));
+  choice_ = choice;
+  const Pose here = registered.trajectory.at(0.5);
+  for (const Registered& other : others) {
+    if (same_place(other.trajectory.at(0.5), here)) continue;
+    // [K33]
+    return strength(disagreement_of(registered) / std::max(disagreement_of(other), 1e-3));
+  }
+  return 0.0;
+}
+
+/// The place of the region that fits best, if there is one that fits clearly best.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
+    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
+  const SearchRegion region = region_about(scan.end_ns);
+  if (region.radius > kLarge && search_->scans % kSeldom != 0) return std::nullopt;
+  std::vector<Registered> found = register_about(scan, thinned, region);
   for (std::size_t i = 1; i < found.size(); ++i) {
-    if (misfit(found[i]) > kBetter * misfit(found[0])) break;
+    if (disagreement_of(found[i]) > kBetter * disagreement_of(found[0])) break;
     if (!same_place(found[i].trajectory.at(0.5), found[0].trajectory.at(0.5))) return std::nullopt;
   }
   if (found.empty()) return std::nullopt;
   return std::move(found[0]);
 }
 
+/// A scan right after one that went wrong: where it would be had that one not come. One scan of
+/// garbage is no reason to look elsewhere.
+std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
+                                            const std::vector<std::uint32_t>& thinned) {
+  const double since = seconds(scan.start_ns - last_pose_->stamp_ns);
+  if (seen_again_ || since > config_.motion_prior.max_extrapolation) return std::nullopt;
+  Registered next = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
+  if (!next.estimate.trusted()) return std::nullopt;
+  View view = look(scan, thinned, next.trajectory);
+  const double hazard_now = judge(scan, view, next);
+  if (is_doubtful(hazard_now)) return std::nullopt;
+  search_.reset();
+  verdict_.clear();
+  next.estimate.wrong_probability = verdict_.add(hazard_now);
+  return accept(hazard_now, std::move(view), std::move(next));
+}
+
 /// A scan while it is lost: finds a place, or holds another scan against the one that was found.
 Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
   const bool confirms = search_->found.has_value();
+  if (!confirms) {
+    if (std::optional<Estimate> next = go_on(scan, thinned)) return std::move(*next);
+  }
   std::optional<Registered> best;
   if (confirms) {
     best = register_scan(scan, thinned, beginning_of(scan, *search_->found, model_, config_));
@@ -105,7 +160,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
     evidence.gap = 0.0;  // that it was lost is known
     if (!confirms) evidence.motion = 0.0;
     const double hazard_now = best->estimate.wrong_probability = hazard(evidence);
-    right = hazard_now <= kVerdictBase;
+    right = !is_doubtful(hazard_now);
     if (right && search_->agreed + 1 >= kAgree) {
       search_.reset();
       verdict_.clear();
@@ -116,7 +171,9 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   search_->agreed = right ? search_->agreed + 1 : 0;
   search_->found.reset();
   if (right) search_->found = end_of(best->found.window, best->found.last_two);
-  const bool in_vain = search_->scans > config_.knots.search_scans && !search_->found;
+  // A map of few scans is not worth many more of them.
+  const int most = std::min(config_.knots.search_scans, kAgree * agreed_);
+  const bool in_vain = search_->scans > most && !search_->found;
   if (in_vain && !seen_again_) return begin_map(scan, thinned);
 
   Estimate estimate;

@@ -52,9 +52,6 @@ const ConfigField kFields[] = {
      "what so many scans' beams, and knots.gone_share as many as ever hit it, went through since "
      "one last hit it has moved away and is forgotten; 0: never",
      kMethod},
-    {"knots.min_match_ratio", SLOT(knots.min_match_ratio), "0.1", "", 0.0, 1.0,
-     "share of the registered points that must lie on a surfel; a first scan of a forest has few",
-     kMethod},
     {"knots.noise", SLOT(knots.noise), "0.02", "m", 1e-4, 1.0,
      "standard deviation of a point's distance to its surfel", kMethod},
     {"knots.independence", SLOT(knots.independence), "0.1", "", 1e-6, 1.0,
@@ -83,7 +80,8 @@ const ConfigField kFields[] = {
      "a registration whose misfit or disagreement is so many times the usual is tried again",
      kMethod},
     {"knots.misfit_margin", SLOT(knots.misfit_margin), "0.15", "", 0.0, 1.0,
-     "beyond twice the usual misfit to what was seen and this, a registration has diverged",
+     "beyond twice the usual misfit to what was seen and this, a registration is tried again with "
+     "knots.looser",
      kMethod},
     {"knots.usual_rate", SLOT(knots.usual_rate), "0.1", "", 0.0, 1.0,
      "how fast the usual misfit and the residuals' dependence are learnt, per scan", kMethod},
@@ -117,7 +115,7 @@ const ConfigField kFields[] = {
 #undef SLOT
 
 constexpr const char* kAlsoReads[] = {"map.radius", "motion_prior."};
-// Its own share of matches takes this one's place.
+// To it the share of matches is evidence, and none is too small by itself.
 constexpr const char* kDoesNotRead[] = {"health.min_match_ratio"};
 
 void check(const Config& config) {

@@ -8,16 +8,17 @@
 
 namespace surefoot {
 
-inline constexpr Evidence kVerdictWeights{.misfit = 0.529,
-                                          .unseen = 0.000,
-                                          .contradiction = 2.111,
-                                          .motion = 0.609,
-                                          .uncertainty = 2.194,
-                                          .gap = 0.534,
-                                          .unconverged = 2.903,
-                                          .frozen = 4.722};
+inline constexpr Evidence kVerdictWeights{.misfit = 1.093,
+                                          .unseen = 0.295,
+                                          .contradiction = 1.756,
+                                          .motion = 1.040,
+                                          .unconverged = 1.880,
+                                          .uncertainty = 2.144,
+                                          .gap = 1.675,
+                                          .frozen = 6.487,
+                                          .rival = 2.732};
 /// Share of wrong poses in the mix that the probability is for.
 inline constexpr double kVerdictBase = 0.01;
-inline constexpr double kVerdictOffset = -8.396;
+inline constexpr double kVerdictOffset = -8.675;
 
 }  // namespace surefoot

@@ -54,7 +54,8 @@ TEST(Faults, ThereAreSixtyAndTheFirstDoesNothing) {
   EXPECT_NEAR(shown.T_map_lidar.translation.x(), 3.5 + 0.5 * 1999 * 49e-6, 1e-9);
 }
 
-/// All but those that mean to break it leave whole scans, and all leave the walk alone before.
+/// All but those that mean to break it leave whole scans, and all but who leaps from the first scan
+/// on leave the walk alone before.
 TEST(Faults, LeaveWholeScans) {
   for (const Fault& fault : fault_catalogue()) {
     for (const std::uint64_t n : {0U, 10U, 30U, 31U, 49U, 50U, 99U}) {
@@ -63,7 +64,7 @@ TEST(Faults, LeaveWholeScans) {
           << fault.name;
       EXPECT_EQ(scan.rings.size(), scan.points.size()) << fault.name;
       EXPECT_EQ(scan.intensities.size(), scan.points.size()) << fault.name;
-      if (n == 10) {
+      if (n == 10 && fault.name != "leaps") {
         EXPECT_EQ(scan.stamp_ns, 10 * kPeriod) << fault.name;
       }
     }
@@ -84,6 +85,28 @@ TEST(Faults, AHoleIsInTheStamps) {
   const FaultyScan after = hole.scan(kFaultBegins, walk(), walk());
   EXPECT_EQ(after.scan.stamp_ns - before.scan.stamp_ns, 31 * kPeriod);
   EXPECT_NEAR(after.T_map_lidar.translation.x() - before.T_map_lidar.translation.x(), 3.1, 1e-9);
+}
+
+TEST(Faults, WhoTurnsTheSensorByHandTurnsItByNoMoreThanATurn) {
+  const Fault& turned = fault_called("turned by hand");
+  for (std::uint64_t n = kFaultBegins; n < kFaultBegins + 20; ++n) {
+    const FaultyScan a = turned.scan(n, walk(), walk()), b = turned.scan(n + 1, walk(), walk());
+    EXPECT_EQ(b.scan.stamp_ns - a.scan.stamp_ns, 5 * kPeriod);
+    const double angle = a.T_map_lidar.rotation.angularDistance(b.T_map_lidar.rotation);
+    EXPECT_GE(angle, 0.45);
+    EXPECT_LE(angle, 0.72);
+    const FaultyScan straight =
+        fault_called("none").scan(kFaultBegins + 5 * (n - kFaultBegins), walk(), walk());
+    const Eigen::Vector3d there = a.T_map_lidar * a.scan.points[7].cast<double>();
+    EXPECT_LT((there - straight.T_map_lidar * straight.scan.points[7].cast<double>()).norm(), 1e-3);
+  }
+}
+
+TEST(Faults, WhoLeapsIsFourSecondsFartherOnEachTime) {
+  const Fault& leaps = fault_called("leaps");
+  const FaultyScan a = leaps.scan(5, walk(), walk()), b = leaps.scan(6, walk(), walk());
+  EXPECT_EQ(b.scan.stamp_ns - a.scan.stamp_ns, 8 * kPeriod);
+  EXPECT_NEAR(b.T_map_lidar.translation.x() - a.T_map_lidar.translation.x(), 4.0, 1e-9);
 }
 
 TEST(Faults, AFrozenSensorShowsWhereItWasNotWhereItIs) {

@@ -66,6 +66,7 @@ TEST(Evidence, IsTheLogarithmOfTheRatioToTheUsual) {
   EXPECT_NEAR(worse.misfit, std::log(0.33 / 0.11), 1e-6);
   EXPECT_NEAR(worse.contradiction, std::log(0.12 / 0.06), 1e-6);
   EXPECT_EQ(worse.motion, 0.0) << "less than usual is no evidence";
+  EXPECT_NEAR(usual.compare({0.1, 0.2, 0.05, 2.0, 1.0}).unconverged, std::log(1.1 / 0.1), 1e-6);
   EXPECT_EQ(usual.compare({0.1, 0.2, 0.05, 1e9}).motion, 4.0) << "the most";
 }
 
@@ -91,6 +92,12 @@ TEST(Evidence, HazardGrowsWithEveryPartOfTheEvidence) {
     const double logit = kVerdictOffset + 0.5 * kVerdictWeights.*field.member;
     EXPECT_NEAR(hazard(evidence), 1.0 / (1.0 + std::exp(-logit)), 1e-12) << field.name;
   }
+}
+
+TEST(Evidence, WhatIsMoreProbablyWrongThanAnyScanIsDoubtful) {
+  EXPECT_FALSE(is_doubtful(hazard({})));
+  EXPECT_FALSE(is_doubtful(0.99 * kVerdictBase / 10.0));
+  EXPECT_TRUE(is_doubtful(1.01 * kVerdictBase / 10.0));
 }
 
 TEST(Evidence, TenScansHazardsMakeOneProbability) {

@@ -184,13 +184,19 @@ TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
       const auto wrong =
           take_scans(slope_with_pillars(), standing({kStart.rotation, {0.0, 0.0, 1.0}}), 1, {}, i);
       const Estimate lost = odometry.add_scan(wrong.front());
-      EXPECT_TRUE(lost.status == Status::diverged || lost.status == Status::too_few_matches)
+      EXPECT_FALSE(lost.trusted())
           << to_string(lost.status) << " at " << i - 15 << " of " << blinded;
       EXPECT_FALSE(lost.message.empty());
       EXPECT_GT(lost.covariance(0, 0), seeing.back().covariance(0, 0));
       EXPECT_EQ(odometry.local_map(), map);
     }
-    for (const Estimate& estimate : seeing) EXPECT_TRUE(estimate.trusted()) << estimate.message;
+    // After more than one, two scans confirm the place before it is believed.
+    const auto untrusted =
+        std::count_if(seeing.begin(), seeing.end(), [](const Estimate& e) { return !e.trusted(); });
+    EXPECT_LE(untrusted, blinded > 1 ? 2 : 0) << statuses(seeing);
+    seeing.erase(std::remove_if(seeing.begin(), seeing.end(),
+                                [](const Estimate& e) { return !e.trusted(); }),
+                 seeing.end());
     const Error error = error_against(seeing, motion);
     std::printf("blinded for %d scans: %.4f m, at the end %.4f m\n", blinded, error.translation,
                 error.final_translation);
@@ -324,8 +330,10 @@ TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
         [&](Step step) { iterations[second ? 1 : 0] += step == Step::search ? 1 : 0; });
     (void)odometry.add_scan(wrong.front());
   }
-  EXPECT_LE(iterations[0], Config().knots.max_iterations);
-  EXPECT_GT(iterations[1], 2 * iterations[0]);
+  // Once, and at up to four other places, for a place that is in doubt.
+  const int once = Config().knots.max_iterations;
+  EXPECT_LE(iterations[0], 5 * once + 1);
+  EXPECT_GT(iterations[1], iterations[0] + 2 * once);
 }
 
 TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
