@@ -3,80 +3,134 @@
 #include "core/downsample.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <limits>
 #include <tuple>
 
 #include "core/voxel_key.hpp"
-#include "core/voxel_table.hpp"
 
 namespace surefoot {
 
 namespace {
 
+/// A point that may stand for its voxel.
 struct Candidate {
-  std::uint64_t key;  // of its voxel, hashed
-  float to_centre2;
-  Eigen::Vector3f point;
-  std::uint32_t index;  // of the point
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Total order, so that equally near points do not make the result depend on their order.
-  [[nodiscard]] bool better_than(const Candidate& other) const {
-    const auto rank = [](const Candidate& c) {
-      return std::make_tuple(c.to_centre2, c.point.x(), c.point.y(), c.point.z());
-    };
-    return rank(*this) < rank(other);
-  }
+  std::uint64_t key = 0;  // of its voxel, hashed
+  std::uint32_t index = kNone;
+  float to_centre2 = 0.0F;
 };
 
-Candidate make_candidate(const std::vector<Eigen::Vector3f>& points, std::uint32_t at,
-                         double voxel) {
-  const Eigen::Vector3f& point = points[at];
-  const VoxelIndex index = voxel_index(point.cast<double>(), 1.0 / voxel);
+Candidate make_candidate(const Eigen::Vector3f& point, std::uint32_t at, double voxel,
+                         double inverse_voxel) {
+  const VoxelIndex index = voxel_index(point.cast<double>(), inverse_voxel);
   const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * voxel;
-  return {hash_key(voxel_key(index)), (point - centre.cast<float>()).squaredNorm(), point, at};
+  return {hash_key(voxel_key(index)), at, (point - centre.cast<float>()).squaredNorm()};
 }
 
-// The voxels are dealt into so many parts, by their keys' first bits, for as many threads.
-constexpr int kPartBits = 2;
-constexpr std::size_t kParts = 1 << kPartBits;
+/// The best candidate of each voxel whose key begins with some bits: an open-addressing hash table.
+/// The keys are hashes, so that the bits that follow tell the slot; then the slots lie nearly in
+/// the keys' order, and sorting them costs next to nothing.
+class BestOfPart {
+ public:
+  BestOfPart(const std::vector<Eigen::Vector3f>& points, int first_bits, std::size_t expected)
+      : points_(points), first_bits_(first_bits) {
+    resize(std::bit_ceil(std::max(expected, kFewest)));
+  }
 
-/// The best candidate of each voxel of one part, in the order of the keys.
-std::vector<Candidate> best_of_part(const std::vector<Candidate>& candidates, std::size_t part) {
-  VoxelTable table;
-  std::vector<Candidate> kept;
-  for (const Candidate& candidate : candidates) {
-    if (candidate.key >> (64 - kPartBits) != part) continue;
-    const auto next = static_cast<std::uint32_t>(kept.size());
-    const auto [slot, inserted] = table.find_or_insert(candidate.key, next);
-    if (inserted) {
-      kept.push_back(candidate);
-    } else if (candidate.better_than(kept[slot])) {
-      kept[slot] = candidate;
+  void offer(const Candidate& candidate) {
+    Candidate& best = slot_of(candidate.key);
+    if (best.index == Candidate::kNone) {
+      best = candidate;
+      if (2 * ++size_ > slots_.size()) grow();
+    } else if (better(candidate, best)) {
+      best = candidate;
     }
   }
-  // Any fixed order will do, but a spatial one: a voxel of the map takes the first points it is
-  // offered, and would fill up from one side, which pulls every later scan to that side.
-  std::sort(kept.begin(), kept.end(),
-            [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
-  return kept;
-}
+
+  /// Any fixed order will do, but a spatial one: a voxel of the map takes the first points it is
+  /// offered, and would fill up from one side, which pulls every later scan to that side.
+  void append_to(std::vector<std::uint32_t>& indices) {
+    std::erase_if(slots_, [](const Candidate& c) { return c.index == Candidate::kNone; });
+    const auto before = [](const Candidate& a, const Candidate& b) { return a.key < b.key; };
+    for (auto at = slots_.begin(); at != slots_.end(); ++at) {  // by insertion
+      const Candidate candidate = *at;
+      auto to = at;
+      for (; to != slots_.begin() && before(candidate, *(to - 1)); --to) *to = *(to - 1);
+      *to = candidate;
+    }
+    for (const Candidate& candidate : slots_) indices.push_back(candidate.index);
+  }
+
+ private:
+  static constexpr std::size_t kFewest = 256;  // slots
+
+  void resize(std::size_t slots) {
+    slots_.assign(slots, {});
+    shift_ = 64 - std::countr_zero(slots);
+  }
+
+  /// Where a voxel's best candidate is, or can be put.
+  [[nodiscard]] Candidate& slot_of(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = (key << first_bits_) >> shift_;; i = (i + 1) & mask) {
+      if (slots_[i].index == Candidate::kNone || slots_[i].key == key) return slots_[i];
+    }
+  }
+
+  void grow() {
+    std::vector<Candidate> old;
+    old.swap(slots_);
+    resize(2 * old.size());
+    for (const Candidate& candidate : old) {
+      if (candidate.index != Candidate::kNone) slot_of(candidate.key) = candidate;
+    }
+  }
+
+  /// Total order, so that equally near points do not make the result depend on their order.
+  [[nodiscard]] bool better(const Candidate& a, const Candidate& b) const {
+    if (a.to_centre2 != b.to_centre2) return a.to_centre2 < b.to_centre2;
+    const auto rank = [](const Eigen::Vector3f& p) { return std::make_tuple(p.x(), p.y(), p.z()); };
+    return rank(points_[a.index]) < rank(points_[b.index]);
+  }
+
+  const std::vector<Eigen::Vector3f>& points_;
+  int first_bits_;
+  int shift_ = 0;
+  std::size_t size_ = 0;
+  std::vector<Candidate> slots_;
+};
+
+// Of so many points, at a first guess, one is the best of a voxel.
+constexpr std::size_t kCrowd = 4;
 
 }  // namespace
 
 std::vector<std::uint32_t> downsample_indices(const std::vector<Eigen::Vector3f>& points,
                                               double voxel, const Workers& workers) {
   std::vector<Candidate> candidates(points.size());
+  const double inverse_voxel = 1.0 / voxel;
   workers.for_chunks(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      candidates[i] = make_candidate(points, static_cast<std::uint32_t>(i), voxel);
+      candidates[i] =
+          make_candidate(points[i], static_cast<std::uint32_t>(i), voxel, inverse_voxel);
     }
   });
-  std::array<std::vector<Candidate>, kParts> parts;
-  workers.for_each(kParts, [&](std::size_t p) { parts[p] = best_of_part(candidates, p); });
+  // The voxels are dealt into parts by their keys' first bits, as many as there are threads: the
+  // parts one after the other are in the order of the keys, however many there are.
+  const std::size_t parts = std::bit_ceil(static_cast<std::size_t>(workers.threads()));
+  const int first_bits = std::countr_zero(parts);
+  std::vector<std::vector<std::uint32_t>> kept(parts);
+  workers.for_each(parts, [&](std::size_t part) {
+    BestOfPart best(points, first_bits, 2 * points.size() / (kCrowd * parts));
+    for (const Candidate& candidate : candidates) {
+      if ((std::rotl(candidate.key, first_bits) & (parts - 1)) == part) best.offer(candidate);
+    }
+    best.append_to(kept[part]);
+  });
   std::vector<std::uint32_t> indices;
-  for (const auto& part : parts) {
-    for (const Candidate& candidate : part) indices.push_back(candidate.index);
-  }
+  for (const auto& part : kept) indices.insert(indices.end(), part.begin(), part.end());
   return indices;
 }
 

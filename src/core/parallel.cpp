@@ -21,8 +21,8 @@ struct Workers::Pool {
 
 Workers::Workers(int threads) {
   // More than the machine has would make oneTBB print a warning, and gain nothing.
-  threads = std::min(threads, tbb::info::default_concurrency());
-  if (threads > 1) pool_ = std::make_unique<Pool>(threads);
+  threads_ = std::max(std::min(threads, tbb::info::default_concurrency()), 1);
+  if (threads_ > 1) pool_ = std::make_unique<Pool>(threads_);
 }
 
 void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {

@@ -21,6 +21,9 @@ class Workers {
   Workers(Workers&&) noexcept;
   Workers& operator=(Workers&&) noexcept;
 
+  /// For how to cut work; no result may depend on it.
+  [[nodiscard]] int threads() const { return threads_; }
+
   /// body(chunk, begin, end) for every chunk of [0, size).
   template <typename Body>
   void for_chunks(std::size_t size, const Body& body) const {
@@ -63,6 +66,7 @@ class Workers {
   void run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const;
 
   struct Pool;
+  int threads_ = 1;
   std::unique_ptr<Pool> pool_;
 };
 

@@ -64,6 +64,16 @@ bool any_about(const Direction& direction, float columns, float rows, const Func
   return false;
 }
 
+/// How far some beams went through [m].
+struct Span {
+  float farthest, nearest;
+
+  void widen(const Span& other) {
+    farthest = std::max(farthest, other.farthest);
+    nearest = std::min(nearest, other.nearest);
+  }
+};
+
 /// How near to a surfel's mean a beam passes it [m^2].
 double reach2_of(const Surfel& surfel) {
   return surfel.directions == 1 ? surfel.extent
@@ -113,29 +123,35 @@ Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& 
 
 void Beams::find_clear() {
   constexpr float kNone = std::numeric_limits<float>::max();
-  std::vector<float> clear(std::size_t{kColumns} * kRows, 0.0F);
-  std::vector<float> free(clear.size(), kNone);
-  for (std::size_t cell = 0; cell < clear.size(); ++cell) {
+  // Of each cell; then of it and its neighbours in its row; then of the rows about it, too.
+  std::vector<Span> own(std::size_t{kColumns} * kRows, {0.0F, kNone});
+  for (std::size_t cell = 0; cell < own.size(); ++cell) {
     for (std::uint32_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
       const auto of_beam = static_cast<float>(std::max(beams_[i].clear, 0.0));
-      clear[cell] = std::max(clear[cell], of_beam);
-      free[cell] = std::min(free[cell], of_beam);
+      own[cell].widen({of_beam, of_beam});
     }
   }
-  clear2_.resize(clear.size());
-  free2_.resize(clear.size());
+  std::vector<Span> in_row = own;
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
-      float& farthest = clear2_[cell_at(column, row)];
-      float nearest = kNone;
-      const Direction middle{static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F};
-      any_about(middle, 1.0F, 1.0F, [&](int cell) {
-        farthest = std::max(farthest, clear[cell]);
-        nearest = std::min(nearest, free[cell]);
-        return false;
-      });
-      farthest *= farthest;
-      free2_[cell_at(column, row)] = nearest == kNone ? 0.0F : nearest * nearest;
+      const int last = column == 0 ? kColumns - 1 : column - 1;
+      const int next = column == kColumns - 1 ? 0 : column + 1;
+      Span& span = in_row[cell_at(column, row)];
+      span.widen(own[cell_at(last, row)]);
+      span.widen(own[cell_at(next, row)]);
+    }
+  }
+  clear2_.resize(own.size());
+  free2_.resize(own.size());
+  for (int row = 0; row < kRows; ++row) {
+    const int below = std::max(row - 1, 0), above = std::min(row + 1, kRows - 1);
+    for (int column = 0; column < kColumns; ++column) {
+      const int cell = cell_at(column, row);
+      Span span = in_row[cell];
+      span.widen(in_row[cell_at(column, below)]);
+      span.widen(in_row[cell_at(column, above)]);
+      clear2_[cell] = span.farthest * span.farthest;
+      free2_[cell] = span.nearest == kNone ? 0.0F : span.nearest * span.nearest;
     }
   }
 }
@@ -152,10 +168,11 @@ Beams::Answer Beams::at(const Eigen::Vector3d& place) const {
   const float squared = d.squaredNorm();
   if (squared < kNear * kNear || squared > kFar * kFar) return Answer::none;
   const int cell = cell_of(direction_of(d));
+  if (squared < free2_[cell]) return Answer::free;
   const auto end =
       static_cast<float>(std::sqrt(clear2_[cell]) * (1.0 + kBehindShare) + 2.0 * kBehind);
   if (clear2_[cell] <= 0.0F || squared > end * end) return Answer::none;
-  return squared < free2_[cell] ? Answer::free : Answer::open;
+  return Answer::open;
 }
 
 bool Beams::pass(const Surfel& surfel) const {

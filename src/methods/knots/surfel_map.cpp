@@ -170,8 +170,7 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
       sight.hits = static_cast<std::uint16_t>(std::min(sight.hits + 1, kMost));
       continue;
     }
-    const std::size_t turn = sight.passed > 0 ? 1 : kTurn;
-    if (sight.hits == 0 || (at + scan_) % turn != 0) continue;
+    if (sight.hits == 0 || (sight.passed == 0 && (at + scan_) % kTurn != 0)) continue;
     if (!beams.may_pass(sight.middle) || !beams.pass(grid.surfels[at])) continue;
     sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
     // [K19]
