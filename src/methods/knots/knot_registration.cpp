@@ -15,14 +15,19 @@ namespace surefoot {
 
 namespace {
 
-/// The lower triangle of a symmetric 6 x 6 matrix, column by column; one more, for even pairs.
-using Triangle = Eigen::Matrix<double, 22, 1>;
+/// The lower triangle of a symmetric 6 x 6 matrix, column by column, each from an even row on: all
+/// of it comes in pairs, which a processor multiplies at once.
+using Triangle = Eigen::Matrix<double, 24, 1>;
+
+constexpr int even(int row) { return row & ~1; }
 
 Matrix6 matrix_of(const Triangle& triangle) {
   Matrix6 M;
   int at = 0;
   for (int column = 0; column < 6; ++column) {
-    for (int row = column; row < 6; ++row) M(row, column) = M(column, row) = triangle[at++];
+    for (int row = even(column); row < 6; ++row, ++at) {
+      if (row >= column) M(row, column) = M(column, row) = triangle[at];
+    }
   }
   return M;
 }
@@ -31,7 +36,9 @@ Matrix6 matrix_of(const Triangle& triangle) {
 void add_product(const Twist& a, const Twist& b, Triangle& sum) {
   int at = 0;
   for (int column = 0; column < 6; ++column) {
-    for (int row = column; row < 6; ++row) sum[at++] += a[column] * b[row];
+    for (int row = even(column); row < 6; row += 2, at += 2) {
+      sum.segment<2>(at) += a[column] * b.segment<2>(row);
+    }
   }
 }
 
@@ -140,6 +147,7 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
       continue;
     }
     PointSum of_point;
+    const double squared_distance = s.squaredNorm();
     for (int d = 0; d < surfel->directions; ++d) {
       const Eigen::Vector3d& n = surfel->across[d];
       const double residual = n.dot(place - surfel->mean);  // [K2]
@@ -151,7 +159,7 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
       sum.count(J, residual, kernel.weight, gradient);
       const double doubt = kernel.weight * (1.0 - surfel->worth[d]);
       if (doubt > 0.0 && look.inflation <= 1.0) add_product(doubt * J, J, sum.doubtful);
-      sum.squared_distance += kernel.weight * s.squaredNorm();
+      sum.squared_distance += kernel.weight * squared_distance;
       sum.misfit += kernel.misfit / surfel->directions;
     }
     sum.add(of_point, u);

@@ -14,9 +14,6 @@ namespace {
 // LiDAR on a wall or floor, whose place along that surface says nothing.
 constexpr double kStanding = 0.7;
 
-// Who sees a plane at a smaller angle than this (sine) may be on either side of it.
-constexpr double kGrazing = 0.05;
-
 /// The smallest variance of a covariance that has none along one direction.
 double narrowest(const Eigen::Matrix3d& C) {
   const double half = 0.5 * C.trace();
@@ -27,29 +24,8 @@ double narrowest(const Eigen::Matrix3d& C) {
 
 }  // namespace
 
-bool Surfel::from_behind(const Eigen::Vector3d& ray) const {
-  if (directions != 1) return false;
-  const double along = across[0].dot(ray);
-  return along > 0.0 && along * along > kGrazing * kGrazing * ray.squaredNorm();
-}
-
-SurfelMoments::Products SurfelMoments::products_of(const Eigen::Vector3d& v) {
-  return (Products() << v.x() * v.x(), v.x() * v.y(), v.x() * v.z(), v.y() * v.y(), v.y() * v.z(),
-          v.z() * v.z())
-      .finished();
-}
-
 Eigen::Matrix3d SurfelMoments::matrix_of(const Products& p) {
   return (Eigen::Matrix3d() << p[0], p[1], p[2], p[1], p[3], p[4], p[2], p[4], p[5]).finished();
-}
-
-void SurfelMoments::add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range) {
-  ++count_;
-  sum_ += point;
-  products_ += products_of(point);
-  ray_sum_ += ray;
-  rays_ += products_of(ray);
-  squared_ranges_ += range * range;
 }
 
 Eigen::Matrix3d SurfelMoments::unseen(double ring_gap) const {
@@ -73,7 +49,7 @@ double SurfelMoments::of_one_ring(double ring_gap) const {
 void SurfelMoments::weigh(Surfel& cloud, double size, const Config::Knots& config) const {
   const Eigen::Vector3d ray = ray_sum_.normalized();
   const double next_ring = config.ring_gap * config.ring_gap * squared_ranges_ / (3.0 * count_);
-  const double slope = 1.0 / std::max(config.edge_on, kGrazing);
+  const double slope = 1.0 / std::max(config.edge_on, Surfel::kGrazing);
   const double along = of_one_ring(config.ring_gap) * next_ring * slope * slope;
   const double filled = size * size / 12.0;  // variance of what is spread evenly
   for (int i = 0; i < 3; ++i) {

@@ -9,8 +9,8 @@
 namespace surefoot {
 
 /// What a voxel's points lie on: a plane (one direction across it), a pole (two), or neither: a
-/// cloud (three) of leaves, grass or stones.
-struct Surfel {
+/// cloud (three) of leaves, grass or stones. Begins a cache line, which holds what is asked first.
+struct alignas(64) Surfel {
   int directions = 0;                              ///< 0: too few points
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
   Eigen::Vector3d across[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
@@ -22,14 +22,28 @@ struct Surfel {
   [[nodiscard]] bool cloud() const { return directions == 3; }
 
   /// Whether a ray (of any length, from the sensor) meets a plane's back.
-  [[nodiscard]] bool from_behind(const Eigen::Vector3d& ray) const;
+  [[nodiscard]] bool from_behind(const Eigen::Vector3d& ray) const {
+    if (directions != 1) return false;
+    const double along = across[0].dot(ray);
+    return along > 0.0 && along * along > kGrazing * kGrazing * ray.squaredNorm();
+  }
+
+  /// Who sees a plane at a smaller angle than this (sine) may be on either side of it.
+  static constexpr double kGrazing = 0.05;
 };
 
 /// Sums over a voxel's points, and over the rays that measured them.
 class SurfelMoments {
  public:
   /// `point`: from the voxel's corner [m]; `ray`: unit vector from the sensor, `range` [m] away.
-  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range);
+  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range) {
+    ++count_;
+    sum_ += point;
+    products_ += products_of(point);
+    ray_sum_ += ray;
+    rays_ += products_of(ray);
+    squared_ranges_ += range * range;
+  }
 
   [[nodiscard]] int count() const { return count_; }
   /// Of at least one point, from the voxel's corner [m].
@@ -42,7 +56,10 @@ class SurfelMoments {
   /// The upper triangle of a sum of v v^T, row by row.
   using Products = Eigen::Matrix<double, 6, 1>;
 
-  [[nodiscard]] static Products products_of(const Eigen::Vector3d& v);
+  [[nodiscard]] static Products products_of(const Eigen::Vector3d& v) {
+    return {v.x() * v.x(), v.x() * v.y(), v.x() * v.z(),
+            v.y() * v.y(), v.y() * v.z(), v.z() * v.z()};
+  }
   [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
   /// What the rings leave unseen between them, as a covariance [m^2].
   [[nodiscard]] Eigen::Matrix3d unseen(double ring_gap) const;

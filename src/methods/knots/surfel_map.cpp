@@ -25,14 +25,21 @@ constexpr std::size_t kAhead = 8;
 // Scans that are counted: what fits Sight's 16 bits.
 constexpr int kMost = 60'000;
 
-/// Of something up to three cache lines large.
+constexpr std::size_t kCacheLine = 64;
+
+/// Of something its first bytes, which it is aligned to.
 template <typename T>
-void prefetch(const T& value) {
+void prefetch(const T& value, std::size_t bytes = sizeof(T)) {
 #if defined(__GNUC__)
-  for (std::size_t at = 0; at < sizeof(T); at += 64) {
+  for (std::size_t at = 0; at < bytes; at += kCacheLine) {
     __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
   }
 #endif
+}
+
+/// Rounded down.
+VoxelIndex half(const VoxelIndex& index) {
+  return {index.x() >> 1, index.y() >> 1, index.z() >> 1};
 }
 
 // voxel_key() leaves the first bit free: it tells a voxel's back.
@@ -48,32 +55,29 @@ SurfelMap::SurfelMap(const Config::Knots& config, double radius)
   }
 }
 
-const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray, int finest,
-                              Place& last) const {
-  const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
-  if (last.asked == finest && last.voxel == index) {
-    if (last.level < 0) return nullptr;
-    const Surfel& surfel = grids_[last.level].surfels[last.index];
-    if (!surfel.from_behind(ray)) return &surfel;
-  }
-  last = {-1, finest, index, 0};
-  for (int level = finest; level < static_cast<int>(grids_.size()); ++level) {
+const Surfel* SurfelMap::search(VoxelIndex index, const Eigen::Vector3d& ray, int finest,
+                                Place& last) const {
+  last = {-1, finest, index, nullptr};
+  // A voxel's index in the next grid, whose voxels are twice as large, is half its own.
+  for (int level = finest; level < static_cast<int>(grids_.size()); ++level, index = half(index)) {
     const Grid& grid = grids_[level];
-    const std::uint64_t key = voxel_key(voxel_index(place, grid.inverse_size));
+    const std::uint64_t key = voxel_key(index);
     std::uint32_t found = grid.table.find(key);
     if (found == VoxelTable::kNone) continue;
-    if (grid.surfels[found].from_behind(ray)) {
+    const Surfel* surfel = &grid.surfels[found];
+    if (surfel->from_behind(ray)) {
       last.asked = -1;  // the answer depends on the ray, too
       found = grid.table.find(key | kBack);
-      if (found == VoxelTable::kNone || grid.surfels[found].from_behind(ray)) continue;
+      if (found == VoxelTable::kNone) continue;
+      surfel = &grid.surfels[found];
+      if (surfel->from_behind(ray)) continue;
     }
-    const Surfel& surfel = grid.surfels[found];
-    if (surfel.directions == 0 || (surfel.cloud() && last.level >= 0)) continue;
+    if (surfel->directions == 0 || (surfel->cloud() && last.level >= 0)) continue;
     last.level = level;
-    last.index = found;
-    if (!surfel.cloud()) break;
+    last.surfel = surfel;
+    if (!surfel->cloud()) break;
   }
-  return last.level < 0 ? nullptr : &grids_[last.level].surfels[last.index];
+  return last.surfel;
 }
 
 int SurfelMap::level_of(double size) const {
@@ -103,10 +107,10 @@ std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex
   const auto next = static_cast<std::uint32_t>(grid.voxels.size());
   const auto [at, inserted] = grid.table.find_or_insert(key, next);
   if (inserted) {
-    Voxel& fresh = grid.voxels.emplace_back();
+    Voxel& fresh = grid.voxels.add();
     fresh.key = key;
     fresh.index = index;
-    grid.surfels.emplace_back();
+    grid.surfels.add();
     grid.sights.emplace_back();
   }
   return at;
@@ -115,22 +119,27 @@ std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex
 void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
   const std::size_t n = sweep.points.size();
   std::vector<VoxelIndex> indices;
+  std::vector<std::uint64_t> keys;
   indices.reserve(n);
+  keys.reserve(n);
   for (const Eigen::Vector3d& point : sweep.points) {
     indices.push_back(voxel_index(point, grid.inverse_size));
+    keys.push_back(voxel_key(indices.back()));
   }
   std::vector<std::uint32_t> sides(n);
   for (std::size_t i = 0; i < n; ++i) {
-    if (i + kAhead < n) grid.table.prefetch(voxel_key(indices[i + kAhead]));
-    sides[i] = side_of(grid, voxel_key(indices[i]), indices[i]);
+    if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
+    sides[i] = side_of(grid, keys[i], indices[i]);
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (i + kAhead < n) {
-      prefetch(grid.surfels[sides[i + kAhead]]);
-      prefetch(grid.voxels[sides[i + kAhead]]);
+      const std::uint32_t ahead = sides[i + kAhead];
+      prefetch(grid.surfels[ahead], kCacheLine);
+      prefetch(grid.sights[ahead]);
+      prefetch(grid.voxels[ahead]);
     }
     if (grid.surfels[sides[i]].from_behind(sweep.rays[i])) {
-      sides[i] = side_of(grid, voxel_key(indices[i]) | kBack, indices[i]);
+      sides[i] = side_of(grid, keys[i] | kBack, indices[i]);
     }
     Sight& sight = grid.sights[sides[i]];
     sight.now = true;
@@ -223,13 +232,15 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
       const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
       if (voxel.moments.count() == 0 || (centre - sensor).norm() > radius_) continue;
       grid.table.find_or_insert(voxel.key, kept);
-      grid.voxels[kept] = voxel;
-      grid.surfels[kept] = grid.surfels[at];
-      grid.sights[kept] = grid.sights[at];
+      if (kept != at) {
+        grid.voxels[kept] = voxel;
+        grid.surfels[kept] = grid.surfels[at];
+        grid.sights[kept] = grid.sights[at];
+      }
       ++kept;
     }
-    grid.voxels.resize(kept);
-    grid.surfels.resize(kept);
+    grid.voxels.shrink(kept);
+    grid.surfels.shrink(kept);
     grid.sights.resize(kept);
   }
 }
@@ -249,7 +260,8 @@ std::vector<Eigen::Vector3d> SurfelMap::points() const {
   std::vector<Eigen::Vector3d> means;
   const Grid& grid = grids_.front();
   means.reserve(grid.voxels.size());
-  for (const Voxel& voxel : grid.voxels) {
+  for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
+    const Voxel& voxel = grid.voxels[at];
     if (voxel.moments.count() == 0) continue;
     means.emplace_back(voxel.index.cast<double>() * grid.size + voxel.moments.mean());
   }

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
+#include "core/pages.hpp"
 #include "core/parallel.hpp"
 #include "core/voxel_key.hpp"
 #include "core/voxel_table.hpp"
@@ -38,7 +38,7 @@ class SurfelMap {
     int level = -1;                         ///< -1: no surfel
     int asked = -1;                         ///< the finest level that was asked for
     VoxelIndex voxel = VoxelIndex::Zero();  ///< of the finest level asked
-    std::uint32_t index = 0;
+    const Surfel* surfel = nullptr;
   };
 
   /// The plane or pole of the finest grid, from `finest` on, whose voxel about a place has one that
@@ -46,7 +46,12 @@ class SurfelMap {
   /// null. `last` is what the last call
   /// for this point left, and is brought up to date: the map must not change in between.
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
-                                   int finest, Place& last) const;
+                                   int finest, Place& last) const {
+    const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
+    const bool known = last.asked == finest && last.voxel == index &&
+                       (last.surfel == nullptr || !last.surfel->from_behind(ray));
+    return known ? last.surfel : search(index, ray, finest, last);
+  }
 
   /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
   /// and empties those that the beams went through: `beams`, or if null the points' own. Returns
@@ -67,7 +72,7 @@ class SurfelMap {
 
  private:
   /// One side of a voxel.
-  struct Voxel {
+  struct alignas(64) Voxel {  // three cache lines
     std::uint64_t key = 0;
     VoxelIndex index = VoxelIndex::Zero();
     SurfelMoments moments;
@@ -88,8 +93,8 @@ class SurfelMap {
     double size;
     double inverse_size;
     VoxelTable table;
-    std::vector<Surfel> surfels;
-    std::deque<Voxel> voxels;  // the large ones: never copied to grow
+    Pages<Surfel> surfels;
+    Pages<Voxel> voxels;
     std::vector<Sight> sights;
     std::vector<std::uint32_t> stale;  // to fit anew
   };
@@ -97,6 +102,9 @@ class SurfelMap {
   /// What a scan adds to the map: points, and the beams that measured them.
   struct Sweep;
 
+  /// find() for a voxel of the finest level asked, without what is known.
+  [[nodiscard]] const Surfel* search(VoxelIndex index, const Eigen::Vector3d& ray, int finest,
+                                     Place& last) const;
   [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
                                              const VoxelIndex& index);
   void add(Grid& grid, const Sweep& sweep) const;
