@@ -70,7 +70,7 @@ class Odometry {
 
   [[nodiscard]] const Config& config() const;
   [[nodiscard]] const LevelReport& level() const;
-  /// The last scan that was not rejected.
+  /// The last scan that was not rejected, made when it is asked for; valid until the next one.
   [[nodiscard]] const DeskewedScan& deskewed_scan() const;
   /// The local map's points, in the world frame [m].
   [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const;

@@ -30,7 +30,8 @@ class FrontEnd {
   FrontEnd& operator=(const FrontEnd&) = delete;
   virtual ~FrontEnd() = default;
 
-  /// One usable scan whose middle is later than that of the scan before, lost or not.
+  /// One usable scan whose middle is later than that of the scan before, lost or not. It stays
+  /// where it is until the next one is added.
   virtual Estimate add(const PreparedScan& scan) = 0;
 
   /// The last trusted pose; nothing before the first scan.

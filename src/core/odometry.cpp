@@ -31,6 +31,7 @@ struct Odometry::State {
   Session session;
   Pose T_world_map;
   std::unique_ptr<FrontEnd> front_end;
+  PreparedScan accepted;                    // the last one, kept for the front-end
   std::optional<std::int64_t> last_mid_ns;  // of the scans that were not rejected
 
   [[nodiscard]] std::string objection(const PreparedScan& scan) const;
@@ -47,13 +48,18 @@ Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 Estimate Odometry::add_scan(const Scan& scan) {
   const Session& session = state_->session;
   session.begin_step(Step::preprocess);
-  const PreparedScan prepared = preprocess(scan, session.config.preprocess);
+  PreparedScan prepared = preprocess(scan, session.config.preprocess);
   std::string objection = state_->objection(prepared);
-  const bool accepted = objection.empty();
-  Estimate estimate =
-      accepted ? state_->front_end->add(prepared) : state_->reject(prepared, std::move(objection));
-  if (accepted) state_->last_mid_ns = estimate.trajectory.mid_ns();
-  estimate.points = static_cast<int>(prepared.points.size());
+  const auto points = static_cast<int>(prepared.points.size());
+  Estimate estimate;
+  if (objection.empty()) {
+    std::swap(state_->accepted, prepared);
+    estimate = state_->front_end->add(state_->accepted);
+    state_->last_mid_ns = estimate.trajectory.mid_ns();
+  } else {
+    estimate = state_->reject(prepared, std::move(objection));
+  }
+  estimate.points = points;
   session.begin_step(Step::idle);
   return state_->in_world(std::move(estimate));
 }

@@ -53,6 +53,16 @@ void find_interval(const Scan& scan, PreparedScan& prepared) {
   prepared.end_ns += *last;
 }
 
+/// Those of the values that are of valid points; none of none.
+template <typename T>
+std::vector<T> chosen(const std::vector<T>& values, const std::vector<std::uint32_t>& valid) {
+  if (values.size() <= valid.size()) return values;
+  std::vector<T> kept;
+  kept.reserve(valid.size());
+  for (const std::uint32_t i : valid) kept.push_back(values[i]);
+  return kept;
+}
+
 /// All points equal (a driver's zero-filled message, say) tell nothing.
 std::string check_extent(const PreparedScan& prepared, double min_extent) {
   Eigen::AlignedBox3f box;
@@ -76,19 +86,23 @@ PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
   const bool timed = duration > 0.0;  // all times equal: nothing to deskew
   const double near = config.min_range * config.min_range;
   const double far = config.max_range * config.max_range;
-  prepared.points.reserve(scan.points.size());
-  if (timed) prepared.taus.reserve(scan.points.size());
+  std::vector<std::uint32_t> valid;
+  valid.reserve(scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const double range2 = scan.points[i].cast<double>().squaredNorm();
     if (!(range2 >= near && range2 <= far) || range2 == 0.0) continue;  // NaN fails here too
-    prepared.points.push_back(scan.points[i]);
-    if (timed) {  // [Eq 1]
+    valid.push_back(static_cast<std::uint32_t>(i));
+  }
+  prepared.points = chosen(scan.points, valid);
+  prepared.intensities = chosen(scan.intensities, valid);
+  prepared.rings = chosen(scan.rings, valid);
+  if (timed) {
+    prepared.taus.reserve(valid.size());
+    for (const std::uint32_t i : valid) {  // [Eq 1]
       const auto since_start =
           static_cast<double>(scan.stamp_ns + scan.times_ns[i] - prepared.start_ns);
       prepared.taus.push_back(static_cast<float>(since_start / duration));
     }
-    if (!scan.intensities.empty()) prepared.intensities.push_back(scan.intensities[i]);
-    if (!scan.rings.empty()) prepared.rings.push_back(scan.rings[i]);
   }
 
   if (prepared.points.size() < static_cast<std::size_t>(config.min_points)) {

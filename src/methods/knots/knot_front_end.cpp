@@ -6,6 +6,7 @@
 #include "methods/knots/knot_front_end.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -50,13 +51,15 @@ constexpr int kAgree = 3;
 
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
-  std::uint64_t hash = points.size();
+  constexpr std::uint64_t kFactor = 0x100000001b3ULL;
+  std::array<std::uint64_t, 3> hashes = {points.size(), 0, 0};  // of each axis: three at a time
   for (const Eigen::Vector3f& p : points) {
-    for (int axis = 0; axis < 3; ++axis) {
-      hash = (hash ^ std::bit_cast<std::uint32_t>(p[axis])) * 0x100000001b3ULL;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      hashes[axis] =
+          (hashes[axis] ^ std::bit_cast<std::uint32_t>(p[static_cast<int>(axis)])) * kFactor;
     }
   }
-  return hash;
+  return ((hashes[0] * kFactor) ^ hashes[1]) * kFactor ^ hashes[2];
 }
 
 }  // namespace
@@ -116,9 +119,9 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   learn(registered, 1.0 - hazard_now);
   session_.begin_step(Step::map);
   if (first_scan_) {
-    DeskewedScan this_scan = std::move(last_scan_);
+    const ToDeskew this_scan = to_deskew_;
     map_first_scan(registered.found.window.mean_velocity());
-    last_scan_ = std::move(this_scan);
+    to_deskew_ = this_scan;
   }
   first_scan_.reset();
   integrate(std::move(view));
@@ -320,7 +323,7 @@ Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uin
   }
   estimate.covariance = unregistered_covariance(config_.health);
   const ScanTrajectory trajectory = registered.predicted.trajectory(scan.start_ns, scan.end_ns);
-  last_scan_ = {deskew(scan, trajectory, session_.workers), scan.intensities};
+  to_deskew_ = {&scan, trajectory};
   return publish(trajectory, std::move(estimate));
 }
 
@@ -338,15 +341,27 @@ void KnotFrontEnd::finish(const KnotWindow& window, const Matrix12& information)
   velocity_ = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
 }
 
-/// Deskews a scan, and puts what it saw into the map's frame.
+const DeskewedScan& KnotFrontEnd::deskewed_scan() const {
+  if (to_deskew_.scan != nullptr) {
+    const PreparedScan& scan = *to_deskew_.scan;
+    last_scan_ = {deskew(scan, to_deskew_.trajectory, session_.workers), scan.intensities};
+    to_deskew_.scan = nullptr;
+  }
+  return last_scan_;
+}
+
+/// Puts what a scan saw, deskewed, into the map's frame.
 View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                         const ScanTrajectory& trajectory) {
   const Pose middle = trajectory.at(0.5);
-  last_scan_ = {deskew(scan, trajectory, session_.workers), scan.intensities};
+  to_deskew_ = {&scan, trajectory};
+  const Deskewing deskewing(trajectory);
   std::vector<Eigen::Vector3d> points;
   points.reserve(thinned.size());
   for (const std::uint32_t i : thinned) {
-    points.push_back(middle * last_scan_.points[i].cast<double>());
+    const Eigen::Vector3f& point = scan.points[i];
+    points.push_back(middle *
+                     (scan.taus.empty() ? point : deskewing(point, scan.taus[i])).cast<double>());
   }
   return {middle.translation, std::move(points)};
 }

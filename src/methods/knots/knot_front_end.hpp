@@ -25,7 +25,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] std::optional<StampedPose> last_pose() const override { return last_pose_; }
   [[nodiscard]] Twist velocity() const override { return velocity_; }
   [[nodiscard]] const LevelReport& level() const override { return level_; }
-  [[nodiscard]] const DeskewedScan& deskewed_scan() const override { return last_scan_; }
+  [[nodiscard]] const DeskewedScan& deskewed_scan() const override;
   [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override { return map_.points(); }
   [[nodiscard]] Cubes emptied_cubes() const override { return emptied_; }
 
@@ -43,6 +43,11 @@ class KnotFrontEnd : public FrontEnd {
     ScanTrajectory trajectory;
     Estimate estimate;
     Signs signs;
+  };
+  /// A scan that can be deskewed when that is asked for; null once it is.
+  struct ToDeskew {
+    const PreparedScan* scan = nullptr;
+    ScanTrajectory trajectory;
   };
   /// Since it is lost.
   struct PoseSearch {
@@ -111,7 +116,9 @@ class KnotFrontEnd : public FrontEnd {
   bool seen_again_ = false;              // this scan's are the same
   std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
-  DeskewedScan last_scan_;
+  // The last scan. Few of its points are needed here, all of them only by who asks.
+  mutable ToDeskew to_deskew_;
+  mutable DeskewedScan last_scan_;
   Cubes emptied_;             // by the last scan
   std::int64_t held_ns_ = 0;  // when a scan last held all directions
   int agreed_ = 0;            // trusted scans of this map

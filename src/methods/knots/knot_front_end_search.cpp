@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/deskew.hpp"
 #include "core/information.hpp"
 #include "methods/knots/knot_front_end.hpp"
 #include "methods/knots/knot_search.hpp"
@@ -182,7 +181,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   estimate.covariance = unregistered_covariance(config_.health);
   const Pose& last = end_.prior.means[1];
   const ScanTrajectory guess({last, last}, scan.start_ns, scan.end_ns);
-  last_scan_ = {deskew(scan, guess, session_.workers), scan.intensities};
+  to_deskew_ = {&scan, guess};
   return publish(guess, std::move(estimate));
 }
 
