@@ -71,10 +71,10 @@ void add_contradiction(const TimeTrials& trials, const io::OpenOptions& reader,
 void add_untrusted(const MotionCheck& motion, std::vector<Finding>& findings) {
   const TimeTrial& best = motion.trials.trials[motion.trials.preferred];
   if (best.untrusted == 0) return;
-  constexpr double kHabit = 0.1;
+  constexpr double kMostUntrusted = 0.1;
   const double share = static_cast<double>(best.untrusted) / static_cast<double>(motion.count);
   findings.push_back(
-      {share > kHabit, "scans that do not fit those before",
+      {share > kMostUntrusted, "scans that do not fit those before",
        text("%zu of the %zu that were tried were not registered", best.untrusted, motion.count), 0,
        ""});
 }

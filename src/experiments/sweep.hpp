@@ -33,9 +33,9 @@ struct SweepCell {
 
 struct SweepRow {
   std::string label;
-  std::vector<SweepCell> cells;  ///< one a recording
+  std::vector<SweepCell> cells = {};  ///< one a recording
   /// Geometric means against the first row, over the recordings that neither has lost.
-  std::optional<double> ape_ratio, step_ratio;
+  std::optional<double> ape_ratio = {}, step_ratio = {};
   double milliseconds = 0.0;  ///< mean over the recordings of the median time per scan
   std::size_t untrusted = 0;  ///< scans without a measured pose
 };

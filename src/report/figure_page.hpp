@@ -23,9 +23,9 @@ struct LegendEntry {
 
 struct FigurePage {
   std::vector<LegendEntry> legend;
-  std::vector<double> heights;  ///< of each panel, as a share of its width
+  std::vector<double> heights = {};  ///< of each panel, as a share of its width
   /// Draws a panel into its rectangle.
-  std::function<void(Canvas& canvas, const Rect& rect, std::size_t panel)> draw;
+  std::function<void(Canvas& canvas, const Rect& rect, std::size_t panel)> draw = {};
 };
 
 /// "(a) title", as figures with several panels are cited.

@@ -23,9 +23,9 @@ struct SeriesPanel {
 };
 
 struct SeriesFigure {
-  std::vector<std::string> names;  ///< of the curves, in the legend
-  std::string quantity;            ///< with its unit: "position error [m]"
-  std::vector<SeriesPanel> panels;
+  std::vector<std::string> names = {};  ///< of the curves, in the legend
+  std::string quantity = {};            ///< with its unit: "position error [m]"
+  std::vector<SeriesPanel> panels = {};
 };
 
 /// Writes the figure as PNG, SVG or PDF, by the extension of `path`. Throws std::invalid_argument

@@ -27,7 +27,7 @@ struct ScannerOptions {
   bool footprint = true;     ///< several rays a beam: mixed pixels, slanted surfaces
   bool dual_return = false;  ///< strongest and last instead of the strongest alone
   bool robot_body = false;   ///< the robot's own trunk is in view
-  AirOptions air;            ///< rain and dust
+  AirOptions air = {};       ///< rain and dust
 };
 
 /// One return, for the sensor's own packets.

@@ -203,7 +203,7 @@ Seeds ouster_seeds() {
   Seeds seeds;
   for (const OusterFormat& format : kOusterFormats) {
     std::string packets(1, static_cast<char>(seeds.size()));
-    for (const std::uint16_t i : {0, 1}) {
+    for (const int i : {0, 1}) {
       std::string one = sensors::test::ouster_packet(format.pixel_bytes, format.legacy, 65'535,
                                                      static_cast<std::uint16_t>(16 * i),
                                                      1'000'000 + 25'000'000ULL * i);

@@ -114,7 +114,8 @@ def build(mutants, source, folder):
                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={shutil.which('ccache') or ''}"],
                    check=True, stdout=subprocess.DEVNULL)
     programs = sorted({mutant.program for mutant in mutants})
-    subprocess.run(["cmake", "--build", folder, "--target", *programs], check=True)
+    # All that do not compile at once.
+    subprocess.run(["cmake", "--build", folder, "--target", *programs, "--", "-k", "0"], check=True)
 
 
 def passes(folder, program, tests, number):

@@ -109,7 +109,9 @@ TEST_F(ScansCsv, AScanWithoutStagesHasNoNumbersOfThem) {
       EXPECT_TRUE(std::isnan(column.values[0]));
       EXPECT_EQ(column.values[1], 4.0F);
     }
-    if (column.name == "stage2_matches") EXPECT_TRUE(std::isnan(column.values[1]));
+    if (column.name == "stage2_matches") {
+      EXPECT_TRUE(std::isnan(column.values[1]));
+    }
   }
 }
 

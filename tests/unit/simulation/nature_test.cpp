@@ -116,7 +116,9 @@ TEST(AirTest, EndsTheShareOfBeamsThatWasAskedAndChangesNothingElse) {
       }
       drops += 1.0;
       // Nearer than the surface, whose own range is noisy.
-      if (same != seen.end()) EXPECT_LT(wet.scan.points[i].norm(), same->second.norm() + 0.15F);
+      if (same != seen.end()) {
+        EXPECT_LT(wet.scan.points[i].norm(), same->second.norm() + 0.15F);
+      }
     }
     // A few fall behind the walls, where there is nothing to see.
     const double share = drops / static_cast<double>(wet.scan.points.size());

@@ -164,7 +164,9 @@ TEST(Cloud, TheFinestOneAnswersAgainAndAgain) {
     if (first == nullptr) continue;
     EXPECT_EQ(map.find(place, place - kSensor, finest, remembered), first);
     EXPECT_EQ(find(map, place, finest), first);
-    if (first->cloud()) EXPECT_GE(remembered.level, finest);
+    if (first->cloud()) {
+      EXPECT_GE(remembered.level, finest);
+    }
   }
   ASSERT_NE(find(map, kMiddle, 2), nullptr);
   EXPECT_TRUE(find(map, kMiddle, 2)->cloud());
