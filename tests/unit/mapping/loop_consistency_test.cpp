@@ -61,6 +61,27 @@ TEST(LoopConsistency, RightLoopsAgreeAndAFalseOneIsAlone) {
   EXPECT_FALSE(supported[first + 3]);
 }
 
+/// Seen from elsewhere: a loop's own motion, and what its errors do at the end of it, count.
+TEST(LoopConsistency, LoopsBetweenPlacesApartAgreeAsTheirMotionsSay) {
+  std::vector<Pose> truth;
+  PoseGraph graph = two_laps(&truth);
+  const std::size_t first = graph.edges.size();
+  const auto add = [&](std::size_t from, std::size_t to, const Pose& error) {
+    graph.edges.push_back(loop(from, to, truth[from].inverse() * truth[to] * error));
+  };
+  add(2, 27, {});
+  add(4, 33, {});
+  Pose turned;
+  turned.rotation = so3_exp({0.0, 0.0, 0.12});
+  add(6, 35, turned);  // within what the loops leave open, at so long an arm
+  Pose aside;
+  aside.translation = {0.0, 12.0, 0.0};
+  add(5, 30, aside);
+  const auto agree = pairwise_agreement(graph, {first, first + 1, first + 2, first + 3});
+  EXPECT_TRUE(agree[0][1] && agree[0][2] && agree[1][2]);
+  EXPECT_FALSE(agree[0][3] || agree[1][3]);
+}
+
 /// Against all subsets.
 TEST(LargestClique, IsTheLargest) {
   std::mt19937 random(4);

@@ -67,6 +67,16 @@ TEST(KnotSearch, LooksNoFartherThanItsRegion) {
   }
 }
 
+TEST(KnotSearch, ItsRegionIsRound) {
+  const SurfelMap map = map_of_the_hall();
+  const Pose truth{Eigen::Quaterniond::Identity(), {-2.0, 0.0, 0.45}};
+  Pose centre = truth;
+  centre.translation += Eigen::Vector3d(-3.8, -3.8, 0.0);
+  const auto places =
+      search_places(map, thinned(points_from(truth)), {centre, 4.0, 0.2}, 4, Workers(1));
+  for (const PlaceFit& place : places) EXPECT_FALSE(same_place(place.pose, truth));
+}
+
 TEST(KnotSearch, PointsOfNowhereFitNowhere) {
   const SurfelMap map = map_of_the_hall();
   std::vector<Eigen::Vector3d> far = thinned(points_from(kMapped));
