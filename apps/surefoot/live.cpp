@@ -24,6 +24,7 @@
 #include "recorded_options.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
+#include "runs/run_files.hpp"
 
 namespace surefoot::app {
 
@@ -95,7 +96,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     work = [&] {
       commands.work([&](const std::string& one) { return execute(one, recording, run); });
     };
-    const std::filesystem::path log = folder / live::kLogFile;
+    const std::filesystem::path log = folder / runs::kLiveLogFile;
     recording.log().open(log);
     arguments.run.given.emplace_back("like", std::filesystem::absolute(log).string());
   };

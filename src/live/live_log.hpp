@@ -13,8 +13,6 @@
 
 namespace surefoot::live {
 
-inline constexpr const char* kLogFile = "live.log";
-
 class LiveLog {
  public:
   void used(std::int64_t stamp_ns, const std::string& scan, double latency_ms);

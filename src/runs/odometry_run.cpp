@@ -69,6 +69,7 @@ class OdometryRun final : public RunControl {
   [[nodiscard]] double progress(std::size_t done) const;
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void check_bags() const;
+  void check_log() const;
   void open_bags();
   void begin_map();
   void write_page(const std::filesystem::path& folder) const;
@@ -100,6 +101,7 @@ RunOutcome OdometryRun::execute() {
         fmt::format("{}: no scans after the first {}", options_.input.string(), options_.start));
   }
   check_bags();
+  check_log();
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
   if (!options_.localize.empty()) localization_.emplace(options_.localize, T_lidar_written_);
   RunOutput output(options_);
@@ -274,6 +276,17 @@ void OdometryRun::check_bags() const {
                                ": is there already; choose another name, or --overwrite");
     }
   }
+}
+
+/// It is one of the files that go where a run's folder is written anew.
+void OdometryRun::check_log() const {
+  std::error_code ignored;
+  if (options_.like.empty() || options_.output.empty()) return;
+  const std::filesystem::path folder = std::filesystem::absolute(options_.like).parent_path();
+  if (!std::filesystem::equivalent(folder, options_.output, ignored)) return;
+  throw std::runtime_error(options_.output.string() + ": is where " +
+                           options_.like.filename().string() +
+                           " lies, which is to be followed; choose another folder");
 }
 
 void OdometryRun::open_bags() {

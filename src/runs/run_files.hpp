@@ -26,13 +26,16 @@ inline constexpr const char* kSavedMapFile = "map.surefoot";  // to come back to
 // And in a saved map:
 inline constexpr const char* kMapFrameTrajectoryFile = "trajectory_map.tum";
 inline constexpr const char* kLocalizationFile = "localization.csv";
+/// Of a live run: what became of every scan.
+inline constexpr const char* kLiveLogFile = "live.log";
 inline constexpr const char* kPictureFile = "picture.png";
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kDescriptionFile = "run.yaml";
 
 /// In the order in which an earlier run's are removed: those that tell a run's folder from another
 /// go last.
-inline constexpr std::array kRunFiles = {kRevisitsFile,
+inline constexpr std::array kRunFiles = {kLiveLogFile,
+                                         kRevisitsFile,
                                          kMapFrameTrajectoryFile,
                                          kLocalizationFile,
                                          kSavedMapFile,

@@ -198,6 +198,16 @@ TEST_F(LiveTest, WhatItCannotKeepUpWithIsDroppedToldAndRepeated) {
       with({"run", "hall.pcap", "--like", "live/live.log", "-o", "like"}, kBare), scratch_.path());
   EXPECT_EQ(like.exit_code, 0) << like;
   expect_same("live", "like", {"trajectory.tum", "map.ply"});
+  // Into the live run's own folder: not over the log that is followed, else without it.
+  const ProcessResult over = run_surefoot(
+      with({"run", "hall.pcap", "--like", "live/live.log", "-o", "live"}, kBare), scratch_.path());
+  EXPECT_EQ(over.exit_code, 2) << over;
+  EXPECT_NE(over.errors.find("live: is where live.log lies"), std::string::npos) << over;
+  EXPECT_EQ(content("live/live.log"), log);
+  const ProcessResult anew =
+      run_surefoot(with({"run", "hall.pcap", "-o", "live"}, kBare), scratch_.path());
+  EXPECT_EQ(anew.exit_code, 0) << anew;
+  EXPECT_FALSE(fs::exists(scratch_.path() / "live" / "live.log"));
 }
 
 TEST_F(LiveTest, ASignalLeavesWholeFiles) {
