@@ -34,23 +34,12 @@ inline constexpr const char* kDescriptionFile = "run.yaml";
 
 /// In the order in which an earlier run's are removed: those that tell a run's folder from another
 /// go last.
-inline constexpr std::array kRunFiles = {kLiveLogFile,
-                                         kRevisitsFile,
-                                         kMapFrameTrajectoryFile,
-                                         kLocalizationFile,
-                                         kSavedMapFile,
-                                         kPoseGraphFile,
-                                         kLoopsFile,
-                                         kOptimizedMapFile,
-                                         kOptimizedTrajectoryFile,
-                                         kReportFile,
-                                         kPictureFile,
-                                         kDeskewingFile,
-                                         kMapFile,
-                                         kDenseTrajectoryFile,
-                                         kKittiTrajectoryFile,
-                                         kTrajectoryFile,
-                                         kDescriptionFile,
-                                         kScansFile};
+inline constexpr std::array kRunFiles = {
+    kLiveLogFile,      kRevisitsFile,        kMapFrameTrajectoryFile,
+    kLocalizationFile, kSavedMapFile,        kPoseGraphFile,
+    kLoopsFile,        kOptimizedMapFile,    kOptimizedTrajectoryFile,
+    kReportFile,       kPictureFile,         kDeskewingFile,
+    kMapFile,          kDenseTrajectoryFile, kKittiTrajectoryFile,
+    kTrajectoryFile,   kDescriptionFile,     kScansFile};
 
 }  // namespace surefoot::runs
