@@ -1,4 +1,5 @@
-# Bundles web/ to the report's page, inside of a C++ source: SUREFOOT_PAGE_SOURCE. That takes
+# Bundles web/ to the report's page, inside of a C++ source: SUREFOOT_PAGE_SOURCE, and to that of a
+# live run: live_page_content.cpp beside it. That takes
 # Node.js and npm, and once the network, from which `npm ci` brings the libraries that
 # web/package-lock.json names. Where one of these is missing the program is built without the page.
 # Included where that source is compiled.
@@ -65,14 +66,18 @@ function(surefoot_add_page)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/src/*)
   set(scripts ${PROJECT_SOURCE_DIR}/web/build.mjs ${PROJECT_SOURCE_DIR}/web/embed.mjs)
   add_custom_command(
-    OUTPUT ${SUREFOOT_WEB_DIR}/page_template.cpp
+    OUTPUT ${SUREFOOT_WEB_DIR}/page_template.cpp ${SUREFOOT_WEB_DIR}/live_page_content.cpp
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${PROJECT_SOURCE_DIR}/web/src ${SUREFOOT_WEB_DIR}/src
     COMMAND ${CMAKE_COMMAND} -E copy ${scripts} ${SUREFOOT_WEB_DIR}
-    COMMAND ${SUREFOOT_NODE} build.mjs report.html
+    COMMAND ${SUREFOOT_NODE} build.mjs report report.html
     COMMAND ${SUREFOOT_NODE} embed.mjs report.html page_template.cpp
+            report/page.hpp report page_template
+    COMMAND ${SUREFOOT_NODE} build.mjs live live.html
+    COMMAND ${SUREFOOT_NODE} embed.mjs live.html live_page_content.cpp
+            live_page/page_content.hpp live_page page_content
     WORKING_DIRECTORY ${SUREFOOT_WEB_DIR}
     DEPENDS ${sources} ${scripts} ${SUREFOOT_WEB_DIR}/node_modules/.surefoot_stamp
-    COMMENT "Bundling the report's page" VERBATIM)
+    COMMENT "Bundling the report's page and the live one" VERBATIM)
 endfunction()
 
 set(SUREFOOT_PAGE OFF CACHE INTERNAL "")

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// node build.mjs OUT: bundles src/ to one HTML file that loads nothing, with places for a report's
-// title and data.
+// node build.mjs report|live OUT: bundles src/ to one HTML file that loads nothing: a report, with
+// places for its title and data, or the page of a live run.
+import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -29,14 +30,26 @@ function inside(element, text) {
   return text.replaceAll(`</${element}`, `<\\/${element}`);
 }
 
-const [output] = process.argv.slice(2);
+const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+
+const kPages = {
+  report: ["page.html", "main.js"],
+  live: ["live/page.html", "live/main.js"],
+};
+const [name, output] = process.argv.slice(2);
+const [frame, entry] = kPages[name];
 const [page, script, style] = await Promise.all([
-  readFile(join(source, "page.html"), "utf8"),
-  bundle("main.js"),
-  bundle("style.css"),
+  readFile(join(source, frame), "utf8"),
+  bundle(entry).then((text) => inside("script", text)),
+  bundle("style.css").then((text) => inside("style", text)),
 ]);
-const parts = { "{{script}}": inside("script", script), "{{style}}": inside("style", style) };
+const parts = {
+  "{{script}}": script,
+  "{{style}}": style,
+  "{{script-hash}}": hash(script),
+  "{{style-hash}}": hash(style),
+};
 await writeFile(
   output,
-  page.replace(/\{\{(?:script|style)\}\}/g, (place) => parts[place]),
+  page.replace(/\{\{(?:script|style)(?:-hash)?\}\}/g, (place) => parts[place]),
 );

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// node embed.mjs PAGE OUT: the page as the C++ function that src/report/page.hpp declares.
+// node embed.mjs PAGE OUT HEADER NAMESPACE FUNCTION: the page as a C++ function of that name, which
+// the header declares; "report/page.hpp", say.
 import { readFile, writeFile } from "node:fs/promises";
 
-const [input, output] = process.argv.slice(2);
+const [input, output, header, namespace, name] = process.argv.slice(2);
 
 /** As the inside of a string literal; octal escapes end after three digits, whatever follows. */
 function literal(bytes) {
@@ -24,17 +25,17 @@ for (let at = 0; at < page.length; at += 4096) {
 await writeFile(
   output,
   `// Made by web/embed.mjs from web/src.
-#include "report/page.hpp"
+#include "${header}"
 
-namespace surefoot::report {
+namespace surefoot::${namespace} {
 
 namespace {
 constexpr char kPage[] =
 ${lines.join("\n")};
 }  // namespace
 
-std::string_view page_template() { return {kPage, sizeof(kPage) - 1}; }
+std::string_view ${name}() { return {kPage, sizeof(kPage) - 1}; }
 
-}  // namespace surefoot::report
+}  // namespace surefoot::${namespace}
 `,
 );

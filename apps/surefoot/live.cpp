@@ -18,6 +18,9 @@
 #include "live/live_recording.hpp"
 #include "live_ends.hpp"
 #include "live_figures.hpp"
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+#include "live_viewers.hpp"
+#endif
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
@@ -70,13 +73,22 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   arguments.live.stopped = [&] { return interrupt.interrupted(); };
   live::CommandQueue commands;
   Ends ends = ends_of(arguments, commands);
-  // Whoever still waits for an answer is told before the server that waits for it ends.
-  const std::shared_ptr<void> at_end(nullptr, [&](void*) { commands.close(); });
   std::function<void()> work = [] {};
   arguments.live.idle = [&] { work(); };
   live::LiveRecording recording(std::move(ends.stream), arguments.live);
   std::optional<LivePublisher> publisher;
   if (ends.messages) publisher.emplace(ends.messages);
+  std::function<void(const std::string&, const Estimate&, const Odometry&)> answered;
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+  std::optional<LiveViewers> viewers;
+  if (arguments.page) {
+    viewers.emplace(*arguments.page, arguments.run.input.filename().string(), commands, recording);
+    fmt::print(stderr, "page: {}\n", viewers->address());
+    answered = std::bind_front(&LiveViewers::answered, &*viewers);
+  }
+#endif
+  // Whoever still waits for an answer is told before the server that waits for it ends.
+  const std::shared_ptr<void> at_end(nullptr, [&](void*) { commands.close(); });
 
   const bool quiet = arguments.run.quiet;
   Clock::time_point told = Clock::now();
@@ -84,7 +96,10 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     if (!quiet) fmt::print(stderr, "{}\n", text);
   };
   const auto progress = [&](std::size_t, double) {
-    recording.done();
+    [[maybe_unused]] const double latency_ms = recording.done();
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+    if (viewers) viewers->used(latency_ms);
+#endif
     work();
     if (publisher) publisher->tell(recording.figures());
     constexpr auto kPeriod = std::chrono::seconds(10);
@@ -102,7 +117,8 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   };
   // Ctrl-C ends the stream, not the run: what was received is used.
   const runs::RunOutcome outcome = runs::run_odometry(
-      arguments.run, {say, progress, [] { return false; }, started, ends.messages}, recording);
+      arguments.run, {say, progress, [] { return false; }, started, answered, ends.messages},
+      recording);
   if (!quiet) print_end(recording.figures(), outcome, ends.of_topic);
   if (outcome.poses == 0) {
     throw io::ReadError(fmt::format("{}: none of {} scans could be used; scans.csv in {} says why",
@@ -160,6 +176,9 @@ void add_live_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("live", "Run on a sensor's packets or a topic's messages as they come");
   add_source_options(*command, *arguments);
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+  add_page_option(*command, arguments->page);
+#endif
 #ifdef SUREFOOT_HAS_ROS2
   add_ros2_options(*command, arguments->ros2);
 #endif

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "io/bags/bag_writer.hpp"
@@ -28,6 +29,7 @@ struct LiveArguments {
   std::filesystem::path replay;
   double speed = 1.0;
   std::filesystem::path record;
+  std::optional<std::uint16_t> page;  ///< port of it; empty: none
 #ifdef SUREFOOT_HAS_ROS2
   Ros2Arguments ros2;
 #endif

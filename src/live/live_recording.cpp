@@ -126,8 +126,8 @@ void LiveRecording::pause(bool paused) {
   paused_ = paused;
 }
 
-void LiveRecording::done() {
-  if (!given_) return;
+double LiveRecording::done() {
+  if (!given_) return 0.0;
   const double latency_ms = milliseconds(Clock::now() - given_->received);
   log_.used(given_->stamp_ns, given_->name, latency_ms);
   given_.reset();
@@ -139,6 +139,7 @@ void LiveRecording::done() {
   } else {
     latencies[next_latency_++ % kMostLatencies] = latency_ms;
   }
+  return latency_ms;
 }
 
 const std::vector<std::string>& LiveRecording::notes() const {
@@ -158,6 +159,7 @@ LiveFigures LiveRecording::figures() const {
   figures.received = state_.received;
   figures.lost = state_.lost;
   figures.packets = state_.packets;
+  figures.is_paused = paused_;
   return figures;
 }
 

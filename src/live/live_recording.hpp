@@ -39,9 +39,10 @@ struct LiveFigures {
   std::size_t received = 0;  ///< datagrams or messages
   std::uint64_t lost = 0;    ///< of them, before they were received
   io::CaptureCounts packets;
-  std::size_t used = 0;              ///< scans
-  std::size_t dropped = 0;           ///< scans that waited for too long
-  std::size_t paused = 0;            ///< scans that came during a pause
+  std::size_t used = 0;     ///< scans
+  std::size_t dropped = 0;  ///< scans that waited for too long
+  std::size_t paused = 0;   ///< scans that came during a pause
+  bool is_paused = false;
   std::size_t unreadable = 0;        ///< messages that no scan could be made of
   std::vector<double> latencies_ms;  ///< from a used scan's last packet to done(); the last 100,000
 };
@@ -62,8 +63,9 @@ class LiveRecording final : public io::Recording {
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] io::CaptureCounts capture_counts() const override { return figures().packets; }
 
-  /// To be called when the scan that next() gave last was used, its pose written.
-  void done();
+  /// To be called when the scan that next() gave last was used, its pose written. What it took
+  /// since its last packet [ms].
+  double done();
   /// Scans that come during a pause are not used.
   void pause(bool paused);
   [[nodiscard]] LiveFigures figures() const;

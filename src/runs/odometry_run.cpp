@@ -173,6 +173,7 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (!options_.no_report) output.add_sample(*item.scan, estimate);
   for (RunBag& bag : bags_) bag.add(item.name, estimate, odometry_);
+  if (listener_.answered) listener_.answered(item.name, estimate, odometry_);
   if (estimate.trusted() && !options_.no_map) {
     const double time = seconds(estimate.stamp_ns - first_stamp_ns_);
     map_.forget(odometry_.emptied_cubes(), time);

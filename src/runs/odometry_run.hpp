@@ -17,6 +17,7 @@
 #include "runs/map_outcome.hpp"
 #include "runs/run_options.hpp"
 #include "surefoot/estimate.hpp"
+#include "surefoot/odometry.hpp"
 
 namespace surefoot::runs {
 
@@ -53,6 +54,9 @@ struct RunListener {
   std::function<bool()> interrupted;  ///< true ends the run in good order
   /// The folder is made, nothing is used yet. May be empty.
   std::function<void(const std::filesystem::path& folder, RunControl& run)> started = {};
+  /// A scan was answered; `odometry` has just done it. May be empty.
+  std::function<void(const std::string& name, const Estimate& estimate, const Odometry& odometry)>
+      answered = {};
   /// Where else the run's messages go, as it runs. May be null.
   std::shared_ptr<io::BagWriter> messages = {};
 };

@@ -230,6 +230,45 @@ TEST_F(LiveTest, ASignalLeavesWholeFiles) {
   }
 }
 
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+/// The port that the program says its page has.
+std::uint16_t page_port(const fs::path& errors) {
+  const std::string begin = "page: http://127.0.0.1:";
+  for (int i = 0; i < 1000; ++i) {
+    const std::string text = file_content(errors);
+    const std::size_t at = text.find(begin);
+    if (at != std::string::npos && text.find('\n', at) != std::string::npos) {
+      return static_cast<std::uint16_t>(std::stoi(text.substr(at + begin.size())));
+    }
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  return 0;
+}
+
+TEST_F(LiveTest, WhoLooksAtItAndNeverReadsChangesNothing) {
+  const Process process(with({"live", "--replay", "hall.pcap", "--speed", "0.5", "--queue", "1000",
+                              "--page", "0", "-o", "live"},
+                             kBare),
+                        scratch_.path());
+  const std::uint16_t port = page_port(scratch_.path() / "stderr.txt");
+  ASSERT_NE(port, 0);
+  std::vector<int> sleepers;
+  const std::string request =
+      "GET /events HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\n\r\n";
+  for (int i = 0; i < 20; ++i) {
+    sleepers.push_back(::socket(AF_INET, SOCK_STREAM, 0));
+    const sockaddr_in address = loopback(port);
+    (void)::connect(sleepers.back(), reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+    (void)::send(sleepers.back(), request.data(), request.size(), MSG_NOSIGNAL);
+  }
+  const ProcessResult live = process.wait();
+  for (const int socket : sleepers) ::close(socket);
+  ASSERT_EQ(live.exit_code, 0) << live;
+  expect_same("offline", "live", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+  EXPECT_EQ(content("live/live.log").find("dropped"), std::string::npos);
+}
+#endif
+
 TEST_F(LiveTest, BadUsageIsExplained) {
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& text) {
     const ProcessResult result = run_surefoot(arguments, scratch_.path());

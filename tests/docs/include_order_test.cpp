@@ -60,6 +60,7 @@ const std::vector<Layer> kLayers = {
     {"evaluation", {"geometry"}},
     {"simulation", {"geometry", "sensors"}},
     {"report", {"geometry"}},
+    {"live_page", {"live", "report"}},
     {"process", {}},
     {"runs", {"geometry", "io", "mapping", "evaluation", "report", "process"}},
     {"checks", {"io", "report", "runs"}},

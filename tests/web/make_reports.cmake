@@ -12,6 +12,7 @@ endfunction()
 file(REMOVE_RECURSE ${folder})
 file(MAKE_DIRECTORY ${folder})
 surefoot(said simulate campus --scans 50 --output walk)
+surefoot(said convert walk walk.mcap)
 surefoot(said run walk --quiet --output run)
 surefoot(said run walk --quiet --output other --method paper)
 # Few points, as the browser draws without a graphics card.

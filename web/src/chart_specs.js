@@ -57,7 +57,7 @@ function translationErrors(context) {
 /** A column that says nothing (a method without that stage) is no line. */
 const says = (values) => values?.some((value) => Number.isFinite(value) && value !== 0);
 
-function columnLines(context, columns) {
+export function columnLines(context, columns) {
   const { scans } = context.run();
   return columns
     .filter(([, name]) => says(scans.columns[name]))

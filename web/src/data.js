@@ -11,7 +11,7 @@ function bytesOf(base64) {
   return bytes;
 }
 
-const floats = (base64) => new Float32Array(bytesOf(base64).buffer);
+export const floats = (base64) => new Float32Array(bytesOf(base64).buffer);
 
 function sharedTexts({ texts, numbers }) {
   return Array.from(new Uint32Array(bytesOf(numbers).buffer), (number) => texts[number]);
@@ -22,7 +22,7 @@ function decodeAll(series) {
 }
 
 /** Length of the path up to each pose [m]; gaps add nothing. */
-function pathLengths(positions) {
+export function pathLengths(positions) {
   const lengths = new Float32Array(positions.length / 3);
   let sum = 0;
   let last = null;
@@ -55,7 +55,7 @@ function decodeMap(map) {
 }
 
 /** Coordinates that were sent in steps [m]. */
-function decodePoints({ low, high, values }) {
+export function decodePoints({ low, high, values }) {
   const steps = new Uint16Array(bytesOf(values).buffer);
   return Float32Array.from(steps, (step, i) => {
     return low[i % 3] + (step / 65535) * (high[i % 3] - low[i % 3]);

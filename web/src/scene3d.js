@@ -15,7 +15,7 @@ import { color, runColor } from "./theme.js";
 const kReach = 24; // [px] from the pointer to a path that it takes hold of
 
 /** Middle and size of what is to be seen. */
-function extentOf(run, truth) {
+function extentOf(run, truth, least) {
   const box = new THREE.Box3();
   const point = new THREE.Vector3();
   for (const positions of [run.path.positions, truth?.positions ?? []]) {
@@ -24,14 +24,15 @@ function extentOf(run, truth) {
     }
   }
   if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
-  const size = Math.max(box.getSize(point).length(), 8);
+  const size = Math.max(box.getSize(point).length(), least);
   return { middle: box.getCenter(new THREE.Vector3()), size };
 }
 
 export class Scene3d {
   /** Throws where the browser has no WebGL. */
-  constructor(canvas, context) {
+  constructor(canvas, context, least = 8) {
     this.context = context;
+    this.least = least; // [m] that are seen around a path that is shorter
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({
       canvas,
@@ -61,6 +62,13 @@ export class Scene3d {
   }
 
   setRun() {
+    this.showRun();
+    this.resetView();
+    this.resize();
+  }
+
+  /** Draws the run as it is now, from where it is looked at. */
+  showRun() {
     for (const line of this.lines) {
       this.scene.remove(line.object);
       line.dispose();
@@ -80,19 +88,19 @@ export class Scene3d {
     this.markers.start.moveTo(run.path.positions, first);
     this.markers.end.moveTo(run.path.positions, last);
     this.setTheme();
-    this.resetView();
-    this.resize();
   }
 
   #addLine(role, positions, style) {
     const line = new PathLine(positions, style);
     line.role = role;
+    line.setSize(this.canvas.clientWidth, this.canvas.clientHeight);
     this.lines.push(line);
     this.scene.add(line.object);
     return line;
   }
 
   #setMap(map) {
+    if (this.points?.map === map) return;
     if (this.points) {
       this.scene.remove(this.points.object);
       this.points.dispose();
@@ -160,7 +168,11 @@ export class Scene3d {
 
   /** Everything in view, from obliquely above. */
   resetView() {
-    const { middle, size } = extentOf(this.context.run(), this.context.recording().truth);
+    const { middle, size } = extentOf(
+      this.context.run(),
+      this.context.recording().truth,
+      this.least,
+    );
     this.controls.target.copy(middle);
     this.camera.position
       .copy(middle)

@@ -14,7 +14,7 @@ function card(title, note, ...content) {
   return el("figure.card", {}, el("figcaption", {}, el("h3", {}, title), note), ...content);
 }
 
-function mapNote(map) {
+export function mapNote(map) {
   if (!map) return "No map in this run's folder.";
   if (map.shown === map.total) return `All ${grouped(map.total)} map points.`;
   const thinned = map.cube ? `, one per ${significant(map.cube, 2)} m cube` : "";
@@ -81,6 +81,14 @@ function mapControls(scene, store, run, legend) {
   ].filter(Boolean);
 }
 
+export function missingScene(error) {
+  return el(
+    "p.failure",
+    {},
+    `The 3-D view needs WebGL, which is not to be had here: ${error.message}`,
+  );
+}
+
 function addScene(holder, controls, legend, context) {
   const canvas = el("canvas", {
     tabIndex: 0,
@@ -93,13 +101,7 @@ function addScene(holder, controls, legend, context) {
   try {
     scene = new Scene3d(canvas, context);
   } catch (error) {
-    holder.replaceChildren(
-      el(
-        "p.failure",
-        {},
-        `The 3-D view needs WebGL, which is not to be had here: ${error.message}`,
-      ),
-    );
+    holder.replaceChildren(missingScene(error));
     return;
   }
   const { store, run } = context;
