@@ -33,17 +33,32 @@ MotionError error_between(const Pair& from, const Pair& to) {
   return {off.translation.norm(), so3_log(off.rotation).norm() * 180.0 / std::numbers::pi};
 }
 
-/// What the last pose is held against.
-const Pair* reference(const std::vector<std::optional<Pair>>& ok) {
-  const int segment = ok.back()->segment;
-  const Pair* first = nullptr;  // of the segment
-  const Pair* best = nullptr;   // at least ten scans old
-  for (std::size_t n = 0; n + 1 < ok.size(); ++n) {
-    if (!ok[n] || ok[n]->segment != segment) continue;
-    if (first == nullptr) first = &*ok[n];
-    if (n + kWrongScans < ok.size()) best = &*ok[n];
+/// A pose that was called ok, and whether it was wrong.
+struct Claimed {
+  Pair pair;
+  bool wrong = false;
+};
+
+/// What a pose is off by, against the one of ten scans before, or where that one was wrong itself,
+/// against the newest right one before it if that is less: who comes back from where a pose went
+/// wrong is right. `claimed`: one a scan, of those before.
+std::optional<MotionError> error_of(const std::vector<std::optional<Claimed>>& claimed,
+                                    const Pair& pair) {
+  const Claimed* first = nullptr;  // of the segment
+  const Claimed* last = nullptr;   // at least ten scans old
+  const Claimed* right = nullptr;  // likewise, of those that were right
+  for (std::size_t n = 0; n < claimed.size(); ++n) {
+    if (!claimed[n] || claimed[n]->pair.segment != pair.segment) continue;
+    if (first == nullptr) first = &*claimed[n];
+    if (n + kWrongScans > claimed.size()) continue;
+    last = &*claimed[n];
+    if (!last->wrong) right = last;
   }
-  return best != nullptr ? best : first;
+  if (first == nullptr) return std::nullopt;
+  const MotionError error = error_between((last != nullptr ? last : first)->pair, pair);
+  if (last == nullptr || !last->wrong || right == nullptr || !error.wrong()) return error;
+  const MotionError since = error_between(right->pair, pair);
+  return since.wrong() ? error : since;
 }
 
 }  // namespace
@@ -91,19 +106,18 @@ std::vector<JudgedScan> run_fault(const FaultWalk& walk, const FaultWalk& elsewh
                                   const Config& config) {
   Odometry odometry(config);
   std::vector<JudgedScan> judged;
-  std::vector<std::optional<Pair>> ok;  // one a scan
-  std::optional<Pair> before;           // the fault
+  std::vector<std::optional<Claimed>> ok;  // one a scan
+  std::optional<Pair> before;              // the fault
   for (std::uint64_t n = 0; n < scans; ++n) {
     const simulation::FaultyScan shown = fault.scan(n, walk.source(), elsewhere.source());
     JudgedScan scan{odometry.add_scan(shown.scan), {}, {}};
     const Estimate& estimate = scan.estimate;
     const Pair pair{estimate.T_world_lidar, shown.T_map_lidar, shown.place, estimate.segment};
     const bool claimed = estimate.status == Status::ok || estimate.status == Status::first_scan;
-    ok.push_back(claimed ? std::optional(pair) : std::nullopt);
     if (claimed && n < simulation::kFaultBegins) before = pair;
-    if (claimed) {
-      if (const Pair* const from = reference(ok)) scan.over_ten = error_between(*from, pair);
-    }
+    if (claimed) scan.over_ten = error_of(ok, pair);
+    const bool wrong = scan.over_ten && scan.over_ten->wrong();
+    ok.push_back(claimed ? std::optional(Claimed{pair, wrong}) : std::nullopt);
     if (before && before->segment == pair.segment) scan.since_fault = error_between(*before, pair);
     judged.push_back(std::move(scan));
   }

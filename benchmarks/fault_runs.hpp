@@ -20,7 +20,8 @@
 
 namespace surefoot::benchmarks {
 
-/// A pose is wrong if it is farther off than this against that of so many scans before.
+/// A pose is wrong if it is farther off than this against that of so many scans before, and, if
+/// that one was wrong itself, against the newest right one before it, too.
 inline constexpr double kWrongDistance = 0.2;  // [m]
 inline constexpr double kWrongAngle = 3.0;     // [deg]
 inline constexpr std::uint64_t kWrongScans = 10;
@@ -64,7 +65,8 @@ struct MotionError {
 struct JudgedScan {
   Estimate estimate;
   /// Against the pose of ten scans before, or the last one called ok before that, of the same
-  /// segment; none if there is none, or this one is not called ok.
+  /// segment; if that one was wrong and this one is right against the newest right one before it,
+  /// against that one. None if there is none, or this one is not called ok.
   std::optional<MotionError> over_ten;
   /// Against the last pose before the fault; none in another segment.
   std::optional<MotionError> since_fault;

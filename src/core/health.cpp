@@ -6,18 +6,18 @@
 
 namespace surefoot {
 
-Judgement judge_registration(const RegistrationEnd& end, double min_match_ratio,
-                             const Config::Health& config) {
-  const double ratio =
-      end.points > 0 ? static_cast<double>(end.matches) / static_cast<double>(end.points) : 0.0;
-  const std::string share =
-      min_match_ratio > 0.0 ? " and a share of " + std::to_string(min_match_ratio) : "";
-  if (end.matches < config.min_matches || ratio < min_match_ratio) {
-    return {Status::too_few_matches, std::to_string(end.matches) + " of " +
-                                         std::to_string(end.points) +
-                                         " points have a match in the map; expected at least " +
-                                         std::to_string(config.min_matches) + share};
-  }
+namespace {
+
+Judgement too_few(const RegistrationEnd& end, const std::string& expected) {
+  return {Status::too_few_matches,
+          std::to_string(end.matches) + " of " + std::to_string(end.points) +
+              " points have a match in the map; expected at least " + expected};
+}
+
+}  // namespace
+
+Judgement judge_registration(const RegistrationEnd& end, const Config::Health& config) {
+  if (end.matches < config.min_matches) return too_few(end, std::to_string(config.min_matches));
   const Pose correction = end.T_0.inverse() * end.T_map_lidar;
   if (!correction.translation.allFinite() || !correction.rotation.coeffs().allFinite()) {
     return {Status::diverged, "the registration's normal equations gave no finite pose"};
@@ -32,6 +32,14 @@ Judgement judge_registration(const RegistrationEnd& end, double min_match_ratio,
                                   std::to_string(config.max_correction_deg) + " deg"};
   }
   return {};
+}
+
+Judgement judge_with_share(const RegistrationEnd& end, const Config::Health& config) {
+  const double expected = config.min_match_ratio * static_cast<double>(end.points);
+  if (end.points == 0 || end.matches < expected) {
+    return too_few(end, "a share of " + std::to_string(config.min_match_ratio));
+  }
+  return judge_registration(end, config);
 }
 
 }  // namespace surefoot

@@ -24,9 +24,13 @@ struct Judgement {
   std::string message;
 };
 
-/// Whether a registration can be trusted: ok, too_few_matches or diverged. Degeneracy is judged
-/// apart (information.hpp). `min_match_ratio`: share of the points that must have a match, 0: none.
-[[nodiscard]] Judgement judge_registration(const RegistrationEnd& end, double min_match_ratio,
+/// Whether a registration is plausible at all: ok, too_few_matches (health.min_matches) or
+/// diverged. Degeneracy is judged apart (information.hpp).
+[[nodiscard]] Judgement judge_registration(const RegistrationEnd& end,
                                            const Config::Health& config);
+
+/// Likewise, and whether the share of the points that have a match suffices
+/// (health.min_match_ratio).
+[[nodiscard]] Judgement judge_with_share(const RegistrationEnd& end, const Config::Health& config);
 
 }  // namespace surefoot

@@ -2,38 +2,129 @@
 // SPDX-License-Identifier: MIT
 #include "methods/knots/knot_attempts.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 namespace surefoot {
 
 namespace {
 
-/// The attempts at one scan, and the best so far.
+// So many points tell where a start leads and, roughly, how well the scan fits there.
+constexpr std::size_t kProbed = 500;
+
+// Two registrations ended at the same place, or one has found a better one.
+constexpr double kSame = 0.01, kSameAngle = 0.005;  // [m], [rad] of every knot
+constexpr double kBetter = 0.98;                    // disagreements' ratio
+
+// Iterations once the kernel has narrowed: where it leads is seen then, whether it converges is not
+// asked.
+constexpr int kSettling = 6;
+
+/// Every so many-th point of each segment.
+KnotPoints every(std::size_t stride, const KnotPoints& points) {
+  KnotPoints some;
+  for (std::size_t s = 0; s + 1 < points.begins.size(); ++s) {
+    some.begins.push_back(some.points.size());
+    for (std::size_t i = points.begins[s]; i < points.begins[s + 1]; i += stride) {
+      some.points.push_back(points.points[i]);
+    }
+  }
+  some.begins.push_back(some.points.size());
+  return some;
+}
+
+/// Each of the points that are left counts as so many.
+Config::Knots weighed(Config::Knots config, std::size_t stride) {
+  config.independence *= static_cast<double>(stride);
+  return config;
+}
+
+bool same_end(const KnotWindow& a, const KnotWindow& b) {
+  for (std::size_t k = 2; k < a.knots.size(); ++k) {
+    if ((a.knots[k].translation - b.knots[k].translation).norm() > kSame) return false;
+    if (a.knots[k].rotation.angularDistance(b.knots[k].rotation) > kSameAngle) return false;
+  }
+  return true;
+}
+
+bool is_better(const KnotRegistration& a, const KnotRegistration& b, double unseen_weight) {
+  return a.solved && (!b.solved || a.disagreement(unseen_weight) < b.disagreement(unseen_weight));
+}
+
+/// Where other starts than the first lead: by some of the points, so that all of them together cost
+/// about as much as one registration. Most lead to where the first did.
 class Attempts {
  public:
-  explicit Attempts(KnotPoints& points) : points_(points) {}
-
-  void add(const KnotProblem& problem, const KnotWindow& start, const Annealing& annealing) {
-    for (KnotPoints::Point& point : points_.points) point.place = {};
-    KnotRegistration found = register_knots(points_, problem, start, annealing);
-    const double unseen = problem.config.unseen_weight;
-    const bool better = found.solved && found.disagreement(unseen) < best_.disagreement(unseen);
-    if (!best_.solved || better) best_ = std::move(found);
+  Attempts(const KnotPoints& points, const KnotProblem& problem, const KnotRegistration& first)
+      : stride_(std::max<std::size_t>(points.points.size() / kProbed, 1)),
+        points_(every(stride_, points)),
+        config_(weighed(problem.config, stride_)),
+        first_(first) {
+    // By one look from where it ended, how much of these points disagrees there.
+    const Annealing look{config_.kernel_end, 1.0, 1};
+    least_ = disagreement(register_from(first.window, problem, look));
+    if (first.converged) least_ *= kBetter;
   }
 
-  [[nodiscard]] const KnotRegistration& best() const { return best_; }
+  void add(const KnotProblem& problem, const KnotWindow& start, Annealing annealing) {
+    annealing.max_iterations = std::min(annealing.max_iterations, most_iterations(annealing));
+    KnotRegistration found = register_from(start, problem, annealing);
+    if (!found.solved || disagreement(found) >= least_) return;
+    if (first_.converged && same_end(found.window, first_.window)) return;
+    least_ = disagreement(found);
+    best_ = std::move(found.window);
+  }
+
+  /// Where one ended better than the first did, if one has.
+  [[nodiscard]] const std::optional<KnotWindow>& best() const { return best_; }
 
  private:
-  KnotPoints& points_;
-  KnotRegistration best_;
+  [[nodiscard]] double disagreement(const KnotRegistration& found) const {
+    return found.disagreement(config_.unseen_weight);
+  }
+
+  [[nodiscard]] int most_iterations(const Annealing& annealing) const {
+    const double narrowed =
+        std::log(config_.kernel_end / annealing.start) / std::log(annealing.decay);
+    return static_cast<int>(std::ceil(std::max(narrowed, 0.0))) + kSettling;
+  }
+
+  KnotRegistration register_from(const KnotWindow& start, const KnotProblem& problem,
+                                 const Annealing& annealing) {
+    for (KnotPoints::Point& point : points_.points) point.place = {};
+    const KnotProblem some{problem.map, problem.prior,   problem.model,
+                           config_,     problem.workers, problem.begin_step};
+    return register_knots(points_, some, start, annealing);
+  }
+
+  std::size_t stride_;
+  KnotPoints points_;
+  Config::Knots config_;
+  const KnotRegistration& first_;
+  double least_ = 1.0;
+  std::optional<KnotWindow> best_;
 };
 
-/// From motions that roll or pitch faster than predicted, as at the foot of a stair; by a kernel
-/// that leaves each where it is.
+/// By a kernel that leaves a registration where it begins.
+Annealing narrow_annealing(const Config::Knots& config) {
+  Annealing annealing = usual_annealing(config);
+  annealing.start = config.swing_kernel;
+  return annealing;
+}
+
+/// By a kernel that sees farther than the usual one.
+Annealing wide_annealing(const Config::Knots& config) {
+  Annealing annealing = usual_annealing(config);
+  annealing.start *= 2.0;
+  return annealing;
+}
+
+/// From motions that roll or pitch faster than predicted, as at the foot of a stair.
 void add_swings(Attempts& attempts, const KnotProblem& problem, const KnotWindow& predicted) {
-  Annealing annealing = usual_annealing(problem.config);
-  annealing.start = problem.config.swing_kernel;
+  const Annealing annealing = narrow_annealing(problem.config);
   const Eigen::Quaterniond& attitude = problem.prior.means[1].rotation;
   const double swing = problem.config.swing;
   for (const int axis : {1, 0}) {
@@ -67,27 +158,30 @@ double UsualFit::most_misfit_of_seen(const Config::Knots& config) const {
 KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& problem,
                                       const KnotWindow& predicted, const UsualFit& usual) {
   const Config::Knots& config = problem.config;
-  Attempts attempts(points);
-  attempts.add(problem, predicted, usual_annealing(config));
-  const KnotRegistration& best = attempts.best();
-  if (!config.second_attempt || !is_suspicious(best, usual, config)) return best;
+  KnotRegistration first = register_knots(points, problem, predicted, usual_annealing(config));
+  if (!config.second_attempt || !is_suspicious(first, usual, config)) return first;
 
+  Attempts attempts(points, problem, first);
   add_swings(attempts, problem, predicted);
   // After a stumble the last velocity foretells nothing.
   const Twist mean = problem.model.mean(problem.prior.means[1].rotation);
   const KnotWindow steady = predicted.at_velocity(mean);
-  const Annealing patient = patient_annealing(config);
-  attempts.add(problem, predicted, patient);
-  attempts.add(problem, steady, patient);
-  if (best.solved && best.misfit_of_seen() <= usual.most_misfit_of_seen(config)) return best;
-
+  attempts.add(problem, steady, wide_annealing(config));
   // A sudden turn: the velocity fluctuates more than it was ever seen to.
   const VelocityModel looser = problem.model.looser(config.looser);
   const KnotProblem loose{problem.map, problem.prior,   looser,
                           config,      problem.workers, problem.begin_step};
-  attempts.add(loose, predicted, patient);
-  attempts.add(loose, steady, patient);
-  return best;
+  const bool wrong = first.misfit_of_seen() > usual.most_misfit_of_seen(config);
+  if (wrong) {
+    const Annealing patient = patient_annealing(config);
+    attempts.add(loose, predicted, patient);
+    attempts.add(loose, steady, patient);
+  }
+  if (!attempts.best()) return first;
+  for (KnotPoints::Point& point : points.points) point.place = {};
+  KnotRegistration again =
+      register_knots(points, wrong ? loose : problem, *attempts.best(), narrow_annealing(config));
+  return is_better(again, first, config.unseen_weight) ? again : first;
 }
 
 }  // namespace surefoot

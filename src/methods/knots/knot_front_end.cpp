@@ -168,7 +168,7 @@ double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
 
 /// Likewise, and where that leaves doubt, whether another place fits better.
 double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                               const View& view, Registered& registered) {
+                               const View& view, Registered& registered) const {
   const double alone = judge(scan, view, registered);
   if (!is_doubtful(alone)) return alone;
   registered.estimate.evidence.rival = rival_of(scan, thinned, registered);
@@ -200,7 +200,7 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   const Pose T_map_lidar = trajectory.at(0.5);
   const Pose T_0 = registered.predicted.trajectory().at_time(trajectory.mid_ns());
   Judgement judgement =
-      judge_registration({T_0, T_map_lidar, found.matches, points}, 0.0, config_.health);
+      judge_registration({T_0, T_map_lidar, found.matches, points}, config_.health);
   if (!found.solved && judgement.status == Status::ok) {
     judgement = {Status::diverged, "the knots' normal equations gave no finite solution"};
   }

@@ -66,23 +66,25 @@ class KnotFrontEnd : public FrontEnd {
                              Registered& registered) const;
   [[nodiscard]] double hazard_of(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned, const View& view,
-                                 Registered& registered);
+                                 Registered& registered) const;
   [[nodiscard]] bool is_lost(double hazard_now, double wrong_probability) const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 Registered registered);
   Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] SearchRegion region_about(std::int64_t instant_ns) const;
-  [[nodiscard]] std::vector<Registered> register_about(const PreparedScan& scan,
-                                                       const std::vector<std::uint32_t>& thinned,
-                                                       const SearchRegion& region);
+  [[nodiscard]] std::vector<PlaceFit> places_in(const PreparedScan& scan,
+                                                const std::vector<std::uint32_t>& chosen,
+                                                const SearchRegion& region) const;
+  [[nodiscard]] std::optional<Registered> register_at(
+      const Pose& place, const PreparedScan& scan, const std::vector<std::uint32_t>& chosen) const;
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] double disagreement_of(const Registered& registered) const;
   [[nodiscard]] std::optional<Estimate> go_on(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] double rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                                const Registered& registered);
+                                const Registered& registered) const;
   void learn(const Registered& registered, double right);
   void let_drift(Registered& registered);
   void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);

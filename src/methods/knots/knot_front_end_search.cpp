@@ -63,48 +63,45 @@ SearchRegion KnotFrontEnd::region_about(std::int64_t instant_ns) const {
           std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
 }
 
-/// A scan registered at the places of a region that fit it best; the best one first.
-std::vector<KnotFrontEnd::Registered> KnotFrontEnd::register_about(
-    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-    const SearchRegion& region) {
-  const auto chosen = choice_.choose(scan, thinned, session_.workers);
+/// The places of a region that a scan fits best, coarsely: best first.
+std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
+                                              const std::vector<std::uint32_t>& chosen,
+                                              const SearchRegion& region) const {
   session_.begin_step(Step::search);
-  const auto places = search_places(map_, some_of(scan, chosen), region, kPlaces, session_.workers);
-  std::vector<Registered> found;
-  for (const PlaceFit& place : places) {
-    const KnotEnd begin = begin_at(place.pose, scan, config_.knots);
-    Registered here{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
-    here.predicted = here.predicted.at_velocity(Twist::Zero());
-    KnotPoints points = sort_points(scan, chosen, here.predicted);
-    here.found =
-        register_knots(points, problem(begin), here.predicted, usual_annealing(config_.knots));
-    if (!here.found.solved) continue;
-    conclude(scan, points.points.size(), here);
-    found.push_back(std::move(here));
-  }
-  std::stable_sort(found.begin(), found.end(), [&](const Registered& a, const Registered& b) {
-    return disagreement_of(a) < disagreement_of(b);
-  });
-  return found;
+  return search_places(map_, some_of(scan, chosen), region, kPlaces, session_.workers);
+}
+
+/// A scan registered where a coarse look told that it may be; none if that is not solved.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
+    const Pose& place, const PreparedScan& scan, const std::vector<std::uint32_t>& chosen) const {
+  const KnotEnd begin = begin_at(place, scan, config_.knots);
+  Registered here{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
+  here.predicted = here.predicted.at_velocity(Twist::Zero());
+  KnotPoints points = sort_points(scan, chosen, here.predicted);
+  here.found =
+      register_knots(points, problem(begin), here.predicted, usual_annealing(config_.knots));
+  if (!here.found.solved) return std::nullopt;
+  conclude(scan, points.points.size(), here);
+  return here;
 }
 
 double KnotFrontEnd::disagreement_of(const Registered& registered) const {
   return registered.found.disagreement(config_.knots.unseen_weight);
 }
 
-/// How much better the scan fits at another place than where it was registered.
+/// How much better the scan fits at another place than where it was registered: at the best one by
+/// a coarse look, if that is another.
 double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                              const Registered& registered) {
-  const PointChoice choice = choice_;  // what is asked here must not change the next scan
-  const auto others = register_about(scan, thinned, region_about(scan.end_ns + kLeewayNs));
-  choice_ = choice;
+                              const Registered& registered) const {
+  PointChoice choice = choice_;  // what is asked here must not change the next scan
+  const auto chosen = choice.choose(scan, thinned, session_.workers);
+  const auto places = places_in(scan, chosen, region_about(scan.end_ns + kLeewayNs));
   const Pose here = registered.trajectory.at(0.5);
-  for (const Registered& other : others) {
-    if (same_place(other.trajectory.at(0.5), here)) continue;
-    // [K33]
-    return strength(disagreement_of(registered) / std::max(disagreement_of(other), 1e-3));
-  }
-  return 0.0;
+  if (places.empty() || same_place(places[0].pose, here)) return 0.0;
+  const std::optional<Registered> other = register_at(places[0].pose, scan, chosen);
+  if (!other || same_place(other->trajectory.at(0.5), here)) return 0.0;
+  // [K33]
+  return strength(disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3));
 }
 
 /// The place of the region that fits best, if there is one that fits clearly best.
@@ -112,7 +109,14 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
     const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
   const SearchRegion region = region_about(scan.end_ns);
   if (region.radius > kLarge && search_->scans % kSeldom != 0) return std::nullopt;
-  std::vector<Registered> found = register_about(scan, thinned, region);
+  const auto chosen = choice_.choose(scan, thinned, session_.workers);
+  std::vector<Registered> found;
+  for (const PlaceFit& place : places_in(scan, chosen, region)) {
+    if (auto here = register_at(place.pose, scan, chosen)) found.push_back(std::move(*here));
+  }
+  std::stable_sort(found.begin(), found.end(), [&](const Registered& a, const Registered& b) {
+    return disagreement_of(a) < disagreement_of(b);
+  });
   for (std::size_t i = 1; i < found.size(); ++i) {
     if (disagreement_of(found[i]) > kBetter * disagreement_of(found[0])) break;
     if (!same_place(found[i].trajectory.at(0.5), found[0].trajectory.at(0.5))) return std::nullopt;

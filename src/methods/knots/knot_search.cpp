@@ -15,7 +15,11 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 // First as finely as walls at some ten metres allow, then so often twice as finely.
 constexpr double kStep = 1.0, kTurnStep = 12.0 * kDegree;  // [m], [rad]
 constexpr int kRefinements = 2;
-constexpr std::size_t kRefined = 12;  // of all places, the best ones
+constexpr std::size_t kRefined = 8;  // of all places, the best ones
+
+// All places are weighed by every so many-th point, and this share of them by all.
+constexpr std::size_t kSparse = 3;
+constexpr double kPromising = 0.125;
 
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
@@ -30,13 +34,14 @@ struct Grain {
   double scale;  // [m]
 };
 
-double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, const Pose& pose,
-              const Grain& grain) {
+double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, std::size_t stride,
+              const Pose& pose, const Grain& grain) {
   const int finest = map.level_of(grain.step);
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   double sum = 0.0;
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d ray = R * point;
+  int asked = 0;
+  for (std::size_t i = 0; i < points.size(); i += stride, ++asked) {
+    const Eigen::Vector3d ray = R * points[i];
     const Eigen::Vector3d place = ray + pose.translation;
     SurfelMap::Place nowhere;
     const Surfel* const surfel = map.find(place, ray, finest, nowhere);
@@ -49,7 +54,7 @@ double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, 
     }
     sum += of_point / surfel->directions;
   }
-  return points.empty() ? 0.0 : sum / static_cast<double>(points.size());
+  return sum / std::max(asked, 1);
 }
 
 Pose moved(const Pose& pose, double x, double y, double turn) {
@@ -102,12 +107,16 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
                                     const Workers& workers) {
   Grain grain{kStep, kTurnStep, kScale};
   std::vector<PlaceFit> places = grid_of(region, grain);
-  const auto weigh = [&] {
+  const auto weigh = [&](std::size_t stride) {
     workers.for_each(places.size(), [&](std::size_t i) {
-      places[i].fit = fit_of(map, points, places[i].pose, grain);
+      places[i].fit = fit_of(map, points, stride, places[i].pose, grain);
     });
   };
-  weigh();
+  weigh(kSparse);
+  const auto promising = static_cast<std::size_t>(kPromising * static_cast<double>(places.size()));
+  std::stable_sort(places.begin(), places.end(), better);
+  places.resize(std::min(places.size(), std::max(promising, 4 * kRefined)));
+  weigh(1);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
     const std::vector<PlaceFit> coarse = best_apart(std::move(places), kRefined);
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
@@ -117,7 +126,7 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
           grid_of({place.pose, 1.5 * grain.step, 1.5 * grain.turn}, grain);
       places.insert(places.end(), about.begin(), about.end());
     }
-    weigh();
+    weigh(2);
   }
   return best_apart(std::move(places), most);
 }

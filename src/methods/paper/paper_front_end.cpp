@@ -84,9 +84,8 @@ Estimate PaperFrontEnd::conclude(const Registration& registration, const Pose& T
   estimate.converged = registration.converged;
   estimate.stages = registration.stages(paper_.registration.mode);
   estimate.registered_points = static_cast<int>(source.points.size());
-  Judgement judgement = judge_registration(
-      {T_0, registration.T_map_lidar, registration.matches, source.points.size()},
-      config_.health.min_match_ratio, config_.health);
+  Judgement judgement = judge_with_share(
+      {T_0, registration.T_map_lidar, registration.matches, source.points.size()}, config_.health);
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);
   if (judgement.status == Status::ok) {

@@ -14,14 +14,13 @@ namespace {
 Config::Health test_config() {
   Config::Health config = Config().health;
   config.min_matches = 30;
+  config.min_match_ratio = 0.3;
   config.max_correction = 2.0;
   config.max_correction_deg = 20.0;
   return config;
 }
 
-Judgement judgement_of(const RegistrationEnd& end) {
-  return judge_registration(end, 0.3, test_config());
-}
+Judgement judgement_of(const RegistrationEnd& end) { return judge_with_share(end, test_config()); }
 
 Status judge(int matches, std::size_t points) {
   const Judgement judgement = judgement_of({{}, {}, matches, points});
@@ -34,6 +33,11 @@ TEST(Health, MatchesAndTheirShareMustBothSuffice) {
   EXPECT_EQ(judge(29, 30), Status::too_few_matches);
   EXPECT_EQ(judge(299, 1000), Status::too_few_matches);
   EXPECT_EQ(judge(0, 0), Status::too_few_matches);
+}
+
+TEST(Health, WithoutTheShareTheirNumberSuffices) {
+  EXPECT_EQ(judge_registration({{}, {}, 30, 10000}, test_config()).status, Status::ok);
+  EXPECT_EQ(judge_registration({{}, {}, 29, 30}, test_config()).status, Status::too_few_matches);
 }
 
 TEST(Health, CorrectionsBeyondTheLimitsHaveDiverged) {
@@ -55,9 +59,12 @@ TEST(Health, APoseThatIsNotFiniteHasDiverged) {
 }
 
 TEST(Health, MessagesNameSeenAndExpected) {
-  const std::string few = judgement_of({{}, {}, 7, 90}).message;
+  const std::string few = judge_registration({{}, {}, 7, 90}, test_config()).message;
   EXPECT_NE(few.find("7 of 90"), std::string::npos) << few;
   EXPECT_NE(few.find("30"), std::string::npos) << few;
+  const std::string share = judgement_of({{}, {}, 7, 90}).message;
+  EXPECT_NE(share.find("7 of 90"), std::string::npos) << share;
+  EXPECT_NE(share.find("0.3"), std::string::npos) << share;
 }
 
 TEST(Health, StatusesHaveNames) {

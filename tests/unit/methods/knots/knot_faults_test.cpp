@@ -128,6 +128,24 @@ TEST(KnotFaults, AGarbageFirstScanIsDropped) {
   EXPECT_LT(error_of({all.begin() + 6, all.end()}, all.back(), walk()), 0.05);
 }
 
+// Of two scans that do not fit, neither is believed: where the third speaks against the map of the
+// first, that is dropped at once, and nothing is lost for long.
+TEST(KnotFaults, AMapOfOneScanFromElsewhereIsDropped) {
+  for (const Pose& by : {Pose{so3_exp({0.0, 0.0, 0.2}), {0.0, 0.6, 0.0}},
+                         Pose{Eigen::Quaterniond::Identity(), {0.0, 1.0, 0.0}}}) {
+    const Pose before = walk()(0.1);
+    const MotionFunction motion = [=](double t) {
+      return t < 0.1 ? before * by * before.inverse() * walk()(t) : walk()(t);
+    };
+    Odometry odometry;
+    const auto all = add_scans(odometry, take_scans(furnished_hall(), motion, 12));
+    for (std::size_t i = 4; i < all.size(); ++i) {
+      EXPECT_TRUE(all[i].trusted()) << i << ' ' << statuses(all);
+      EXPECT_LT(error_of(all, all[i], motion), 0.1) << i << ' ' << statuses(all);
+    }
+  }
+}
+
 TEST(KnotFaults, OneScanOfGarbageDoesNotLoseIt) {
   std::vector<Scan> scans = walk_scans();
   make_garbage(scans[kEvent]);

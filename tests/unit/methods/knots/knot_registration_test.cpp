@@ -490,6 +490,10 @@ KnotWindow pitching(const KnotWindow& window) {
   return start;
 }
 
+// Swings begin with a kernel of 0.2 m, which narrows to 0.1 in four iterations, the wide one with
+// 3 m, in sixteen; a few more may follow.
+constexpr int kLeastSearches = 4 * 5 + 17, kMostSearches = 4 * 10 + 22;
+
 TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
   // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
   const KnotWindow truth = window_along(swaying);
@@ -501,7 +505,7 @@ TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
   int searches = 0;
   const KnotRegistration found = attempts_from(start, prior, usual, &searches);
   ASSERT_TRUE(found.solved);
-  EXPECT_GT(searches, 3 * found.iterations);
+  EXPECT_GT(searches, kLeastSearches);
   EXPECT_LE(found.misfit, register_from(start, prior).misfit);
   const KnotError error = error_of(found.window);
   std::printf("from a pitch of 20 deg: %.4f m, %.3f deg, misfit %.3f\n", error.translation,
@@ -510,60 +514,37 @@ TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
   EXPECT_LT(error.rotation_deg, 0.7);
 }
 
-/// Iterations of one attempt from a start, and its misfit.
-KnotRegistration attempt(const KnotWindow& start, const KnotPrior& prior, Annealing annealing,
-                         const VelocityModel& model) {
-  KnotPoints points = scan_points();
-  const Config::Knots config = Config().knots;
-  const Workers workers(1);
-  return register_knots(points, {true_map(), prior, model, config, workers, kNobody}, start,
-                        annealing);
+TEST(KnotAttempts, WhereTheyLeadToTheSamePlaceTheyCostLittle) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  ASSERT_TRUE(one.converged);
+  UsualFit usual;
+  usual.learn(one, 1.0, Config().knots);
+  usual.disagreement *= 0.5;
+  int searches = 0;
+  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
+  EXPECT_EQ(found.misfit, one.misfit);
+  EXPECT_EQ(found.window.knots.back().translation, one.window.knots.back().translation);
+  const int others = searches - one.iterations - 1;  // and one look at what is to be beaten
+  EXPECT_GE(others, kLeastSearches);
+  EXPECT_LE(others, kMostSearches);
 }
 
-TEST(KnotAttempts, TheyAreFromSwingsThenPatientAndThenLooser) {
-  const Config::Knots config = Config().knots;
+TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
   const KnotWindow truth = window_along(swaying);
-  const KnotWindow start = pitching(truth);
   const KnotPrior prior = prior_at(truth, 0.01);
-  // Too stiff for the sway, so that a looser one does better.
-  const VelocityModel model(config, Twist::Constant(0.05));
-  const Annealing usual_way = usual_annealing(config), patient = patient_annealing(config);
-  const Eigen::Quaterniond attitude = truth.knots[1].rotation;
-  std::vector<KnotRegistration> expected = {attempt(start, prior, usual_way, model)};
-  for (const Eigen::Vector3d& swing :
-       {Eigen::Vector3d(0, 2, 0), {0, -2, 0}, {2, 0, 0}, {-2, 0, 0}}) {  // [rad/s] of the sensor
-    Twist velocity = start.mean_velocity();
-    velocity.tail<3>() += attitude * swing;
-    expected.push_back(attempt(start.at_velocity(velocity), prior,
-                               {0.2, usual_way.decay, usual_way.max_iterations}, model));
-  }
-  const KnotWindow steady = start.at_velocity(model.mean(attitude));
-  for (const VelocityModel& of : {model, model.looser(3.0)}) {
-    expected.push_back(attempt(start, prior, patient, of));
-    expected.push_back(attempt(steady, prior, patient, of));
-  }
-  const auto iterations_of = [&](std::size_t attempts) {
-    int sum = 0;
-    for (std::size_t i = 0; i < attempts; ++i) sum += expected[i].iterations;
-    return sum;
-  };
   UsualFit usual;
-  usual.misfit = 0.5 * expected[0].misfit;  // so that it is suspicious, but not wrong
+  usual.learn(register_from(truth, prior), 1.0, Config().knots);
+  usual.disagreement *= 0.5;  // so that it is suspicious, but not wrong
   int searches = 0;
-  (void)attempts_from(start, prior, usual, &searches, model);
-  EXPECT_EQ(searches, iterations_of(7));
+  (void)attempts_from(truth, prior, usual, &searches);
   usual.misfit_of_seen = -1.0;  // wrong, whatever is found
-  searches = 0;
-  const KnotRegistration found = attempts_from(start, prior, usual, &searches, model);
-  EXPECT_EQ(searches, iterations_of(9));
-  const auto disagreement = [](const KnotRegistration& one) {
-    return one.misfit - 0.8 * one.unseen;  // docs/method.md, "Convergence"
-  };
-  const auto best = std::min_element(
-      expected.begin(), expected.end(),
-      [&](const auto& a, const auto& b) { return disagreement(a) < disagreement(b); });
-  EXPECT_EQ(found.misfit, best->misfit);
-  EXPECT_GE(best - expected.begin(), 7);  // a looser one
+  int searches_with = 0;
+  (void)attempts_from(truth, prior, usual, &searches_with);
+  // Two, patiently: half as fast from 3 m to 0.1.
+  EXPECT_GE(searches_with - searches, 2 * 32);
+  EXPECT_LE(searches_with - searches, 2 * 37);
 }
 
 TEST(KnotAttempts, TheUsualFadesAndWhatIsUnseenCountsLittle) {
