@@ -17,6 +17,7 @@ namespace http = boost::beast::http;
 using Error = boost::beast::error_code;
 
 constexpr std::size_t kMostHeader = 8192;  // [bytes]
+constexpr int kMostUnsent = 1 << 16;       // [bytes]
 constexpr std::size_t kMostBody = 1024;    // [bytes]
 constexpr std::chrono::seconds kLongestRequest(10);
 constexpr std::chrono::seconds kLongestWrite(30);
@@ -45,6 +46,9 @@ std::string head(unsigned status, const std::string& type) {
 
 PageSession::PageSession(asio::ip::tcp::socket socket, SessionHost& host)
     : stream_(std::move(socket)), host_(host) {
+  // What the system keeps for a slow viewer is old when it is taken.
+  Error ignored;
+  stream_.socket().set_option(asio::socket_base::send_buffer_size(kMostUnsent), ignored);
   parser_.header_limit(kMostHeader);
   parser_.body_limit(kMostBody);
   host_.count_session(1);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include "ros2/participant.hpp"
+#include "ros2/cyclone_log.hpp"
 
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_sertype.h>
@@ -117,31 +118,6 @@ std::string interfaces_text() {
   return text;
 }
 
-/// What Cyclone says while this exists, instead of on stderr.
-class Complaints {
- public:
-  Complaints() {
-    dds_set_log_sink(add, this);
-    dds_set_trace_sink(add, this);
-  }
-  ~Complaints() {
-    dds_set_log_sink(nullptr, nullptr);
-    dds_set_trace_sink(nullptr, nullptr);
-  }
-  Complaints(const Complaints&) = delete;
-  Complaints& operator=(const Complaints&) = delete;
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  static void add(void* self, const dds_log_data_t* data) {
-    auto& text = static_cast<Complaints*>(self)->text_;
-    if (!text.empty()) text += "; ";
-    text.append(data->message, data->size);
-    while (text.ends_with('\n')) text.pop_back();
-  }
-  std::string text_;
-};
-
 std::string guid_of(dds_entity_t entity) {
   dds_guid_t guid = {};
   (void)dds_get_guid(entity, &guid);
@@ -247,6 +223,13 @@ Participant::Endpoint Participant::add_reader(const WireTopic& topic, const Topi
   readers_.push_back(guid_of(reader.entity));
   introduce();
   return reader;
+}
+
+void Participant::remove_reader(const Endpoint& reader) {
+  const std::lock_guard lock(mutex_);
+  std::erase(readers_, guid_of(reader.entity));
+  (void)dds_delete(reader.entity);
+  introduce();
 }
 
 Participant::Endpoint Participant::add_writer(const WireTopic& topic, const TopicQos& qos) {

@@ -54,6 +54,7 @@ class Participant {
     ddsi_sertype* type = nullptr;
   };
   [[nodiscard]] Endpoint add_reader(const WireTopic& topic, const TopicQos& qos);
+  void remove_reader(const Endpoint& reader);
   [[nodiscard]] Endpoint add_writer(const WireTopic& topic, const TopicQos& qos);
   /// Of a writer's; best effort what does not go out in a tenth of a second. False where it did
   /// not.

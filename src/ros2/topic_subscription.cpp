@@ -13,6 +13,7 @@
 #include "io/messages/packet_message.hpp"
 #include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "ros2/cyclone_log.hpp"
 #include "ros2/names.hpp"
 #include "ros2/raw_type.hpp"
 
@@ -52,7 +53,7 @@ class TopicSubscription final : public live::TopicSource {
   std::uint64_t lost() const override {
     dds_sample_lost_status_t status = {};
     if (reader_.entity == 0 || dds_get_sample_lost_status(reader_.entity, &status) < 0) return 0;
-    return status.total_count + overwritten_;
+    return lost_before_ + status.total_count + overwritten_;
   }
   std::string name() const override {
     return "ROS 2 topic " + options_.topic + " (domain " + std::to_string(participant_->domain()) +
@@ -100,15 +101,20 @@ class TopicSubscription final : public live::TopicSource {
 
   void begin(const SeenTopic& topic) {
     topic_ = {topic.name, topic.type, io::MessageEncoding::cdr};
-    reader_ =
-        participant_->add_reader(message_topic(topic.name, topic.type),
-                                 {options_.reliable, options_.reliable ? kReliableDepth : kDepth,
-                                  /*latched=*/false});
     waitset_ = dds_create_waitset(DDS_CYCLONEDDS_HANDLE);
-    (void)dds_set_status_mask(reader_.entity, DDS_DATA_AVAILABLE_STATUS);
-    (void)dds_waitset_attach(waitset_, reader_.entity, 0);
+    listen();
     found_ = Clock::now();
     said_ = false;
+  }
+
+  void listen() {
+    reader_ =
+        participant_->add_reader(message_topic(topic_.name, topic_.type),
+                                 {options_.reliable, options_.reliable ? kReliableDepth : kDepth,
+                                  /*latched=*/false});
+    (void)dds_set_status_mask(reader_.entity, DDS_DATA_AVAILABLE_STATUS);
+    (void)dds_waitset_attach(waitset_, reader_.entity, 0);
+    refused_before_ = refused_packets();
   }
 
   bool take(live::TopicArrival& arrival) {
@@ -125,15 +131,31 @@ class TopicSubscription final : public live::TopicSource {
       arrival.arrival_ns = raw.arrival_ns;
       arrival.received = raw.received;
       ++taken_;
+      last_taken_ = raw.received;
+      refused_before_ = refused_packets();
       return true;
     }
     overwritten_ = arrived - std::min(arrived, taken_);
     return false;
   }
 
+  /// A sample that Cyclone refuses is asked for again and again, and what comes after it waits for
+  /// it. A new reader begins after it.
+  void pass_over_refused() {
+    const bool is_silent = Clock::now() - last_taken_ > kPatience / 3;
+    if (!options_.reliable || !is_silent || refused_packets() == refused_before_) return;
+    lost_before_ = lost();
+    taken_ = overwritten_ = 0;
+    (void)dds_waitset_detach(waitset_, reader_.entity);
+    participant_->remove_reader(reader_);
+    listen();
+    say_once("a message does not begin as CDR: it is passed over, with what waited for it");
+  }
+
   /// While there is nothing to do.
   void look_around() {
     participant_->refresh();
+    pass_over_refused();
     if (taken_ > 0 || Clock::now() - found_ < kPatience) return;
     dds_requested_incompatible_qos_status_t status = {};
     (void)dds_get_requested_incompatible_qos_status(reader_.entity, &status);
@@ -152,9 +174,11 @@ class TopicSubscription final : public live::TopicSource {
   io::Topic topic_;
   Participant::Endpoint reader_;
   dds_entity_t waitset_ = 0;
-  Clock::time_point begun_, found_;
-  std::uint64_t taken_ = 0;
-  std::uint64_t overwritten_ = 0;  ///< by newer ones, or, for a moment, about to be there
+  Clock::time_point begun_, found_, last_taken_;
+  std::uint64_t refused_before_ = 0;  ///< packets, when something was taken last
+  std::uint64_t taken_ = 0;           ///< from the reader that there is
+  std::uint64_t overwritten_ = 0;     ///< by newer ones, or, for a moment, about to be there
+  std::uint64_t lost_before_ = 0;     ///< by a reader that there was
   bool said_ = false;
 };
 

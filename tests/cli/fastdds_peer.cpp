@@ -7,6 +7,8 @@
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -235,6 +237,26 @@ std::string cloud_by_fast_cdr(const Scan& scan, const std::string& frame) {
     cdr << std::string(field.name) << field.offset << field.type << std::uint32_t{1};
   }
   cdr << false << kStep << kStep * count << points << true;
+  return {buffer.getBuffer(), cdr.getSerializedDataLength()};
+}
+
+std::string velodyne_scan_by_fast_cdr(std::span<const std::string> packets, std::int64_t stamp_ns) {
+  constexpr std::size_t kBytes = 1206;
+  fastcdr::FastBuffer buffer;
+  fastcdr::Cdr cdr(buffer, fastcdr::Cdr::DEFAULT_ENDIAN, fastcdr::Cdr::DDS_CDR);
+  cdr.serialize_encapsulation();
+  const auto stamp = [&] {
+    cdr << static_cast<std::int32_t>(stamp_ns / 1'000'000'000)
+        << static_cast<std::uint32_t>(stamp_ns % 1'000'000'000);
+  };
+  stamp();
+  cdr << std::string("velodyne") << static_cast<std::uint32_t>(packets.size());
+  for (const std::string& packet : packets) {
+    stamp();
+    std::array<std::uint8_t, kBytes> bytes{};
+    std::memcpy(bytes.data(), packet.data(), std::min(kBytes, packet.size()));
+    cdr << bytes;
+  }
   return {buffer.getBuffer(), cdr.getSerializedDataLength()};
 }
 

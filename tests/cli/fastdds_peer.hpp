@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ namespace surefoot::test {
 
 /// sensor_msgs/PointCloud2 of a scan: x y z intensity t ring, as drivers publish it.
 [[nodiscard]] std::string cloud_by_fast_cdr(const Scan& scan, const std::string& frame);
+
+/// velodyne_msgs/VelodyneScan of packets of 1206 bytes, all of the same stamp.
+[[nodiscard]] std::string velodyne_scan_by_fast_cdr(std::span<const std::string> packets,
+                                                    std::int64_t stamp_ns);
 
 struct OdometryFields {
   std::int64_t stamp_ns = 0;

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <thread>
 
+#include "capture.hpp"
 #include "fastdds_peer.hpp"
 #include "io/recording.hpp"
 #include "io/scan_sink.hpp"
@@ -160,6 +161,61 @@ TEST_F(Ros2Test, DamagedMessagesByTheThousandHaveNoEffect) {
       << result;
   EXPECT_NE(result.errors.find("left out: "), std::string::npos) << result;
   expect_repeated("live");
+}
+
+/// A driver's packets, a revolution a message, against a capture of the same packets.
+TEST_F(Ros2Test, PacketsInMessagesGiveWhatTheirCaptureGives) {
+  const std::vector<std::string> packets = vlp16_packets(8);
+  write_content(scratch_.path() / "hall.pcap", pcap_file(packets));
+  const ProcessResult capture = run_surefoot(
+      {"run", "hall.pcap", "-o", "offline", "--no-report", "--no-picture", "-q"}, scratch_.path());
+  ASSERT_EQ(capture.exit_code, 0) << capture;
+
+  FastDdsPeer peer(own_domain());
+  peer.add_writer("rt/velodyne_packets", "velodyne_msgs::msg::dds_::VelodyneScan_");
+  const Process process(
+      live({"--ros2-topic", "/velodyne_packets", "--ros2-qos", "reliable", "--queue", "100",
+            "--silence", "1", "--record", "heard.mcap", "-o", "live", "-q"}),
+      scratch_.path());
+  ASSERT_TRUE(peer.wait_for_readers("rt/velodyne_packets"));
+  constexpr std::size_t kEach = 76;
+  for (std::size_t i = 0; i < packets.size(); i += kEach) {
+    const auto some = std::span(packets).subspan(i, std::min(kEach, packets.size() - i));
+    const auto stamp_ns =
+        1'700'000'000'000'000'000 + static_cast<std::int64_t>(i / kEach) * 100'000'000;
+    peer.write("rt/velodyne_packets", velodyne_scan_by_fast_cdr(some, stamp_ns));
+    std::this_thread::sleep_for(milliseconds(30));
+  }
+  const ProcessResult result = process.wait();
+  ASSERT_EQ(result.exit_code, 0) << result;
+  // Stamps are those of the messages: all else is the same.
+  for (const char* file : {"trajectory_kitti.txt", "map.ply"}) {
+    EXPECT_EQ(content(std::string("offline/") + file), content(std::string("live/") + file));
+  }
+  expect_repeated("live");
+}
+
+/// Cyclone refuses it, and of a reliable publisher it would wait for it for ever.
+TEST_F(Ros2Test, ASampleThatDoesNotBeginAsCdrHoldsUpNothing) {
+  const std::vector<Scan> scans = stamped_scans(6);
+  FastDdsPeer peer(own_domain());
+  peer.add_writer("rt/points", kCloudType);
+  const Process process(live({"--ros2-topic", "points", "--ros2-qos", "reliable", "--queue", "100",
+                              "--silence", "6", "-o", "live"}),
+                        scratch_.path());
+  ASSERT_TRUE(peer.wait_for_readers("rt/points"));
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    if (i == 3) {
+      peer.write("rt/points", std::string(200, 'x'));
+      std::this_thread::sleep_for(milliseconds(4000));
+    }
+    peer.write("rt/points", cloud_by_fast_cdr(scans[i], "lidar"));
+    std::this_thread::sleep_for(milliseconds(100));
+  }
+  const ProcessResult result = process.wait();
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.output.find("6 scans, 0 dropped"), std::string::npos) << result;
+  EXPECT_NE(result.errors.find("does not begin as CDR"), std::string::npos) << result;
 }
 
 TEST_F(Ros2Test, WhatItPublishesIsUnderstoodByOthers) {
