@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 //
 // surefoot live: packets over loopback, or replayed, against the same packets in a capture.
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -17,6 +16,7 @@
 #include <thread>
 
 #include "capture.hpp"
+#include "datagram_sender.hpp"
 #include "process.hpp"
 
 namespace surefoot::test {
@@ -32,55 +32,6 @@ std::vector<std::string> with(std::vector<std::string> arguments,
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
-
-sockaddr_in loopback(std::uint16_t port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  return address;
-}
-
-/// Sends datagrams to a port of this machine that nobody else had a moment ago.
-class Sender {
- public:
-  Sender() : socket_(::socket(AF_INET, SOCK_DGRAM, 0)) {
-    const int other = ::socket(AF_INET, SOCK_DGRAM, 0);
-    sockaddr_in address = loopback(0);
-    socklen_t size = sizeof(address);
-    EXPECT_EQ(::bind(other, reinterpret_cast<sockaddr*>(&address), size), 0);
-    EXPECT_EQ(::getsockname(other, reinterpret_cast<sockaddr*>(&address), &size), 0);
-    port_ = ntohs(address.sin_port);
-    ::close(other);
-  }
-  ~Sender() { ::close(socket_); }
-  Sender(const Sender&) = delete;
-  Sender& operator=(const Sender&) = delete;
-
-  [[nodiscard]] std::string port() const { return std::to_string(port_); }
-  void send(const std::string& payload) const {
-    const sockaddr_in address = loopback(port_);
-    EXPECT_EQ(::sendto(socket_, payload.data(), payload.size(), 0,
-                       reinterpret_cast<const sockaddr*>(&address), sizeof(address)),
-              static_cast<ssize_t>(payload.size()));
-  }
-  /// Until somebody listens there.
-  [[nodiscard]] bool wait_for_listener() const {
-    char wanted[16];
-    std::snprintf(wanted, sizeof(wanted), ":%04X ", port_);
-    for (int i = 0; i < 1000; ++i) {
-      std::ifstream table("/proc/net/udp");
-      const std::string text{std::istreambuf_iterator<char>(table), {}};
-      if (text.find(wanted) != std::string::npos) return true;
-      std::this_thread::sleep_for(milliseconds(10));
-    }
-    return false;
-  }
-
- private:
-  int socket_;
-  std::uint16_t port_ = 0;
-};
 
 /// A walk's packets, and their capture's run.
 class LiveTest : public testing::Test {
@@ -139,7 +90,7 @@ TEST_F(LiveTest, AReplayedBagLeavesWhatItsRunDoes) {
 }
 
 TEST_F(LiveTest, PacketsOverLoopbackGiveWhatTheCaptureGives) {
-  const Sender sender;
+  const DatagramSender sender;
   const Process process(with({"live", "--udp", sender.port(), "-o", "live", "--record",
                               "heard.pcap", "--queue", "1000", "--silence", "1.5"},
                              kBare),
@@ -157,7 +108,7 @@ TEST_F(LiveTest, PacketsOverLoopbackGiveWhatTheCaptureGives) {
 }
 
 TEST_F(LiveTest, MalformedDatagramsByTheThousandHaveNoEffect) {
-  const Sender sender;
+  const DatagramSender sender;
   const Process process(
       with({"live", "--udp", sender.port(), "-o", "live", "--queue", "1000", "--silence", "1.5"},
            kBare),
@@ -212,7 +163,7 @@ TEST_F(LiveTest, WhatItCannotKeepUpWithIsDroppedToldAndRepeated) {
 
 TEST_F(LiveTest, ASignalLeavesWholeFiles) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Sender sender;
+    const DatagramSender sender;
     const Process process(with({"live", "--udp", sender.port(), "-o", "live"}, kBare),
                           scratch_.path());
     ASSERT_TRUE(sender.wait_for_listener());
@@ -283,7 +234,7 @@ TEST_F(LiveTest, BadUsageIsExplained) {
   expect({"live", "--replay", "hall.pcap", "--set", "knots.points=-1"}, "knots.points");
   write_content(scratch_.path() / "no.log", "stamp\n1\n");
   expect({"run", "hall.pcap", "--like", "no.log"}, "no.log: got 'stamp', expected the log");
-  const Sender silent;
+  const DatagramSender silent;
   const Process process({"live", "--udp", silent.port()}, scratch_.path());
   ASSERT_TRUE(silent.wait_for_listener());
   silent.send("hello");

@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr unsigned kSeconds = 60;
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr rlim_t kMemory = 2'147'483'648;
 #else
@@ -49,7 +48,7 @@ void redirect(int stream, const fs::path& file, int flags) {
     setrlimit(RLIMIT_FSIZE, &bytes);
     std::signal(SIGXFSZ, SIG_IGN);  // writing fails, as it does where there is no room
   }
-  alarm(kSeconds);
+  alarm(surroundings.most_seconds);
   execv(arguments[0], arguments.data());
   _exit(127);
 }

@@ -17,7 +17,7 @@ namespace surefoot::test {
 /// How the program ended and what it said.
 struct ProcessResult {
   int exit_code = -1;  ///< -1: ended by a signal
-  int signal = 0;      ///< SIGALRM: longer than a minute
+  int signal = 0;      ///< SIGALRM: longer than it may take
   std::string output;
   std::string errors;
 };
@@ -27,10 +27,11 @@ std::ostream& operator<<(std::ostream& out, const ProcessResult& result);
 struct Surroundings {
   std::string output = "stdout.txt";           ///< file that what it prints goes to
   std::uint64_t most_file_bytes = UINT64_MAX;  ///< that it can write into a file: a full disk
+  unsigned most_seconds = 60;                  ///< that it may take
 };
 
 /// A started program. Its memory is limited to 2 GiB, so that an allocation by a number found in a
-/// file shows, and its time to a minute.
+/// file shows, and its time.
 class Process {
  public:
   /// Starts `surefoot ARGUMENTS` in `folder`, where its two output streams are kept, too. Throws
@@ -38,6 +39,7 @@ class Process {
   Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
           const Surroundings& surroundings = {});
   void send(int signal) const;
+  [[nodiscard]] pid_t id() const { return id_; }
   /// Waits for the end; to be called once.
   [[nodiscard]] ProcessResult wait() const;
 
