@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "checks/map_blur.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot::checks {
 namespace {
@@ -36,9 +37,8 @@ std::optional<double> MapBlur::distance(const Eigen::Vector3d& point) const {
   const Moments& moments = found->second;
   const Eigen::Vector3d mean = moments.sum / moments.count;
   const Eigen::Matrix3d covariance = moments.squares / moments.count - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  return std::abs(solver.eigenvectors().col(0).dot(point - mean));
+  const Eigen::Vector3d normal = symmetric_eigen_direct(covariance).vectors.col(0);
+  return std::abs(normal.dot(point - mean));
 }
 
 std::optional<double> MapBlur::add(const std::vector<Eigen::Vector3f>& points,

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/information.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot {
 
@@ -32,13 +33,13 @@ std::vector<DegenerateDirection> weak_directions(const NormalEquations<6>& equat
   Twist scale = Twist::Ones();
   scale.tail<3>().setConstant(1.0 / lever);
   const Matrix6 H = scale.asDiagonal() * equations.H * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
+  const SymmetricEigen<6> eigen = symmetric_eigen(H);
   std::vector<DegenerateDirection> weak;
   for (int i = 0; i < 6; ++i) {
     // Normals spread evenly over the sphere give each translation a third of the weight.
-    const double share = 3.0 * eigen.eigenvalues()[i] / weight;
+    const double share = 3.0 * eigen.values[i] / weight;
     if (share >= min_information) break;
-    const Twist direction = eigen.eigenvectors().col(i);
+    const Twist direction = eigen.vectors.col(i);
     weak.push_back({direction, std::max(share, 0.0), name_direction(direction, T_map_lidar)});
   }
   return weak;

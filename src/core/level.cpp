@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/level.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "core/downsample.hpp"
 #include "core/voxel_key.hpp"
+#include "geometry/decompositions.hpp"
+#include "geometry/so3.hpp"
 
 namespace surefoot {
 
@@ -80,9 +81,8 @@ Plane refit(const Plane& plane, const std::vector<Eigen::Vector3d>& points) {
     products += p * p.transpose();
   }
   const Eigen::Vector3d mean = sum / count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(products / count -
-                                                             mean * mean.transpose());
-  Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  Eigen::Vector3d normal =
+      symmetric_eigen<3>(products / count - mean * mean.transpose()).vectors.col(0);
   if (normal.z() < 0.0) normal = -normal;
   return {normal, -normal.dot(mean)};
 }
@@ -185,8 +185,7 @@ Pose level_pose(const std::vector<Eigen::Vector3f>& points, const Config::Level&
       "below it",
       report.tilt_deg, report.ground_height);
   // The shortest turn that brings the ground's normal to z, so that the heading stays.
-  return {Eigen::Quaterniond::FromTwoVectors(ground->normal, Eigen::Vector3d::UnitZ()),
-          Eigen::Vector3d::Zero()};
+  return {rotation_between(ground->normal, Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero()};
 }
 
 }  // namespace surefoot

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot {
 
@@ -43,13 +44,13 @@ struct NormalEquations {
   /// moves nothing where it knows nothing.
   [[nodiscard]] Vector solve() const {
     constexpr double kSingular = 1e-10;  // of the largest eigenvalue: rounding, not information
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(H);
-    const double floor = kSingular * eigen.eigenvalues()[Size - 1];
-    const Vector along = eigen.eigenvectors().transpose() * g;
+    const SymmetricEigen<Size> eigen = symmetric_eigen(H);
+    const double floor = kSingular * eigen.values[Size - 1];
+    const Vector along = eigen.vectors.transpose() * g;
     Vector delta = Vector::Zero();
     for (int i = 0; i < Size; ++i) {
-      const double value = eigen.eigenvalues()[i];
-      if (value > floor) delta -= along[i] / value * eigen.eigenvectors().col(i);
+      const double value = eigen.values[i];
+      if (value > floor) delta -= along[i] / value * eigen.vectors.col(i);
     }
     return delta;
   }

@@ -3,10 +3,11 @@
 #include "evaluation/alignment.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot::evaluation {
 
@@ -55,19 +56,16 @@ double rounding_of(const Moments& m) {
 }
 
 TrajectoryAlignment umeyama(const Moments& m, bool with_scale) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.covariance_yx,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d d = svd.singularValues();
+  const auto [U, V, d] = svd(m.covariance_yx);
   if (!(d[1] > std::max(kRankTolerance * d[0], rounding_of(m)))) {
     throw std::runtime_error(
         "the positions lie on one line or in one place, which leaves a rotation undetermined: "
         "align by origin or by yaw and translation");
   }
   Eigen::Vector3d s = Eigen::Vector3d::Ones();  // keeps a reflection out (eq. 43)
-  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) s[2] = -1.0;
-  const Eigen::Matrix3d rotation =
-      svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose();   // eq. 40
-  const double scale = with_scale ? d.dot(s) / m.variance_x : 1.0;  // eq. 42
+  if (U.determinant() * V.determinant() < 0.0) s[2] = -1.0;
+  const Eigen::Matrix3d rotation = U * s.asDiagonal() * V.transpose();  // eq. 40
+  const double scale = with_scale ? d.dot(s) / m.variance_x : 1.0;      // eq. 42
   return {{Eigen::Quaterniond(rotation).normalized(),
            m.mean_y - scale * (rotation * m.mean_x)},  // eq. 41
           scale};

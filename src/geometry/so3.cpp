@@ -40,4 +40,20 @@ Eigen::Matrix3d so3_left_jacobian_inverse(const Eigen::Vector3d& rotation_vector
   return Eigen::Matrix3d::Identity() - 0.5 * k + c * k * k;
 }
 
+Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d a = from.normalized();
+  const Eigen::Vector3d b = to.normalized();
+  const double cosine = b.dot(a);
+  Eigen::Quaterniond turn;
+  if (cosine < -1.0 + 1e-12) {
+    turn.w() = 0.0;
+    turn.vec() = a.unitOrthogonal();
+    return turn;
+  }
+  const double twice_w = std::sqrt((1.0 + cosine) * 2.0);  // by the half-angle formula
+  turn.vec() = a.cross(b) * (1.0 / twice_w);
+  turn.w() = twice_w * 0.5;
+  return turn;
+}
+
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace surefoot {
 
@@ -19,5 +20,10 @@ namespace surefoot {
 [[nodiscard]] Eigen::Matrix3d so3_left_jacobian(const Eigen::Vector3d& rotation_vector);
 /// Inverse of J_l; |phi| <= pi.
 [[nodiscard]] Eigen::Matrix3d so3_left_jacobian_inverse(const Eigen::Vector3d& rotation_vector);
+
+/// The shortest turn that brings one direction to another, neither of them zero; of opposite ones,
+/// half a turn about an axis across.
+[[nodiscard]] Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from,
+                                                  const Eigen::Vector3d& to);
 
 }  // namespace surefoot

@@ -3,11 +3,11 @@
 #include "io/trajectory_files.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "geometry/decompositions.hpp"
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_reader.hpp"
@@ -74,9 +74,8 @@ Pose pose_of_kitti_row(const std::vector<std::string_view>& words, std::size_t l
     }
   }
   const Eigen::Matrix3d given = matrix.leftCols<3>();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
-  if (!((given - rotation).norm() < 0.01) || rotation.determinant() < 0.0) {
+  const Eigen::Matrix3d rotation = nearest_rotation(given);
+  if (!((given - rotation).norm() < 0.01)) {
     fail_at_line(line, "the 3x3 part is no rotation");
   }
   return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};

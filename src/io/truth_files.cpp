@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/truth_files.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "geometry/decompositions.hpp"
 #include "io/ascii_values.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/bags/motion_topics.hpp"
@@ -89,9 +89,8 @@ Pose matrix_of(const Words& words, std::size_t first, std::size_t line) {
     }
   }
   const Eigen::Matrix3d given = matrix.leftCols<3>();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(given, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
-  if (!((given - rotation).norm() < 0.01) || rotation.determinant() < 0.0) {
+  const Eigen::Matrix3d rotation = nearest_rotation(given);
+  if (!((given - rotation).norm() < 0.01)) {
     fail_at_line(line, "the 3x3 part is no rotation");
   }
   return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/gaussian_grid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <array>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot::mapping {
 
@@ -26,11 +27,8 @@ Gaussian fit(const Moments& moments, double size) {
   Gaussian result;
   result.mean = moments.sum / n;
   const Eigen::Matrix3d covariance = moments.squares / n - result.mean * result.mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(covariance);
+  const auto [values, axes] = symmetric_eigen_direct(covariance);
   const double thin = kThin * size * kThin * size;
-  const Eigen::Vector3d& values = eigen.eigenvalues();  // ascending
-  const Eigen::Matrix3d& axes = eigen.eigenvectors();
   result.across = axes.col(0) * axes.col(0).transpose();
   if (values[1] < thin) {
     result.across += axes.col(1) * axes.col(1).transpose();

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // First guesses of a graph's poses.
-#include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "geometry/decompositions.hpp"
 
 #include "mapping/pose_graph_solver.hpp"
 
@@ -41,13 +42,6 @@ Eigen::MatrixXd least_squares(const Triplets& entries, const Eigen::MatrixXd& b,
   const Sparse normal = A.transpose() * A;
   const Eigen::SimplicialLDLT<Sparse> factor(normal);
   return factor.solve(A.transpose() * b);
-}
-
-Eigen::Quaterniond nearest_rotation(const Eigen::Matrix3d& matrix) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d U = svd.matrixU();
-  if ((U * svd.matrixV().transpose()).determinant() < 0.0) U.col(2) *= -1.0;
-  return Eigen::Quaterniond(U * svd.matrixV().transpose());
 }
 
 std::vector<const PoseEdge*> inliers_of(const PoseGraph& graph) {

@@ -4,10 +4,11 @@
 
 #include <ceres/ceres.h>
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot::mapping {
 
@@ -55,9 +56,8 @@ class RigidMotion final : public ceres::Manifold {
 
 /// A root of a matrix that may be singular.
 Matrix6 square_root(const Matrix6& information) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(information);
-  return eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-         eigen.eigenvectors().transpose();
+  const SymmetricEigen<6> eigen = symmetric_eigen(information);
+  return eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal() * eigen.vectors.transpose();
 }
 
 class EdgeCost final : public ceres::SizedCostFunction<6, 7, 7> {

@@ -3,11 +3,11 @@
 #include "mapping/submap_registration.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "geometry/decompositions.hpp"
 #include "geometry/so3.hpp"
 
 namespace surefoot::mapping {
@@ -77,15 +77,15 @@ Twist scale() {
 void assess(const Equations& equations, SubmapAlignment& alignment) {
   const Twist s = scale();
   const Matrix6 scaled = s.asDiagonal() * equations.H * s.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(scaled);
+  const SymmetricEigen<6> eigen = symmetric_eigen(scaled);
   const double variance =
       std::max(kNoise * kNoise, equations.squares / std::max(equations.weights, 1.0));
   alignment.information.setZero();
   alignment.held = 0;
   int free = 5;
   for (int i = 5; i >= 0; --i) {  // the best held first
-    const double value = eigen.eigenvalues()[i];
-    const Twist axis = eigen.eigenvectors().col(i);
+    const double value = eigen.values[i];
+    const Twist axis = eigen.vectors.col(i);
     if (value < kHeld * equations.weights / 3.0) {
       alignment.axes.col(free--) = axis;
       continue;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "methods/ct_icp/ct_icp.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot {
 
@@ -59,10 +60,10 @@ CtIcpPlane fit_ct_icp_plane(std::span<const VoxelNeighbours::Neighbour> neighbou
     const Eigen::Vector3d off = *neighbour.point - mean;
     covariance.noalias() += off * off.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance / count);
-  const Eigen::Vector3d spread = eigen.eigenvalues().cwiseAbs().cwiseSqrt();
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(covariance / count);
+  const Eigen::Vector3d spread = eigen.values.cwiseAbs().cwiseSqrt();
   const bool apart = spread[2] > 0.0;
-  return {eigen.eigenvectors().col(0), apart ? (spread[1] - spread[0]) / spread[2] : 0.0};
+  return {eigen.vectors.col(0), apart ? (spread[1] - spread[0]) / spread[2] : 0.0};
 }
 
 double ct_icp_weight(double planarity, double distance, const CtIcpParameters& config) {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "methods/floam/floam_solver.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "methods/shared/levenberg_marquardt.hpp"
 
 namespace surefoot {
@@ -48,7 +48,7 @@ Linearisation<6> linearise(const std::vector<FloamResidual>& residuals, const Po
 
 struct Scatter {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  SymmetricEigen<3> eigen;
 };
 Scatter scatter_of(std::span<const Eigen::Vector3d, 5> neighbours) {
   Scatter scatter;
@@ -57,7 +57,7 @@ Scatter scatter_of(std::span<const Eigen::Vector3d, 5> neighbours) {
   for (const Eigen::Vector3d& point : neighbours) {
     sum += (point - scatter.centre) * (point - scatter.centre).transpose();
   }
-  scatter.eigen.compute(sum);
+  scatter.eigen = symmetric_eigen(sum);
   return scatter;
 }
 
@@ -91,8 +91,8 @@ bool fit_line(std::span<const Eigen::Vector3d, 5> neighbours, FloamResidual& res
   const Scatter scatter = scatter_of(neighbours);
   residual.kind = FloamResidual::Kind::edge;
   residual.anchor = scatter.centre;
-  residual.direction = scatter.eigen.eigenvectors().col(2);
-  return scatter.eigen.eigenvalues()[2] > kLineRatio * scatter.eigen.eigenvalues()[1];
+  residual.direction = scatter.eigen.vectors.col(2);
+  return scatter.eigen.values[2] > kLineRatio * scatter.eigen.values[1];
 }
 
 bool fit_plane(std::span<const Eigen::Vector3d, 5> neighbours, bool centred,
@@ -100,7 +100,7 @@ bool fit_plane(std::span<const Eigen::Vector3d, 5> neighbours, bool centred,
   residual.kind = FloamResidual::Kind::surface;
   if (centred) {
     const Scatter scatter = scatter_of(neighbours);
-    residual.direction = scatter.eigen.eigenvectors().col(0);
+    residual.direction = scatter.eigen.vectors.col(0);
     residual.offset = -residual.direction.dot(scatter.centre);
   } else {
     Eigen::Matrix<double, 5, 3> A;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "methods/genz_icp/genz_icp.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "methods/paper/matches.hpp"
 #include "methods/shared/adaptive_threshold.hpp"
 #include "methods/shared/cell_downsample.hpp"
@@ -118,9 +118,9 @@ Planarity planarity(const VoxelMap& map, const VoxelIndex& cell, double planarit
   if (count < kMinNeighbours) return {};
   centre /= count;
   covariance = covariance / count - centre * centre.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-  const bool planar = eigen.eigenvalues()[0] / eigen.eigenvalues().sum() < planarity_threshold;
-  return {planar, eigen.eigenvectors().col(0)};
+  const SymmetricEigen<3> eigen = symmetric_eigen(covariance);
+  const bool planar = eigen.values[0] / eigen.values.sum() < planarity_threshold;
+  return {planar, eigen.vectors.col(0)};
 }
 
 Alignment align_genz(const std::vector<Eigen::Vector3d>& source, const VoxelMap& map,

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "methods/icp/icp.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "methods/shared/constant_velocity.hpp"
 
 namespace surefoot {
@@ -32,12 +32,7 @@ Pose PairSum::motion() const {
   const Eigen::Vector3d mean_source = source / n;
   const Eigen::Vector3d mean_target = target / n;
   const Eigen::Matrix3d covariance = target_source / n - mean_target * mean_source.transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double mirror =
-      (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  const Eigen::Matrix3d R =
-      svd.matrixU() * Eigen::Vector3d(1.0, 1.0, mirror).asDiagonal() * svd.matrixV().transpose();
+  const Eigen::Matrix3d R = nearest_rotation(covariance);
   return {Eigen::Quaterniond(R).normalized(), mean_target - R * mean_source};
 }
 

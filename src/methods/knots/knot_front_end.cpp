@@ -46,9 +46,6 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 
-// So many scans must agree before a map, or a place that was found again, is believed.
-constexpr int kAgree = 3;
-
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
   constexpr std::uint64_t kFactor = 0x100000001b3ULL;

@@ -30,6 +30,9 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] Cubes emptied_cubes() const override { return emptied_; }
 
  private:
+  /// So many scans must agree before a map, or a place that was found again, is believed.
+  static constexpr int kAgree = 3;
+
   struct FirstScan {
     PreparedScan scan;
     std::vector<std::uint32_t> thinned;

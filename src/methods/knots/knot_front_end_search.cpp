@@ -16,10 +16,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kAgree = 3;
-
 // The region grows from so far [m, rad] by so much a second, up to so far.
-constexpr double kNear = 1.0, kSpeed = 4.0, kFar = 20.0;
+constexpr double kReach = 1.0, kReachSpeed = 4.0, kMostReach = 20.0;
 constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
 
 // Another place than the registration's is looked for as if so much more time had passed: who was
@@ -59,7 +57,7 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
 SearchRegion KnotFrontEnd::region_about(std::int64_t instant_ns) const {
   const double since = seconds(instant_ns - last_pose_->stamp_ns);
   // [K30]
-  return {end_.prior.means[1], std::min(kNear + kSpeed * since, kFar),
+  return {end_.prior.means[1], std::min(kReach + kReachSpeed * since, kMostReach),
           std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
 }
 

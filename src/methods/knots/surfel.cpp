@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "methods/knots/surfel.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot {
 
@@ -68,25 +69,24 @@ Surfel SurfelMoments::fit(const Eigen::Vector3d& corner, double size,
   surfel.mean = corner + middle;
   surfel.extent = C.trace();
   if (count_ < config.min_points) return surfel;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(C);
-  const Eigen::Vector3d spread = eigen.eigenvalues().cwiseMax(0.0);
+  SymmetricEigen<3> eigen = symmetric_eigen_direct(C);
+  const Eigen::Vector3d spread = eigen.values.cwiseMax(0.0);
   const double broad = config.breadth * config.breadth * size * size;
   // A ring that passes through foliage, or whose ranges are noisy, spreads along its rays: its
   // points lie on the plane that the rays sweep, which goes with the sensor.
-  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const Eigen::Vector3d normal = eigen.vectors.col(0);
   const double facing = normal.dot(matrix_of(rays_) * normal) / count_;  // [K18]
   // [K17]
   const bool plane = spread[1] >= broad && spread[0] <= config.flatness * spread[1] &&
                      facing >= config.edge_on * config.edge_on;
   const bool pole = !plane && count_ >= 2 * config.min_points && spread[2] >= broad &&
                     spread[1] <= config.slenderness * spread[2] &&
-                    std::abs(eigen.eigenvectors()(2, 2)) >= kStanding;
+                    std::abs(eigen.vectors(2, 2)) >= kStanding;
   surfel.directions = plane ? 1 : pole ? 2 : config.cloud_weight > 0.0 ? 3 : 0;
-  if (surfel.cloud()) eigen.computeDirect(C + unseen(config.ring_gap));
+  if (surfel.cloud()) eigen = symmetric_eigen_direct(C + unseen(config.ring_gap));
   for (int i = 0; i < std::max(surfel.directions, 2); ++i) {
-    surfel.across[i] = eigen.eigenvectors().col(i);
-    surfel.variance[i] = std::max(eigen.eigenvalues()[i], 0.0);
+    surfel.across[i] = eigen.vectors.col(i);
+    surfel.variance[i] = std::max(eigen.values[i], 0.0);
   }
   if (surfel.cloud()) weigh(surfel, size, config);
   if (surfel.across[0].dot(ray_sum_) > 0.0) surfel.across[0] *= -1.0;

@@ -10,9 +10,6 @@ namespace surefoot {
 
 namespace {
 
-// The map is cleaned when the sensor went this share of the radius, not at every scan.
-constexpr double kCleaningShare = 0.05;
-
 // A surfel is fitted anew when its points grew by this factor, not at every point: to save time.
 constexpr double kGrowth = 1.15;
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "methods/paper/local_map.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+
+#include "geometry/decompositions.hpp"
 
 namespace surefoot {
 
@@ -18,9 +19,6 @@ using Lanes = Eigen::Array<float, kLanes, 1>;
 // A strip as narrow as this, RMS, is noise about a line, such as one ring on a wall, not a plane
 // [m].
 constexpr double kNarrow = 0.05;
-
-// The map is cleaned when the sensor went this share of the radius, not at every scan.
-constexpr double kCleaningShare = 0.05;
 
 /// Squared distances from a place to the voxels around its own, axis by axis.
 class AxisGaps {
@@ -238,10 +236,9 @@ Surface LocalMap::surface(const VoxelIndex& voxel) const {
   if (surface.neighbours < 3) return surface;
   const Eigen::Vector3d mean = around.sum / around.count;
   const Eigen::Matrix3d C = around.products / around.count - mean * mean.transpose();  // [Eq 21]
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(C);
-  surface.normal = eigen.eigenvectors().col(0);  // [Eq 22]
-  const Eigen::Vector3d& spread = eigen.eigenvalues();
+  const SymmetricEigen<3> eigen = symmetric_eigen_direct(C);
+  surface.normal = eigen.vectors.col(0);  // [Eq 22]
+  const Eigen::Vector3d& spread = eigen.values;
   const double thickness = std::max(spread[0], 0.0);  // rounding may leave it below zero
   if (spread[2] > 0.0) surface.planarity = std::max(0.0, (spread[1] - thickness) / spread[2]);
   surface.flatness = std::max(0.0, (spread[1] - thickness) / (spread[1] + kNarrow * kNarrow));

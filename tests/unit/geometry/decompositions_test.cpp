@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "geometry/decompositions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "geometry/so3.hpp"
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+template <int Size>
+Eigen::Matrix<double, Size, Size> random_matrix(test::Random& random) {
+  Eigen::Matrix<double, Size, Size> result;
+  for (int i = 0; i < Size * Size; ++i) result(i) = random.uniform(-1.0, 1.0);
+  return result;
+}
+
+template <int Size>
+void expect_decomposed(const Eigen::Matrix<double, Size, Size>& H,
+                       const SymmetricEigen<Size>& eigen, double tolerance) {
+  for (int i = 1; i < Size; ++i) EXPECT_LE(eigen.values[i - 1], eigen.values[i]);
+  EXPECT_LT((H * eigen.vectors - eigen.vectors * eigen.values.asDiagonal()).norm(), tolerance);
+  EXPECT_LT((eigen.vectors.transpose() * eigen.vectors).diagonal().cwiseAbs().maxCoeff(),
+            1.0 + tolerance);
+  EXPECT_NEAR(std::abs(eigen.vectors.determinant()), 1.0, tolerance);
+}
+
+TEST(Decompositions, EigenvectorsAreScaledByTheirValues) {
+  test::Random random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::Matrix3d a = random_matrix<3>(random);
+    const Eigen::Matrix3d H = a * a.transpose();
+    expect_decomposed<3>(H, symmetric_eigen(H), 1e-12);
+    expect_decomposed<3>(H, symmetric_eigen_direct(H), 1e-6);
+    const auto b = random_matrix<6>(random);
+    const Eigen::Matrix<double, 6, 6> indefinite = b + b.transpose();
+    expect_decomposed<6>(indefinite, symmetric_eigen(indefinite), 1e-12);
+  }
+}
+
+TEST(Decompositions, SingularValuesPutTheMatrixTogetherAgain) {
+  test::Random random(4);
+  const Eigen::Matrix3d matrix = random_matrix<3>(random);
+  const auto [U, V, values] = svd(matrix);
+  EXPECT_LT((U * values.asDiagonal() * V.transpose() - matrix).norm(), 1e-12);
+  EXPECT_GE(values[0], values[1]);
+  EXPECT_GE(values[1], values[2]);
+}
+
+// Any small turn of the nearest rotation is farther from the matrix.
+TEST(Decompositions, NoRotationIsNearerThanTheNearest) {
+  test::Random random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::Matrix3d matrix = random_matrix<3>(random);  // every other one mirrors
+    const Eigen::Matrix3d R = nearest_rotation(matrix);
+    EXPECT_NEAR(R.determinant(), 1.0, 1e-12);
+    EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+    for (int turn = 0; turn < 20; ++turn) {
+      const Eigen::AngleAxisd by(1e-3, random.unit_vector());
+      EXPECT_GE((R * by.toRotationMatrix() - matrix).norm(), (R - matrix).norm());
+    }
+  }
+}
+
+TEST(So3, RotationBetweenIsTheShortestThatTurnsOneToTheOther) {
+  test::Random random(6);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::Vector3d from = random.unit_vector(), to = random.unit_vector();
+    const Eigen::Quaterniond turn = rotation_between(3.0 * from, 0.5 * to);
+    EXPECT_LT((turn * from - to).norm(), 1e-12);
+    EXPECT_NEAR(std::abs(turn.angularDistance(Eigen::Quaterniond::Identity())),
+                std::acos(from.dot(to)), 1e-7);
+  }
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  EXPECT_LT((rotation_between(up, up) * up - up).norm(), 1e-15);
+  EXPECT_LT((rotation_between(up, -up) * up + up).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace surefoot
