@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -89,6 +90,8 @@ int main(int argc, char** argv) {
     return parsed != surefoot::process::kDone ? parsed : exit_code;
   } catch (const std::filesystem::filesystem_error& error) {
     fmt::print(stderr, "surefoot: {}\n", text_of(error));
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "surefoot: takes more memory than there is\n");
   } catch (const std::exception& error) {
     fmt::print(stderr, "surefoot: {}\n", error.what());
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "sensors/bytes.hpp"
@@ -52,14 +53,15 @@ struct PointTable {
 };
 
 /// Calls visitor(i, value) for the values of points 0..count-1, with the value in its stored type.
-/// The type is looked at once, not once a point.
+/// Type and byte order are looked at once, not once a point.
 template <typename Visitor>
 void for_each_value(const Column& column, std::size_t count, Visitor&& visitor) {
   const auto run = [&]<typename T>(T) {
-    const std::byte* at = column.first;
-    for (std::size_t i = 0; i < count; ++i, at += column.stride) {
-      visitor(i, load<T>(at, column.swapped));
-    }
+    const auto in_order = [&](auto swapped) {
+      const std::byte* at = column.first;
+      for (std::size_t i = 0; i < count; ++i, at += column.stride) visitor(i, load<T>(at, swapped));
+    };
+    column.swapped ? in_order(std::true_type{}) : in_order(std::false_type{});
   };
   switch (column.type) {
     case ScalarType::i8:

@@ -69,9 +69,14 @@ std::vector<float> floats_of(const Column& column, std::size_t size) {
 
 std::vector<std::uint16_t> rings_of(const Column& column, std::size_t size) {
   std::vector<std::uint16_t> rings(size);
-  for_each_value(column, size, [&](std::size_t i, auto value) {
-    const auto wide = static_cast<double>(value);
-    rings[i] = wide >= 0.0 ? static_cast<std::uint16_t>(std::min(wide, 65535.0)) : std::uint16_t{0};
+  for_each_value(column, size, [&]<typename T>(std::size_t i, T value) {
+    if constexpr (std::is_unsigned_v<T> && sizeof(T) <= sizeof(std::uint16_t)) {
+      rings[i] = value;
+    } else {
+      const auto wide = static_cast<double>(value);
+      rings[i] =
+          wide >= 0.0 ? static_cast<std::uint16_t>(std::min(wide, 65535.0)) : std::uint16_t{0};
+    }
   });
   return rings;
 }
@@ -178,17 +183,22 @@ void keep_only(std::vector<T>& values, const std::vector<std::size_t>& kept) {
 
 // Sets times_ns; returns how many points had to go for want of a usable time.
 std::size_t set_times(Scan& scan, const FieldTimes& times, std::int64_t origin) {
+  const auto is_usable = [&](std::int64_t ns) { return ns >= times.least && ns <= times.greatest; };
   scan.times_ns.resize(times.ns.size());
-  std::vector<std::size_t> kept;
-  kept.reserve(times.ns.size());
+  std::size_t usable = 0;
   for (std::size_t i = 0; i < times.ns.size(); ++i) {
-    if (times.ns[i] >= times.least && times.ns[i] <= times.greatest) {
-      scan.times_ns[i] = static_cast<std::int32_t>(times.ns[i] - origin);
-      kept.push_back(i);
-    }
+    // Of those that go the difference may be anything.
+    scan.times_ns[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(times.ns[i]) -
+                                                 static_cast<std::uint64_t>(origin));
+    usable += is_usable(times.ns[i]) ? 1 : 0;
   }
-  const std::size_t dropped = times.ns.size() - kept.size();
+  const std::size_t dropped = times.ns.size() - usable;
   if (dropped > 0) {
+    std::vector<std::size_t> kept;
+    kept.reserve(usable);
+    for (std::size_t i = 0; i < times.ns.size(); ++i) {
+      if (is_usable(times.ns[i])) kept.push_back(i);
+    }
     keep_only(scan.points, kept);
     keep_only(scan.intensities, kept);
     keep_only(scan.rings, kept);

@@ -122,10 +122,20 @@ class RepairedRecording : public RecordingFilter {
       const std::int64_t intervals = intervals_since_last(item);
       scan.stamp_ns = sum(*last_, intervals * usual_interval_ns());
     } else {
-      if (!at_once_ && sum(given, offset_ns_) <= *last_) set_clock(given, item.name, 1);
+      const std::int64_t told = difference(sum(given, offset_ns_), *last_);
+      const bool leaps = told >= kWild * usual_interval_ns() && is_ahead(item);
+      if (!at_once_ && (told <= 0 || leaps)) {
+        set_clock(given, item.name, intervals_since_last(item));
+      }
       scan.stamp_ns = sum(given, offset_ns_);
+      note_lateness(item);
       const std::int64_t step = difference(scan.stamp_ns, *last_);
-      if (step < kWild * usual_interval_ns()) intervals_.push_back(step);
+      if (step < kWild * usual_interval_ns()) {
+        intervals_.push_back(step);
+      } else {
+        note_once(gap_noted_, "stamps: " + format_seconds(step) + " s without a scan before " +
+                                  item.name + ", and nothing says that the clock was set: a gap");
+      }
       if (intervals_.size() > kIntervals) intervals_.pop_front();
     }
     given_ns_ = given;
@@ -171,7 +181,7 @@ class RepairedRecording : public RecordingFilter {
 
   /// Since the last scan: one, or by when messages were received as many as were lost, too.
   [[nodiscard]] std::int64_t intervals_since_last(const ScanItem& item) const {
-    if (!at_once_ || item.logged_ns == 0 || last_logged_ns_ == 0) return 1;
+    if (item.logged_ns == 0 || last_logged_ns_ == 0) return 1;
     constexpr std::int64_t kMost = 1000;
     const double intervals = static_cast<double>(difference(item.logged_ns, last_logged_ns_)) /
                              static_cast<double>(usual_interval_ns());
@@ -195,11 +205,13 @@ class RepairedRecording : public RecordingFilter {
       set_clock(given, item.name, intervals_since_last(item));
     }
     steady_ = 0;
-    if (item.logged_ns != 0) {
-      const std::int64_t late = difference(item.logged_ns, sum(given, offset_ns_));
-      least_late_ns_ = least_late_ns_ ? std::min(*least_late_ns_, late) : late;
-    }
     return true;
+  }
+
+  void note_lateness(const ScanItem& item) {
+    if (item.logged_ns == 0) return;
+    const std::int64_t late = difference(item.logged_ns, item.scan->stamp_ns);
+    least_late_ns_ = least_late_ns_ ? std::min(*least_late_ns_, late) : late;
   }
 
   /// The clock goes on where it was, from this scan on.
@@ -242,8 +254,8 @@ class RepairedRecording : public RecordingFilter {
   std::int64_t last_logged_ns_ = 0;
   int steady_ = 0;  // stamps in a row that fit each other, but not those before
   std::optional<std::int64_t> least_late_ns_;  // of receipts after stamps
-  bool wild_noted_ = false, set_back_noted_ = false, ahead_noted_ = false, stands_noted_ = false,
-       twice_ = false;
+  bool gap_noted_ = false, wild_noted_ = false, set_back_noted_ = false, ahead_noted_ = false,
+       stands_noted_ = false, twice_ = false;
   bool differ_ = false;  // two scans that follow each other do
 };
 

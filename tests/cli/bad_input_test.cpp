@@ -159,6 +159,25 @@ TEST_P(BadPcdAmongGoodOnes, IsLeftOut) {
 INSTANTIATE_TEST_SUITE_P(All, BadPcdAmongGoodOnes, testing::ValuesIn(bad_pcd_scans()),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// Its header is honest, and the file as long as it says: a hole on the disk.
+TEST(BadInput, AScanThatTakesMoreMemoryThanThereIsIsLeftOut) {
+  constexpr std::uint64_t kPoints = 250'000'000;  // 3 GB
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(4));
+  const fs::path large = scratch.path() / "in" / scan_name(2);
+  const std::string header = xyz_pcd(std::to_string(kPoints), "binary\n");
+  write_content(large, header);
+  fs::resize_file(large, header.size() + 12 * kPoints);
+  const ProcessResult result = run_surefoot({"run", "in", "-o", "out"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.errors.find(scan_name(2) + ": takes more memory than there is"),
+            std::string::npos)
+      << result;
+  EXPECT_EQ(io::read_tum(scratch.path() / "out" / "trajectory.tum").size(), 3U) << result;
+}
+#endif
+
 void expect_refused(const std::vector<std::string>& arguments, const std::string& named,
                     const ScratchFolder& scratch) {
   const ProcessResult result = run_surefoot(arguments, scratch.path());

@@ -97,12 +97,9 @@ class FolderRecording final : public Recording {
   void find_point_time_rule() {
     for (const std::size_t index : scans_to_look_at()) {
       try {
-        read_whole_file(listing_.files[index], bytes_);
-      } catch (const ReadError&) {
+        if (look_at_times(index)) break;
+      } catch (const std::bad_alloc&) {
         continue;  // said again when it is its turn
-      }
-      if (look_at_times(index)) {
-        break;
       }
     }
     if (rule_) {
@@ -115,16 +112,16 @@ class FolderRecording final : public Recording {
     PointTable table;
     ScanColumns columns;
     try {
+      read_whole_file(listing_.files[index], bytes_);
       table = parse_scan_file(listing_.kind, bytes_);
       columns = find_scan_columns(table, options_);
     } catch (const ReadError&) {
       return false;  // said again when it is its turn
-    } catch (const std::bad_alloc&) {
-      return false;  // likewise
     }
-    if (columns.time == nullptr) {
-      return false;
-    }
+    return columns.time != nullptr && look_at_times(index, table, columns);
+  }
+
+  bool look_at_times(std::size_t index, const PointTable& table, const ScanColumns& columns) {
     const TimeExtents extents = time_extents(table, columns);
     if (extents.count == 0) {
       return false;
@@ -177,9 +174,7 @@ class FolderRecording final : public Recording {
     const PointTable table = parse_scan_file(listing_.kind, bytes_);
     item.layout = table.layout();
     const ScanColumns columns = find_scan_columns(table, options_);
-    if (columns.time != nullptr && !rule_) {
-      look_at_times(index);
-    }
+    if (columns.time != nullptr && !rule_) look_at_times(index, table, columns);
     BuiltScan built = build_scan(table, columns, rule_, given_stamp(index), options_.stamp_at);
     item.dropped_points = built.dropped_points;
     if (options_.kitti_hdl64_correction) {

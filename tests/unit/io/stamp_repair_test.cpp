@@ -68,7 +68,9 @@ TEST(StampRepair, LeavesWhatCanBeToTheNanosecond) {
   for (std::size_t i = 20; i < 30; ++i) stamps[i] += 3600 * kSecond;  // and a long one
   const Repaired result = repaired(stamps);
   EXPECT_EQ(result.stamps, stamps);
-  EXPECT_TRUE(result.notes.empty());
+  ASSERT_EQ(result.notes.size(), 1U);  // of the first gap
+  EXPECT_NE(result.notes[0].find("40.100000000 s without a scan before scan 12"), std::string::npos)
+      << result.notes[0];
 }
 
 TEST(StampRepair, OneWildStampIsPutWhereItBelongs) {
@@ -103,8 +105,7 @@ TEST(StampRepair, StampsThatStandGrowByTheUsualInterval) {
   EXPECT_EQ(repaired(std::vector<std::int64_t>(20, kStart)).stamps, regular(20));
 }
 
-/// Live: no look ahead, but when messages were received, 5 ms after the stamps that they should
-/// have.
+/// When messages were received, too, 5 ms after the stamps that they should have.
 class Received : public Stamped {
  public:
   Received(std::vector<std::int64_t> stamps, std::vector<std::int64_t> true_stamps)
@@ -120,16 +121,44 @@ class Received : public Stamped {
   std::size_t next_ = 0;
 };
 
-Repaired repaired_at_once(std::vector<std::int64_t> stamps, std::vector<std::int64_t> true_stamps) {
-  OpenOptions options;
-  options.repair_at_once = true;
-  options.rate_hz = 10.0;
+Repaired repaired_by_receipts(std::vector<std::int64_t> stamps,
+                              std::vector<std::int64_t> true_stamps, const OpenOptions& options) {
   const auto recording =
       repair_stamps(std::make_unique<Received>(std::move(stamps), std::move(true_stamps)), options);
   Repaired result;
   while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
   result.notes = recording->notes();
   return result;
+}
+
+/// Live: no look ahead.
+Repaired repaired_at_once(std::vector<std::int64_t> stamps, std::vector<std::int64_t> true_stamps) {
+  OpenOptions options;
+  options.repair_at_once = true;
+  options.rate_hz = 10.0;
+  return repaired_by_receipts(std::move(stamps), std::move(true_stamps), options);
+}
+
+TEST(StampRepair, AClockThatIsSetAheadIsToldFromAGapByReceipts) {
+  std::vector<std::int64_t> ahead = regular(20);
+  for (std::size_t i = 8; i < 20; ++i) ahead[i] += 3600 * kSecond;
+  const Repaired set = repaired_by_receipts(ahead, regular(20), {});
+  EXPECT_EQ(set.stamps, regular(20));
+  ASSERT_EQ(set.notes.size(), 1U);
+  EXPECT_NE(set.notes[0].find("jumps ahead"), std::string::npos) << set.notes[0];
+  EXPECT_NE(set.notes[0].find("scan 8"), std::string::npos) << set.notes[0];
+
+  const Repaired gap = repaired_by_receipts(ahead, ahead, {});
+  EXPECT_EQ(gap.stamps, ahead);
+  // The last one before the gap was held up until the first after it came.
+  std::vector<std::int64_t> held_up = ahead;
+  held_up[7] = ahead[8];
+  EXPECT_EQ(repaired_by_receipts(ahead, held_up, {}).stamps, ahead);
+
+  // As many intervals later as passed: three scans were lost where the clock was set.
+  std::vector<std::int64_t> true_stamps = regular(20);
+  for (std::size_t i = 8; i < 20; ++i) true_stamps[i] += 3 * kSecond / 10;
+  EXPECT_EQ(repaired_by_receipts(ahead, true_stamps, {}).stamps, true_stamps);
 }
 
 TEST(StampRepairAtOnce, LeavesWhatCanBeToTheNanosecond) {
@@ -141,7 +170,8 @@ TEST(StampRepairAtOnce, LeavesWhatCanBeToTheNanosecond) {
   for (std::size_t i = 15; i < 18; ++i) late[i] = stamps[18];  // some were held up
   const Repaired result = repaired_at_once(stamps, late);
   EXPECT_EQ(result.stamps, stamps);
-  EXPECT_TRUE(result.notes.empty());
+  ASSERT_EQ(result.notes.size(), 1U);
+  EXPECT_NE(result.notes[0].find("a gap"), std::string::npos) << result.notes[0];
 }
 
 TEST(StampRepairAtOnce, AStampThatCannotBeCountsForNothing) {
