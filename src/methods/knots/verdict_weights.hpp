@@ -8,17 +8,17 @@
 
 namespace surefoot {
 
-inline constexpr Evidence kVerdictWeights{.misfit = 1.093,
-                                          .unseen = 0.295,
-                                          .contradiction = 1.756,
-                                          .motion = 1.040,
-                                          .unconverged = 1.880,
-                                          .uncertainty = 2.144,
-                                          .gap = 1.675,
-                                          .frozen = 6.487,
-                                          .rival = 2.732};
+inline constexpr Evidence kVerdictWeights{.misfit = 1.073,
+                                          .unseen = 0.586,
+                                          .contradiction = 1.776,
+                                          .motion = 0.791,
+                                          .unconverged = 1.739,
+                                          .uncertainty = 2.169,
+                                          .gap = 0.886,
+                                          .frozen = 6.452,
+                                          .rival = 1.837};
 /// Share of wrong poses in the mix that the probability is for.
 inline constexpr double kVerdictBase = 0.01;
-inline constexpr double kVerdictOffset = -8.675;
+inline constexpr double kVerdictOffset = -8.660;
 
 }  // namespace surefoot
