@@ -6,6 +6,26 @@ function(surefoot_common target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
+  if(SUREFOOT_HARDENED)
+    surefoot_harden(${target})
+  endif()
+endfunction()
+
+# As dpkg-buildflags has it with hardening=+all; a position-independent program is the rule anyway.
+if(SUREFOOT_HARDENED)
+  include(CheckPIESupported)
+  check_pie_supported(LANGUAGES CXX)
+endif()
+function(surefoot_harden target)
+  target_compile_options(${target} PRIVATE -fstack-protector-strong -fstack-clash-protection
+    -Wformat -Werror=format-security -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(${target} PRIVATE -fcf-protection)
+  endif()
+  get_target_property(type ${target} TYPE)
+  if(NOT type STREQUAL STATIC_LIBRARY)
+    target_link_options(${target} PRIVATE -Wl,-z,relro,-z,now)
+  endif()
 endfunction()
 
 # Headers that most sources parse again and again, parsed once. Sources still include what they use:

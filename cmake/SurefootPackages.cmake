@@ -47,13 +47,17 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
+include(SurefootSbom)
+
 function(surefoot_package component name section description)
   string(TOUPPER ${component} key)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name} PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
   set(CPACK_COMPONENT_${key}_DESCRIPTION "LiDAR odometry for robots that walk: ${description}" PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${ARGN}" PARENT_SCOPE)
-  # What every package of Debian's has: its licence, and what changed.
+  # What every package of Debian's has: its licence, and what changed. And what it is made of.
+  install(FILES ${PROJECT_BINARY_DIR}/package/surefoot.spdx.json DESTINATION ${doc}/${name}
+    COMPONENT ${component})
   install(FILES ${PROJECT_BINARY_DIR}/package/copyright DESTINATION ${doc}/${name}
     COMPONENT ${component})
   install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz DESTINATION ${doc}/${name}
