@@ -63,7 +63,7 @@ const std::vector<Layer> kLayers = {
     {"live_page", {"live", "report"}},
     {"process", {}},
     {"runs", {"geometry", "io", "mapping", "evaluation", "report", "process"}},
-    {"checks", {"io", "report", "runs"}},
+    {"checks", {"geometry", "io", "report", "runs"}},
     {"experiments", {"io", "evaluation", "simulation", "report", "process", "runs"}},
     {"recordings", {"geometry", "sensors", "io", "simulation", "report", "process"}},
 };
