@@ -18,6 +18,9 @@ struct Target {
   std::vector<std::string> (*seeds)();
 };
 
-[[nodiscard]] std::span<const Target> targets();
+[[nodiscard]] std::span<const Target> file_targets();
+[[nodiscard]] std::span<const Target> packet_targets();
+[[nodiscard]] std::span<const Target> bag_targets();  // and of the messages in them
+[[nodiscard]] std::vector<Target> targets();          // all of them
 
 }  // namespace surefoot::fuzz
