@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
+#include <limits>
 #include <string>
 
 #include "io/ascii_values.hpp"
@@ -137,6 +139,29 @@ std::optional<std::vector<std::int64_t>> stamps_from_names(
     stamps.push_back(*stamp);
   }
   return stamps;
+}
+
+std::optional<std::vector<std::int64_t>> frame_numbers(
+    const std::vector<std::filesystem::path>& files) {
+  constexpr std::size_t kMostDigits = 9;
+  std::vector<std::int64_t> numbers;
+  std::int64_t least_step = std::numeric_limits<std::int64_t>::max();
+  for (const std::filesystem::path& file : files) {
+    const std::string stem = file.stem().string();
+    const std::size_t digits = stem.find_last_not_of("0123456789") + 1;  // npos + 1 is 0
+    if (digits == stem.size() || stem.size() - digits > kMostDigits) return std::nullopt;
+    numbers.push_back(*parse_whole(std::string_view(stem).substr(digits)));
+    if (numbers.size() == 1) continue;
+    const std::int64_t step = numbers.back() - numbers[numbers.size() - 2];
+    if (step <= 0) return std::nullopt;
+    least_step = std::min(least_step, step);
+  }
+  const bool in_a_row =
+      numbers.empty() || numbers.back() - numbers.front() + 1 == std::ssize(numbers);
+  if (in_a_row || least_step != 1) return std::nullopt;
+  const std::int64_t first = numbers.front();
+  for (std::int64_t& number : numbers) number -= first;
+  return numbers;
 }
 
 }  // namespace surefoot::io

@@ -156,12 +156,16 @@ class FolderRecording final : public Recording {
     }
     const bool known = options_.rate_hz > 0.0;
     const double rate_hz = known ? options_.rate_hz : kAssumedRateHz;
+    const auto numbers = frame_numbers(listing_.files);
     for (std::size_t i = 0; i < listing_.files.size(); ++i) {
-      stamps_.push_back(std::llround(static_cast<double>(i) * 1e9 / rate_hz));
+      const auto frame = numbers ? static_cast<double>((*numbers)[i]) : static_cast<double>(i);
+      stamps_.push_back(std::llround(frame * 1e9 / rate_hz));
     }
     if (listing_.files.size() > 1) {
-      notes_.push_back(known ? "stamps: from the rate that was given"
-                             : "stamps: none found, 10 scans a second assumed");
+      std::string text = known ? "stamps: from the rate that was given"
+                               : "stamps: none found, 10 scans a second assumed";
+      if (numbers) text += ", and the numbers of the files, some of which are missing";
+      notes_.push_back(std::move(text));
     }
   }
 

@@ -110,5 +110,22 @@ TEST(NaturalOrder, NumbersCount) {
   EXPECT_FALSE(natural_less("a", "a"));
 }
 
+TEST(FrameNumbers, CountFromTheFirstWhereSomeAreMissing) {
+  EXPECT_EQ(frame_numbers({"7.pcd", "8.pcd", "12.pcd"}), (std::vector<std::int64_t>{0, 1, 5}));
+  EXPECT_EQ(frame_numbers({"scan_0098.ply", "scan_0100.ply", "scan_0101.ply"}),
+            (std::vector<std::int64_t>{0, 2, 3}));
+  for (const std::vector<std::filesystem::path>& names :
+       {std::vector<std::filesystem::path>{"1.pcd", "2.pcd", "3.pcd"},  // no more than the order
+        {"10.pcd", "20.pcd", "40.pcd"},                                 // may be milliseconds
+        {"1.pcd", "2.pcd", "2.pcd"},
+        {"3.pcd", "2.pcd", "5.pcd"},
+        {"1.pcd", "2.pcd", "end.pcd"},
+        {"1.pcd", "2.pcd", "12345678901.pcd"},
+        {"1.pcd"},
+        {}}) {
+    EXPECT_EQ(frame_numbers(names), std::nullopt);
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::io
