@@ -10,6 +10,13 @@
 
 namespace surefoot::mapping {
 
+Twist systematic_drift(const DriftModel& model) {
+  Twist result;
+  result.head<3>().setConstant(model.systematic_translation);
+  result.tail<3>().setConstant(model.systematic_rotation_deg * std::numbers::pi / 180.0);
+  return result;
+}
+
 PoseEdge odometry_edge(const std::vector<Piece>& pieces, std::size_t from,
                        const DriftModel& model) {
   const Piece& a = pieces[from];
@@ -22,27 +29,39 @@ PoseEdge odometry_edge(const std::vector<Piece>& pieces, std::size_t from,
     edge.information = 1e-9 * Matrix6::Identity();
     return edge;
   }
-  const double way = std::max(b.way - a.way, 0.0);
+  const double way = edge.way = std::max(b.way - a.way, 0.0);
   const double rotation = model.rotation_deg * std::numbers::pi / 180.0;
   const double t2 = model.translation * model.translation * way + model.standing * model.standing;
   const double r2 = rotation * rotation * std::max(way, 0.2);
   Twist diagonal;
   diagonal << t2, t2, t2, r2, r2, r2;
+  diagonal += (way * systematic_drift(model)).cwiseAbs2();
   const Matrix6 covariance = 0.5 * (a.covariance + b.covariance) + Matrix6(diagonal.asDiagonal());
   edge.information = covariance.inverse();
   return edge;
 }
 
-Matrix6 drift_between(const std::vector<Piece>& pieces, const std::vector<PoseEdge>& odometry,
-                      std::size_t from, std::size_t to) {
-  Matrix6 sum = Matrix6::Zero();
+std::vector<Matrix6> drifts_to(const std::vector<Piece>& pieces,
+                               const std::vector<PoseEdge>& odometry, std::size_t to,
+                               const DriftModel& model) {
+  std::vector<Matrix6> result(to + 1, Matrix6::Zero());
   const Pose T_to_world = pieces[to].T_world_piece.inverse();
-  for (std::size_t i = from; i < to; ++i) {
+  const Matrix6 systematic = systematic_drift(model).cwiseAbs2().asDiagonal();
+  Matrix6 walked = Matrix6::Zero();  // the covariance of what is drawn anew at every step
+  Matrix6 common = Matrix6::Zero();  // what a metre's error does at the end, over the way
+  for (std::size_t i = to; i-- > 0;) {
     // The edge's error is a motion in its later piece's frame.
     const Matrix6 carry = se3_adjoint(T_to_world * pieces[i + 1].T_world_piece);
-    sum += carry * odometry[i].information.inverse() * carry.transpose();
+    walked += carry * odometry[i].information.inverse() * carry.transpose();
+    common += odometry[i].way * carry;
+    result[i] = walked + common * systematic * common.transpose();
   }
-  return sum;
+  return result;
+}
+
+Matrix6 drift_between(const std::vector<Piece>& pieces, const std::vector<PoseEdge>& odometry,
+                      std::size_t from, std::size_t to, const DriftModel& model) {
+  return drifts_to(pieces, odometry, to, model)[from];
 }
 
 }  // namespace surefoot::mapping

@@ -13,13 +13,19 @@
 
 namespace surefoot::mapping {
 
-/// Random walks beside what the front-end says itself: its covariance is of a pose against its own
-/// map, which drifts.
+/// What the front-end does not say itself: its covariance is of a pose against its own map, which
+/// drifts. Some of it is a random walk, some is wrong the same way all along (beams that are a
+/// little off, a gait that always sways alike).
 struct DriftModel {
   double translation = 0.01;  ///< [m] after one metre of way; grows with the square root
   double rotation_deg = 0.012;
-  double standing = 0.005;  ///< [m] between two pieces, however short the way
+  double standing = 0.005;                ///< [m] between two pieces, however short the way
+  double systematic_translation = 0.001;  ///< [m] a metre; grows with the way
+  double systematic_rotation_deg = 0.005;
 };
+
+/// As PoseGraph::systematic.
+[[nodiscard]] Twist systematic_drift(const DriftModel& model);
 
 /// The motion from a piece to the next as the odometry has it. Information of 1e-9 where it began
 /// anew.
@@ -30,6 +36,10 @@ struct DriftModel {
 /// later one's frame.
 [[nodiscard]] Matrix6 drift_between(const std::vector<Piece>& pieces,
                                     const std::vector<PoseEdge>& odometry, std::size_t from,
-                                    std::size_t to);
+                                    std::size_t to, const DriftModel& model);
+/// The same from every piece up to `to`, each.
+[[nodiscard]] std::vector<Matrix6> drifts_to(const std::vector<Piece>& pieces,
+                                             const std::vector<PoseEdge>& odometry, std::size_t to,
+                                             const DriftModel& model);
 
 }  // namespace surefoot::mapping

@@ -14,14 +14,17 @@ namespace surefoot::mapping {
 
 namespace {
 
-/// A motion and the covariance of a small motion in the frame that it ends in.
+/// A motion and the covariance of a small motion in the frame that it ends in; what an error of the
+/// odometry that is the same all along does there stands apart, since it may cancel.
 struct UncertainMotion {
   Pose motion;
   Matrix6 covariance = Matrix6::Zero();
+  Matrix6 common = Matrix6::Zero();  // derivative by the error of a metre
 
   void append(const Pose& next, const Matrix6& its_covariance) {
     const Matrix6 carry = se3_adjoint(next.inverse());
     motion = motion * next;
+    common = carry * common;
     covariance = carry * covariance * carry.transpose() + its_covariance;
   }
   void append_inverse(const Pose& next, const Matrix6& its_covariance) {
@@ -40,7 +43,11 @@ Matrix6 covariance_of(const Matrix6& information) {
 class Chain {
  public:
   explicit Chain(const PoseGraph& graph)
-      : pose_(graph.poses.size()), sum_(graph.poses.size()), stretch_(graph.poses.size()) {
+      : pose_(graph.poses.size()),
+        sum_(graph.poses.size()),
+        common_(graph.poses.size(), Matrix6::Zero()),
+        stretch_(graph.poses.size()),
+        systematic_(graph.systematic.cwiseAbs2().asDiagonal()) {
     std::vector<const PoseEdge*> step(graph.poses.size(), nullptr);
     for (const PoseEdge& edge : graph.edges) {
       if (edge.inlier && edge.to == edge.from + 1) step[edge.from] = &edge;
@@ -51,10 +58,12 @@ class Chain {
       const bool whole = step[i] != nullptr;
       stretch_[i + 1] = stretch_[i] + (whole ? 0 : 1);
       sum_[i + 1] = sum_[i];
+      common_[i + 1] = common_[i];
       if (!whole) continue;
       pose_[i + 1] = pose_[i] * step[i]->T_from_to;
       const Matrix6 carry = se3_adjoint(pose_[i + 1]);
       sum_[i + 1] += carry * covariance_of(step[i]->information) * carry.transpose();
+      common_[i + 1] += step[i]->way * carry;
     }
   }
 
@@ -65,13 +74,21 @@ class Chain {
     const Matrix6 between =
         from < to ? Matrix6(sum_[to] - sum_[from]) : Matrix6(sum_[from] - sum_[to]);
     motion.append(pose_[from].inverse() * pose_[to], carry * between * carry.transpose());
+    motion.common += carry * (common_[to] - common_[from]);  // backwards: its negative
     return true;
+  }
+
+  /// Of what is left after a walk round a cycle.
+  [[nodiscard]] Matrix6 covariance(const UncertainMotion& round) const {
+    return round.covariance + round.common * systematic_ * round.common.transpose();
   }
 
  private:
   std::vector<Pose> pose_;
-  std::vector<Matrix6> sum_;  // covariance of the way from the first pose, in its axes
-  std::vector<int> stretch_;  // poses with the same number are joined
+  std::vector<Matrix6> sum_;     // covariance of the way from the first pose, in its axes
+  std::vector<Matrix6> common_;  // derivative of it by an error of every metre, in its axes
+  std::vector<int> stretch_;     // poses with the same number are joined
+  Matrix6 systematic_;
 };
 
 bool agree(const Chain& chain, const PoseEdge& a, const Matrix6& covariance_a, const PoseEdge& b,
@@ -82,7 +99,7 @@ bool agree(const Chain& chain, const PoseEdge& a, const Matrix6& covariance_a, c
   round.append_inverse(b.T_from_to, covariance_b);
   if (!chain.walk(b.from, a.from, round)) return false;
   const Twist error = se3_log(round.motion);
-  return error.dot(round.covariance.ldlt().solve(error)) < kChi2Of6At99;
+  return error.dot(chain.covariance(round).ldlt().solve(error)) < kChi2Of6At99;
 }
 
 std::size_t apart(std::size_t a, std::size_t b) { return a < b ? b - a : a - b; }

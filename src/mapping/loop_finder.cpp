@@ -75,21 +75,10 @@ void LoopFinder::finish() {
   if (!pieces_.empty() && index_.size() < pieces_.size()) look_for(pieces_.size() - 1);
 }
 
-/// Covariances of the odometry's motion from every earlier piece to this one.
-std::vector<Matrix6> LoopFinder::drifts_to(std::size_t query) const {
-  std::vector<Matrix6> result(query + 1, Matrix6::Zero());
-  const Pose T_query_world = pieces_[query].T_world_piece.inverse();
-  for (std::size_t i = query; i-- > 0;) {
-    const Matrix6 carry = se3_adjoint(T_query_world * pieces_[i + 1].T_world_piece);
-    result[i] = result[i + 1] + carry * odometry_[i].information.inverse() * carry.transpose();
-  }
-  return result;
-}
-
 void LoopFinder::look_for(std::size_t query) {
   Submap submap = make_submap(pieces_, query);
   const std::vector<OffsetDescriptor> descriptors = describe_with_offsets(submap);
-  const std::vector<Matrix6> drifts = drifts_to(query);
+  const std::vector<Matrix6> drifts = drifts_to(pieces_, odometry_, query, options_.drift);
   const auto within_reach = [&](std::size_t place) {
     if (pieces_[query].way - pieces_[place].way < options_.way_between) return false;
     const double apart =
@@ -159,7 +148,7 @@ void LoopFinder::refuse_ambiguous(std::size_t first) {
       const Pose world_b =
           pieces_[loops_[b].place].T_world_piece * loops_[b].check.alignment.T_target_source;
       const Pose apart = world_a.inverse() * world_b;
-      const Matrix6 drift = drift_between(pieces_, odometry_, early, late);
+      const Matrix6 drift = drift_between(pieces_, odometry_, early, late, options_.drift);
       const double metres = kMetres + kSigmas * std::sqrt(drift.topLeftCorner<3, 3>().trace());
       const double turn =
           kDegrees + degrees(kSigmas * std::sqrt(drift.bottomRightCorner<3, 3>().trace()));

@@ -53,7 +53,6 @@ class LoopFinder {
   void verify(const PlaceIndex::Match& match, const Matrix6& drift, std::size_t query,
               const VerifiableSubmap& seen);
   void refuse_ambiguous(std::size_t first);
-  [[nodiscard]] std::vector<Matrix6> drifts_to(std::size_t query) const;
 
   LoopOptions options_;
   std::vector<Piece> pieces_;

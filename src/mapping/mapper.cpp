@@ -34,6 +34,7 @@ void Mapper::finish() {
   graph_.poses.clear();
   for (const Piece& piece : pieces()) graph_.poses.push_back(piece.T_world_piece);
   graph_.edges = finder_.odometry();
+  graph_.systematic = systematic_drift(options_.loops.drift);
   if (options_.close_loops) choose_loops();
 }
 

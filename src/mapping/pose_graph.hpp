@@ -18,11 +18,15 @@ struct PoseEdge {
   Pose T_from_to;
   Matrix6 information = Matrix6::Identity();  ///< of edge_error(); may be singular
   bool inlier = true;  ///< known to be right (odometry); else it may be switched off
+  double way = 0.0;    ///< of odometry [m]: what it gets wrong the same way all along adds up
 };
 
 struct PoseGraph {
   std::vector<Pose> poses;  ///< T_world_pose; the first one stays where it is
   std::vector<PoseEdge> edges;
+  /// Of each metre of the edges' way: standard deviation of an error of the motion that is the same
+  /// all along, and so does not average out as the edges' own covariances do.
+  Twist systematic = Twist::Zero();
 };
 
 /// Where the measurement would have the second pose, against where it is: a twist in its frame.

@@ -22,7 +22,7 @@ struct Submap {
 /// The pieces from `index - reach` to `index + reach`, as far as there are any and the odometry
 /// knows where they lie against each other; one point a cube of side `voxel`.
 [[nodiscard]] Submap make_submap(const std::vector<Piece>& pieces, std::size_t index,
-                                 std::size_t reach = 1, double voxel = 0.3);
+                                 std::size_t reach = 1, double voxel = 0.2);
 /// A single piece.
 [[nodiscard]] Submap make_submap(const Piece& piece);
 
