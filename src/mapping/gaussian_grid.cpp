@@ -3,6 +3,7 @@
 #include "mapping/gaussian_grid.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "geometry/decompositions.hpp"
 
@@ -29,12 +30,9 @@ Gaussian fit(const Moments& moments, double size) {
   const Eigen::Matrix3d covariance = moments.squares / n - result.mean * result.mean.transpose();
   const auto [values, axes] = symmetric_eigen_direct(covariance);
   const double thin = kThin * size * kThin * size;
-  result.across = axes.col(0) * axes.col(0).transpose();
-  if (values[1] < thin) {
-    result.across += axes.col(1) * axes.col(1).transpose();
-  } else if (values[0] >= thin) {
-    result.across = kCloudWeight * Eigen::Matrix3d::Identity();
-  }
+  const double weight = values[0] < thin ? 1.0 : std::sqrt(kCloudWeight);
+  for (int i = 0; i < 3; ++i) result.across[static_cast<std::size_t>(i)] = weight * axes.col(i);
+  result.counted = values[0] >= thin ? 3 : values[1] < thin ? 2 : 1;
   result.level = values[0] < thin && values[1] >= thin && std::abs(axes(2, 0)) > kLevelNormal;
   return result;
 }

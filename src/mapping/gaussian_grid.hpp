@@ -5,6 +5,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,10 +17,23 @@ namespace surefoot::mapping {
 
 /// What the points of a cube lie on.
 struct Gaussian {
-  Eigen::Vector3d mean;    ///< [m]
-  Eigen::Matrix3d across;  ///< of a difference from the mean, what counts: along a plane's normal,
-                           ///< across a pole; all of it, with less weight, where it is a cloud
-  bool level = false;      ///< a plane that lies: ground, ceiling
+  Eigen::Vector3d mean;  ///< [m]
+  /// Of a difference from the mean, what counts: along a plane's normal, across a pole; all of it,
+  /// with less weight, where it is a cloud. The first `counted` of them, times their weights'
+  /// roots.
+  std::array<Eigen::Vector3d, 3> across;
+  int counted = 1;
+  bool level = false;  ///< a plane that lies: ground, ceiling
+
+  /// [m^2] of a place from what the points lie on.
+  [[nodiscard]] double distance2(const Eigen::Vector3d& place) const {
+    double sum = 0.0;
+    for (int i = 0; i < counted; ++i) {
+      const double part = across[static_cast<std::size_t>(i)].dot(place - mean);
+      sum += part * part;
+    }
+    return sum;
+  }
 };
 
 /// Cubes of one size, each with its points' Gaussian.

@@ -3,6 +3,8 @@
 #include "mapping/loop_verifier.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace surefoot::mapping {
 
@@ -31,7 +33,7 @@ std::vector<SubmapAlignment> align_all(const RegistrationSubmap& target,
                                        const RegistrationSubmap& source,
                                        const std::vector<Pose>& starts) {
   std::vector<SubmapAlignment> rough;
-  for (const Pose& start : starts) rough.push_back(align_submaps(target, source, start, 0, 1));
+  for (const Pose& start : starts) rough.push_back(align_roughly(target, source, start));
   const auto better = [](const SubmapAlignment& a, const SubmapAlignment& b) {
     return a.matched > b.matched;
   };
@@ -42,6 +44,19 @@ std::vector<SubmapAlignment> align_all(const RegistrationSubmap& target,
   }
   std::stable_sort(rough.begin(), rough.end(), better);
   return rough;
+}
+
+/// [m] How far the submap may be bent in itself where the alignment holds.
+double bend_of(const SubmapAlignment& alignment, const Matrix6& covariance) {
+  Twist scale;
+  scale << 1.0, 1.0, 1.0, kLever, kLever, kLever;
+  const Matrix6 scaled = scale.asDiagonal() * covariance * scale.asDiagonal();
+  double worst = 0.0;
+  for (int i = 0; i < alignment.held; ++i) {
+    const Twist axis = alignment.axes.col(i);
+    worst = std::max(worst, axis.dot(scaled * axis));
+  }
+  return std::sqrt(worst);
 }
 
 bool elsewhere(const SubmapAlignment& best, const SubmapAlignment& other) {
@@ -62,6 +77,8 @@ std::string_view to_string(LoopVerdict verdict) {
       return "no_overlap";
     case LoopVerdict::starts_disagree:
       return "starts_disagree";
+    case LoopVerdict::bent:
+      return "bent";
     case LoopVerdict::free_space:
       return "free_space";
     case LoopVerdict::beyond_drift:
@@ -90,6 +107,8 @@ std::string_view explain(LoopVerdict verdict) {
       return "too little of one lies on the other";
     case LoopVerdict::starts_disagree:
       return "registrations from several starts end apart";
+    case LoopVerdict::bent:
+      return "the odometry was not sure of its own way there";
     case LoopVerdict::free_space:
       return "something stands where the other saw nothing";
     case LoopVerdict::beyond_drift:
@@ -120,13 +139,16 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
     return check;
   }
   const std::vector<SubmapAlignment> forward = align_all(target, source, starts);
+  check.alignment = forward.front();
+  check.overlap = forward.front().matched;
+  check.started = static_cast<int>(forward.size());
+  check.verdict = LoopVerdict::no_overlap;
+  if (check.overlap < limits.overlap) return check;  // the other way round would not help
   std::vector<Pose> inverse;
   for (const Pose& start : starts) inverse.push_back(start.inverse());
   const std::vector<SubmapAlignment> backward = align_all(source, target, inverse);
-  check.alignment = forward.front();
   check.overlap = std::min(forward.front().matched, backward.front().matched);
   check.started = static_cast<int>(forward.size() + backward.size());
-  check.verdict = LoopVerdict::no_overlap;
   if (check.overlap < limits.overlap) return check;
 
   check.verdict = LoopVerdict::starts_disagree;
@@ -145,6 +167,12 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   if (!both_ways || check.agreeing < std::min<int>(limits.agreeing, check.started)) return check;
 
   const Pose& T_place_query = check.alignment.T_target_source;
+  const Matrix6 bend_of_place = turned(place.submap().covariance, T_place_query.rotation);
+  check.verdict = LoopVerdict::bent;
+  check.bend = std::max(bend_of(check.alignment, bend_of_place),
+                        bend_of(check.alignment, query.submap().covariance));
+  const double turn = limits.gap_degrees * std::numbers::pi / 180.0;
+  if (check.bend > std::hypot(limits.gap_metres, kLever * turn)) return check;
   check.contradicted =
       std::max(contradicted(place.free_space(), source.standing(), T_place_query),
                contradicted(query.free_space(), target.standing(), T_place_query.inverse()));

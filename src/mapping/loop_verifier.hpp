@@ -38,6 +38,7 @@ enum class LoopVerdict {
   little_to_see,    ///< too few points stand upright
   no_overlap,       ///< too few of them lie on something of the other
   starts_disagree,  ///< registration ended elsewhere from another start, or the other way round
+  bent,             ///< the odometry was not sure of its own way within one of them
   free_space,       ///< something stands where the other one saw that there is nothing
   beyond_drift,     ///< the odometry cannot have gone so far astray
   other_storey,     ///< under a roof, and higher or lower by more than half a storey
@@ -65,6 +66,7 @@ struct LoopCheck {
   SubmapAlignment alignment;  ///< of the query in the place's frame
   double overlap = 0.0;       ///< the smaller one of both directions
   double contradicted = 0.0;  ///< the larger one
+  double bend = 0.0;          ///< the larger one: standard deviation, kLever away [m]
   int agreeing = 0;           ///< registrations that ended at the same pose
   int started = 0;
 };

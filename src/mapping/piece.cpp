@@ -17,15 +17,19 @@ constexpr double kSway = 0.2;             // smaller steps are the body's sway, 
 constexpr std::size_t kAlwaysTaken = 10;  // scans: a robot that stands sees something, too
 constexpr std::size_t kMostEyes = std::numeric_limits<std::uint16_t>::max();
 
-/// A covariance in the world's axes in those of a frame in it.
-Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& world_frame) {
-  Matrix6 turn = Matrix6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
-      world_frame.toRotationMatrix().transpose();
-  return turn * covariance * turn.transpose();
+}  // namespace
+
+double spread(const Matrix6& covariance) {
+  const Twist variances = covariance.diagonal();
+  return variances.head<3>().sum() + kLever * kLever * variances.tail<3>().sum();
 }
 
-}  // namespace
+Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& R_axes_frame) {
+  Matrix6 turn = Matrix6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
+      R_axes_frame.toRotationMatrix().transpose();
+  return turn * covariance * turn.transpose();
+}
 
 std::optional<Piece> PieceBuilder::add(const PlacedScan& scan, const DeskewedScan& points) {
   std::optional<Piece> done;
@@ -51,7 +55,7 @@ void PieceBuilder::begin(const PlacedScan& scan) {
   begin_ns_ = scan.stamp_ns;
   begin_way_ = way_;
   T_world_first_ = upright(scan.T_world_lidar);
-  covariance_sum_.setZero();
+  covariance_.setZero();
   scans_ = 0;
   stands_.clear();
   table_.clear();
@@ -60,7 +64,8 @@ void PieceBuilder::begin(const PlacedScan& scan) {
 }
 
 void PieceBuilder::insert(const PlacedScan& scan, const DeskewedScan& points) {
-  covariance_sum_ += scan.covariance;
+  // One scan that was placed badly bends the whole piece.
+  if (spread(scan.covariance) > spread(covariance_)) covariance_ = scan.covariance;
   ++scans_;
   stands_.push_back({scan.stamp_ns, scan.T_world_lidar, way_});
   const double moved = (scan.T_world_lidar.translation - last_inserted_.translation).norm();
@@ -101,8 +106,7 @@ std::optional<Piece> PieceBuilder::unfinished() const {
   piece.T_piece_lidar = piece.T_world_piece.inverse() * middle.pose;
   piece.way = middle.way;
   piece.length = way_ - begin_way_;
-  piece.covariance =
-      turned(covariance_sum_ / static_cast<double>(scans_), piece.T_world_piece.rotation);
+  piece.covariance = turned(covariance_, piece.T_world_piece.rotation);
   piece.restarted = restarted_;
   const Pose T_piece_first = piece.T_world_piece.inverse() * T_world_first_;
   const Eigen::Matrix3f R = T_piece_first.rotation.toRotationMatrix().cast<float>();

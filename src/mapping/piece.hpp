@@ -22,6 +22,13 @@ struct PlacedScan {
   bool restarted = false;                ///< the odometry lost its map and began anew
 };
 
+/// [m] at which a rotation moves points as much as a shift of the same size.
+inline constexpr double kLever = 10.0;
+/// [m^2] How far a pose's points may lie astray.
+[[nodiscard]] double spread(const Matrix6& covariance);
+/// A covariance in some axes in those of a frame that is turned in them.
+[[nodiscard]] Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& R_axes_frame);
+
 /// A few metres of way: what was seen from it, thinned, in the frame of the pose in its middle,
 /// made level.
 struct Piece {
@@ -31,8 +38,8 @@ struct Piece {
   Pose T_piece_lidar;                    ///< the LiDAR there, which is not level
   double way = 0.0;                      ///< walked until its middle [m]
   double length = 0.0;                   ///< of way in it [m]
-  Matrix6 covariance = Matrix6::Zero();  ///< the front-end's, of a pose in it against the map;
-                                         ///< [x y z roll pitch yaw] in the piece's axes
+  Matrix6 covariance = Matrix6::Zero();  ///< the front-end's, of the least certain pose in it
+                                         ///< against its map; [x y z roll pitch yaw], its axes
   bool restarted = false;                ///< where it lies against the piece before is not known
   std::vector<Eigen::Vector3f> points;   ///< [m]
   std::vector<std::uint16_t> seen_from;  ///< of each point: which of `eyes`
@@ -83,7 +90,7 @@ class PieceBuilder {
   std::int64_t begin_ns_ = 0;
   double begin_way_ = 0.0;
   Pose T_world_first_;
-  Matrix6 covariance_sum_ = Matrix6::Zero();
+  Matrix6 covariance_ = Matrix6::Zero();  // of the least certain pose, in the world's axes
   std::size_t scans_ = 0;
   std::vector<Stand> stands_;
   VoxelTable table_;

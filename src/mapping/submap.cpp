@@ -53,6 +53,8 @@ void add(const Piece& piece, const Pose& T_submap_piece, double voxel, VoxelTabl
   const Eigen::Matrix3f R = T_submap_piece.rotation.toRotationMatrix().cast<float>();
   const Eigen::Vector3f t = T_submap_piece.translation.cast<float>();
   const double inverse = 1.0 / voxel;
+  const Matrix6 covariance = turned(piece.covariance, T_submap_piece.rotation.inverse());
+  if (spread(covariance) > spread(submap.covariance)) submap.covariance = covariance;
   for (std::size_t i = 0; i < piece.points.size(); ++i) {
     const Eigen::Vector3f at = R * piece.points[i] + t;
     const auto key = voxel_key(voxel_index(at.cast<double>(), inverse));
@@ -91,6 +93,7 @@ Submap make_submap(const std::vector<Piece>& pieces, std::size_t index, std::siz
 Submap make_submap(const Piece& piece) {
   Submap submap;
   submap.points = piece.points;
+  submap.covariance = piece.covariance;
   for (const std::uint16_t eye : piece.seen_from) submap.eyes.push_back(piece.eyes[eye]);
   finish(submap);
   return submap;

@@ -13,10 +13,11 @@
 namespace surefoot::mapping {
 
 struct Submap {
-  std::vector<Eigen::Vector3f> points;  ///< [m] the frame of the middle piece: level
-  std::vector<Eigen::Vector3f> eyes;    ///< of each point: from where it was seen
-  double ground = 0.0;                  ///< height of the ground about the middle [m]
-  bool covered = false;                 ///< a ceiling is above
+  std::vector<Eigen::Vector3f> points;   ///< [m] the frame of the middle piece: level
+  std::vector<Eigen::Vector3f> eyes;     ///< of each point: from where it was seen
+  double ground = 0.0;                   ///< height of the ground about the middle [m]
+  bool covered = false;                  ///< a ceiling is above
+  Matrix6 covariance = Matrix6::Zero();  ///< as Piece::covariance, of its least certain piece
 };
 
 /// The pieces from `index - reach` to `index + reach`, as far as there are any and the odometry

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/decompositions.hpp"
@@ -16,8 +17,12 @@ namespace {
 
 constexpr std::size_t kMostPoints = 2400;
 constexpr std::size_t kMostStanding = 4000;
-constexpr int kIterations = 15;         // a grid
-constexpr double kConverged = 2e-4;     // [m, rad / kLever]
+constexpr int kIterations = 15;             // a grid
+constexpr double kConverged = 2e-4;         // [m, rad / kLever]
+constexpr double kRoughlyConverged = 5e-3;  // where a finer grid comes after [m, rad / kLever]
+constexpr double kSamePartners = 0.01;  // points that moved less lie on the same as before, cubes
+constexpr double kLeastWeight = 0.01;   // of the points
+constexpr std::size_t kRoughShare = 4;
 constexpr double kKernel = 0.2;         // of a grid's cubes
 constexpr double kOnIt = 0.2;           // points nearer than this lie on a surface [m]
 constexpr double kNoise = 0.03;         // of a residual, at least [m]
@@ -41,26 +46,41 @@ struct Equations {
   double squares = 0.0;
 };
 
-Equations linearise(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& points,
+/// What each point lies on; null: on nothing.
+using Partners = std::vector<const Gaussian*>;
+
+Partners find_partners(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& points,
+                       const Pose& pose) {
+  const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+  Partners result;
+  result.reserve(points.size());
+  for (const Eigen::Vector3d& point : points) {
+    result.push_back(grid.find(R * point + pose.translation));
+  }
+  return result;
+}
+
+Equations linearise(const Partners& partners, const std::vector<Eigen::Vector3d>& points,
                     const Pose& pose, double kernel) {
   Equations sum;
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   const double kernel2 = kernel * kernel;
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d place = R * point + pose.translation;
-    const Gaussian* gaussian = grid.find(place);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Gaussian* gaussian = partners[i];
     if (gaussian == nullptr) continue;
-    const Eigen::Vector3d difference = place - gaussian->mean;
-    const Eigen::Vector3d counted = gaussian->across * difference;
-    const double squared = difference.dot(counted);
+    const Eigen::Vector3d& point = points[i];
+    const Eigen::Vector3d place = R * point + pose.translation;
+    const double squared = gaussian->distance2(place);
     const double root = kernel2 / (kernel2 + squared);
     const double weight = root * root;
-    Eigen::Matrix<double, 3, 6> J;
-    J.leftCols<3>() = R;
-    J.rightCols<3>() = -R * hat(point);
-    const Eigen::Matrix<double, 3, 6> AJ = gaussian->across * J;
-    sum.H.noalias() += weight * J.transpose() * AJ;
-    sum.b.noalias() += weight * J.transpose() * counted;
+    for (int k = 0; k < gaussian->counted; ++k) {
+      const Eigen::Vector3d& across = gaussian->across[static_cast<std::size_t>(k)];
+      const Eigen::Vector3d axis = R.transpose() * across;
+      Twist j;
+      j << axis, point.cross(axis);
+      sum.H.noalias() += (weight * j) * j.transpose();
+      sum.b.noalias() += weight * across.dot(place - gaussian->mean) * j;
+    }
     sum.weights += weight;
     sum.squares += weight * squared;
   }
@@ -116,45 +136,91 @@ RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
   pick(lying, kMostPoints - points_.size(), points_);
 }
 
-SubmapAlignment align_submaps(const RegistrationSubmap& target, const RegistrationSubmap& source,
-                              const Pose& start, std::size_t first_level, std::size_t levels) {
-  SubmapAlignment result;
-  result.T_target_source = start;
+namespace {
+
+/// Moves the pose until the points lie on the grid as well as they can. False if too few do.
+bool descend(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& points, Pose& pose,
+             double converged) {
   const Twist s = scale();
-  for (std::size_t level = first_level; level < levels; ++level) {
-    const GaussianGrid& grid = target.grid(level);
-    // Wide at first: what is right may lie a cube away.
-    double kernel = kKernel * grid.size() * 2.0;
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
-      const Equations equations = linearise(grid, source.points(), result.T_target_source, kernel);
-      kernel = std::max(0.8 * kernel, kKernel * grid.size());
-      if (equations.weights < 20.0) return result;
-      Matrix6 damped = s.asDiagonal() * equations.H * s.asDiagonal();
-      damped.diagonal().array() += 1e-3 * equations.weights;  // what nothing holds stays
-      const Twist step = s.cwiseProduct(-damped.ldlt().solve(s.cwiseProduct(equations.b)).eval());
-      if (!step.allFinite()) return result;
-      result.T_target_source = result.T_target_source * se3_exp(step);
-      if (step.cwiseQuotient(s).norm() < kConverged) break;
+  // Wide at first: what is right may lie a cube away.
+  double kernel = kKernel * grid.size() * 2.0;
+  double moved = std::numeric_limits<double>::infinity();  // since partners were looked for [m]
+  Partners partners;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    if (moved > kSamePartners * grid.size()) {
+      partners = find_partners(grid, points, pose);
+      moved = 0.0;
     }
+    const Equations equations = linearise(partners, points, pose, kernel);
+    const bool narrow = kernel <= kKernel * grid.size();
+    kernel = std::max(0.8 * kernel, kKernel * grid.size());
+    if (equations.weights < kLeastWeight * static_cast<double>(points.size())) return false;
+    Matrix6 damped = s.asDiagonal() * equations.H * s.asDiagonal();
+    damped.diagonal().array() += 1e-3 * equations.weights;  // what nothing holds stays
+    const Twist step = s.cwiseProduct(-damped.ldlt().solve(s.cwiseProduct(equations.b)).eval());
+    if (!step.allFinite()) return false;
+    pose = pose * se3_exp(step);
+    const double size = step.cwiseQuotient(s).norm();
+    moved += size;
+    if (narrow && size < converged) break;
   }
-  const GaussianGrid& finest = target.grid(levels - 1);
-  assess(linearise(finest, source.points(), result.T_target_source, kKernel * finest.size()),
-         result);
+  return true;
+}
+
+/// Every so manieth: enough to see which start is the best.
+std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<Eigen::Vector3d> result;
+  pick(points, points.size() / kRoughShare, result);
+  return result;
+}
+
+/// How much of what stands in the source lies on something of the target.
+void measure_overlap(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& standing,
+                     SubmapAlignment& alignment) {
   double squares = 0.0;
   std::size_t matched = 0;
-  for (const Eigen::Vector3d& point : source.standing()) {
-    const Eigen::Vector3d place = result.T_target_source * point;
-    const Gaussian* gaussian = finest.find(place);
+  for (const Eigen::Vector3d& point : standing) {
+    const Eigen::Vector3d place = alignment.T_target_source * point;
+    const Gaussian* gaussian = grid.find(place);
     if (gaussian == nullptr) continue;
-    const Eigen::Vector3d difference = place - gaussian->mean;
-    const double squared = difference.dot(gaussian->across * difference);
+    const double squared = gaussian->distance2(place);
     if (squared > kOnIt * kOnIt) continue;
     ++matched;
     squares += squared;
   }
-  result.matched = static_cast<double>(matched) /
-                   static_cast<double>(std::max<std::size_t>(source.standing().size(), 1));
-  result.misfit = matched > 0 ? std::sqrt(squares / static_cast<double>(matched)) : 0.0;
+  alignment.matched =
+      static_cast<double>(matched) / static_cast<double>(std::max<std::size_t>(standing.size(), 1));
+  alignment.misfit = matched > 0 ? std::sqrt(squares / static_cast<double>(matched)) : 0.0;
+}
+
+}  // namespace
+
+SubmapAlignment align_roughly(const RegistrationSubmap& target, const RegistrationSubmap& source,
+                              const Pose& start) {
+  SubmapAlignment result;
+  result.T_target_source = start;
+  if (descend(target.grid(0), some_of(source.points()), result.T_target_source,
+              kRoughlyConverged)) {
+    measure_overlap(target.grid(0), some_of(source.standing()), result);
+  }
+  return result;
+}
+
+SubmapAlignment align_submaps(const RegistrationSubmap& target, const RegistrationSubmap& source,
+                              const Pose& start, std::size_t first_level) {
+  constexpr std::size_t kLast = RegistrationSubmap::kSizes.size() - 1;
+  SubmapAlignment result;
+  result.T_target_source = start;
+  Pose& pose = result.T_target_source;
+  for (std::size_t level = first_level; level <= kLast; ++level) {
+    const double converged = level == kLast ? kConverged : kRoughlyConverged;
+    if (!descend(target.grid(level), source.points(), pose, converged)) return result;
+  }
+  const GaussianGrid& finest = target.grid(kLast);
+  assess(linearise(find_partners(finest, source.points(), pose), source.points(), pose,
+                   kKernel * finest.size()),
+         result);
+  measure_overlap(finest, source.standing(), result);
   return result;
 }
 

@@ -48,14 +48,14 @@ struct SubmapAlignment {
   Matrix6 axes = Matrix6::Identity();
   int held = 0;
 };
-/// [m] at which a rotation moves points as much as a shift of the same size.
-inline constexpr double kLever = 10.0;
-
-/// From the coarsest grid to the finest; `levels` of them.
+/// On the coarsest grid alone and with some of the points: enough to see which start is worth more.
+/// Without information and axes.
+[[nodiscard]] SubmapAlignment align_roughly(const RegistrationSubmap& target,
+                                            const RegistrationSubmap& source, const Pose& start);
+/// From a grid to the finest.
 [[nodiscard]] SubmapAlignment align_submaps(const RegistrationSubmap& target,
                                             const RegistrationSubmap& source, const Pose& start,
-                                            std::size_t first_level = 0,
-                                            std::size_t levels = RegistrationSubmap::kSizes.size());
+                                            std::size_t first_level = 0);
 
 /// How far two alignments of the same submaps lie apart, in what the first one holds.
 struct AlignmentGap {

@@ -3,6 +3,7 @@
 #include "runs/loop_truth.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "evaluation/association.hpp"
@@ -12,6 +13,7 @@ namespace surefoot::runs {
 namespace {
 
 constexpr double kRevisit = 3.0;  // [m]
+constexpr double kHeight = 1.2;   // half a storey: above a place is another one [m]
 
 /// True poses of the pieces' frames.
 std::vector<Pose> true_pieces(const std::vector<mapping::Piece>& pieces, const Trajectory& truth) {
@@ -55,8 +57,9 @@ LoopTruth judge_loops(const mapping::Mapper& mapper, const Trajectory& truth, do
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     bool revisit = false;
     for (std::size_t k = 0; k < i && !revisit; ++k) {
-      revisit = pieces[i].way - pieces[k].way >= way_between &&
-                (poses[i].translation - poses[k].translation).norm() < kRevisit;
+      const Eigen::Vector3d apart = poses[i].translation - poses[k].translation;
+      revisit = pieces[i].way - pieces[k].way >= way_between && apart.norm() < kRevisit &&
+                std::abs(apart.z()) < kHeight;
     }
     result.revisits.push_back(revisit);
     const bool found =

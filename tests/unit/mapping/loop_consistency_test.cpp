@@ -61,6 +61,47 @@ TEST(LoopConsistency, RightLoopsAgreeAndAFalseOneIsAlone) {
   EXPECT_FALSE(supported[first + 3]);
 }
 
+/// An odometry that goes wrong the same way on every metre is farther astray than its steps' own
+/// covariances add up to.
+TEST(LoopConsistency, WhatIsWrongAllAlongAddsUp) {
+  std::vector<Pose> truth;
+  PoseGraph graph = two_laps(&truth);
+  for (PoseEdge& edge : graph.edges) {
+    edge.way = 5.0;
+    edge.information = 1e7 * Matrix6::Identity();
+  }
+  const std::size_t first = graph.edges.size();
+  for (const std::size_t to : {22, 38}) {
+    PoseEdge edge = loop(2, to, truth[2].inverse() * truth[to]);
+    edge.information = 1e6 * Matrix6::Identity();
+    graph.edges.push_back(edge);
+  }
+  EXPECT_FALSE(pairwise_agreement(graph, {first, first + 1})[0][1]);
+  graph.systematic << 0.004, 0.004, 0.004, 8e-4, 8e-4, 8e-4;
+  EXPECT_TRUE(pairwise_agreement(graph, {first, first + 1})[0][1]);
+}
+
+/// ... and cancels where two loops share it: the same lap walked twice.
+TEST(LoopConsistency, WhatIsWrongAllAlongCancelsWhereLoopsShareIt) {
+  PoseGraph graph = two_laps();
+  for (PoseEdge& edge : graph.edges) {
+    edge.way = 5.0;
+    edge.information = 1e7 * Matrix6::Identity();
+  }
+  graph.systematic << 0.004, 0.004, 0.004, 8e-4, 8e-4, 8e-4;
+  const std::size_t first = graph.edges.size();
+  graph.edges.push_back(loop(2, 22, {}));
+  Pose aside;
+  aside.translation = {0.25, 0.25, 0.0};
+  graph.edges.push_back(loop(12, 32, aside));
+  for (std::size_t e = first; e < first + 2; ++e) {
+    graph.edges[e].information = 1e4 * Matrix6::Identity();
+  }
+  EXPECT_FALSE(pairwise_agreement(graph, {first, first + 1})[0][1]);
+  graph.edges[first + 1].T_from_to = {};
+  EXPECT_TRUE(pairwise_agreement(graph, {first, first + 1})[0][1]);
+}
+
 /// Seen from elsewhere: a loop's own motion, and what its errors do at the end of it, count.
 TEST(LoopConsistency, LoopsBetweenPlacesApartAgreeAsTheirMotionsSay) {
   std::vector<Pose> truth;
