@@ -21,12 +21,14 @@ struct Moments {
   std::size_t count = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d to_eyes = Eigen::Vector3d::Zero();
 };
 
 Gaussian fit(const Moments& moments, double size) {
   const double n = static_cast<double>(moments.count);
   Gaussian result;
   result.mean = moments.sum / n;
+  result.facing = moments.to_eyes / n;
   const Eigen::Matrix3d covariance = moments.squares / n - result.mean * result.mean.transpose();
   const auto [values, axes] = symmetric_eigen_direct(covariance);
   const double thin = kThin * size * kThin * size;
@@ -39,20 +41,22 @@ Gaussian fit(const Moments& moments, double size) {
 
 }  // namespace
 
-GaussianGrid::GaussianGrid(const std::vector<Eigen::Vector3f>& points, double size)
+GaussianGrid::GaussianGrid(const std::vector<Eigen::Vector3f>& points,
+                           const std::vector<Eigen::Vector3f>& eyes, double size)
     : size_(size), inverse_size_(1.0 / size) {
   VoxelTable cubes;
   std::vector<Moments> moments;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3d at = point.cast<double>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d at = points[i].cast<double>();
     const std::uint64_t key = voxel_key(voxel_index(at, inverse_size_));
     const auto [index, fresh] =
         cubes.find_or_insert(key, static_cast<std::uint32_t>(moments.size()));
-    if (fresh) moments.push_back({key, 0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()});
+    if (fresh) moments.push_back({.key = key});
     Moments& cube = moments[index];
     ++cube.count;
     cube.sum += at;
     cube.squares += at * at.transpose();
+    cube.to_eyes += (eyes[i].cast<double>() - at).normalized();
   }
   for (const Moments& cube : moments) {
     if (cube.count < kLeastPoints) continue;

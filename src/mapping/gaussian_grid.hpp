@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,8 +24,19 @@ struct Gaussian {
   /// roots.
   std::array<Eigen::Vector3d, 3> across;
   int counted = 1;
+  Eigen::Vector3d
+      facing;          ///< the mean of unit vectors from its points to where they were seen from
   bool level = false;  ///< a plane that lies: ground, ceiling
 
+  /// Whether it is a plane of which something that was seen in this direction (to the eye, unit) is
+  /// the other side: a slab from above and from below, a wall from two rooms.
+  [[nodiscard]] bool other_side(const Eigen::Vector3d& to_eye) const {
+    constexpr double kGrazing = 0.1;  // a cosine: seen edge-on, a side is not told
+    const double one = across[0].dot(facing);
+    const double other = across[0].dot(to_eye);
+    return counted == 1 && one * other < 0.0 && std::abs(one) > kGrazing &&
+           std::abs(other) > kGrazing;
+  }
   /// [m^2] of a place from what the points lie on.
   [[nodiscard]] double distance2(const Eigen::Vector3d& place) const {
     double sum = 0.0;
@@ -39,7 +51,9 @@ struct Gaussian {
 /// Cubes of one size, each with its points' Gaussian.
 class GaussianGrid {
  public:
-  GaussianGrid(const std::vector<Eigen::Vector3f>& points, double size);
+  /// `eyes`: of each point, from where it was seen.
+  GaussianGrid(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& eyes,
+               double size);
 
   /// The Gaussian of the cube about the place or of the six beside it whose mean is nearest; null
   /// if there is none.

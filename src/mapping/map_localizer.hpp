@@ -23,7 +23,7 @@ struct LocalizerOptions {
   double agree_metres = 0.3;
   double agree_degrees = 2.0;
   std::size_t candidates = 6;  ///< places that are verified in a search
-  std::size_t every = 5;       ///< scans between two searches
+  std::size_t every = 3;       ///< scans between two searches
   double check_every = 2.5;    ///< of way, once the place is known [m]
   double lost_after = 10.0;    ///< of way on which no check succeeded [m]
 };

@@ -31,8 +31,7 @@ constexpr double kFloor = 0.015;        // of an alignment: pieces are bent a li
 constexpr double kHeld = 0.05;  // information of a direction, of that of all points along it
 
 /// Every n-th, so that about `count` are left.
-void pick(const std::vector<Eigen::Vector3d>& from, std::size_t count,
-          std::vector<Eigen::Vector3d>& to) {
+void pick(const std::vector<SeenPoint>& from, std::size_t count, std::vector<SeenPoint>& to) {
   const double every = std::max(1.0, static_cast<double>(from.size()) / static_cast<double>(count));
   for (double at = 0.0; at < static_cast<double>(from.size()); at += every) {
     to.push_back(from[static_cast<std::size_t>(at)]);
@@ -49,18 +48,20 @@ struct Equations {
 /// What each point lies on; null: on nothing.
 using Partners = std::vector<const Gaussian*>;
 
-Partners find_partners(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& points,
+Partners find_partners(const GaussianGrid& grid, const std::vector<SeenPoint>& points,
                        const Pose& pose) {
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   Partners result;
   result.reserve(points.size());
-  for (const Eigen::Vector3d& point : points) {
-    result.push_back(grid.find(R * point + pose.translation));
+  for (const SeenPoint& point : points) {
+    const Gaussian* gaussian = grid.find(R * point.at + pose.translation);
+    const bool other = gaussian != nullptr && gaussian->other_side(R * point.to_eye);
+    result.push_back(other ? nullptr : gaussian);
   }
   return result;
 }
 
-Equations linearise(const Partners& partners, const std::vector<Eigen::Vector3d>& points,
+Equations linearise(const Partners& partners, const std::vector<SeenPoint>& points,
                     const Pose& pose, double kernel) {
   Equations sum;
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
@@ -68,7 +69,7 @@ Equations linearise(const Partners& partners, const std::vector<Eigen::Vector3d>
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Gaussian* gaussian = partners[i];
     if (gaussian == nullptr) continue;
-    const Eigen::Vector3d& point = points[i];
+    const Eigen::Vector3d& point = points[i].at;
     const Eigen::Vector3d place = R * point + pose.translation;
     const double squared = gaussian->distance2(place);
     const double root = kernel2 / (kernel2 + squared);
@@ -120,15 +121,16 @@ void assess(const Equations& equations, SubmapAlignment& alignment) {
 }  // namespace
 
 RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
-  for (const double size : kSizes) grids_.emplace_back(submap.points, size);
-  std::vector<Eigen::Vector3d> lying, standing;
-  for (const Eigen::Vector3f& point : submap.points) {
-    const Eigen::Vector3d at = point.cast<double>();
+  for (const double size : kSizes) grids_.emplace_back(submap.points, submap.eyes, size);
+  std::vector<SeenPoint> lying, standing;
+  for (std::size_t i = 0; i < submap.points.size(); ++i) {
+    const Eigen::Vector3d at = submap.points[i].cast<double>();
     const Gaussian* surface = grids_[2].inside(at);
     if (surface == nullptr) surface = grids_[1].inside(at);
     if (surface == nullptr) surface = grids_[0].inside(at);
     if (surface == nullptr) continue;
-    (surface->level ? lying : standing).push_back(at);
+    const Eigen::Vector3d to_eye = (submap.eyes[i].cast<double>() - at).normalized();
+    (surface->level ? lying : standing).push_back({at, to_eye});
   }
   standing_count_ = standing.size();
   pick(standing, kMostStanding, standing_);
@@ -139,7 +141,7 @@ RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
 namespace {
 
 /// Moves the pose until the points lie on the grid as well as they can. False if too few do.
-bool descend(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& points, Pose& pose,
+bool descend(const GaussianGrid& grid, const std::vector<SeenPoint>& points, Pose& pose,
              double converged) {
   const Twist s = scale();
   // Wide at first: what is right may lie a cube away.
@@ -168,22 +170,21 @@ bool descend(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& point
 }
 
 /// Every so manieth: enough to see which start is the best.
-std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3d>& points) {
-  std::vector<Eigen::Vector3d> result;
+std::vector<SeenPoint> some_of(const std::vector<SeenPoint>& points) {
+  std::vector<SeenPoint> result;
   pick(points, points.size() / kRoughShare, result);
   return result;
 }
 
 /// How much of what stands in the source lies on something of the target.
-void measure_overlap(const GaussianGrid& grid, const std::vector<Eigen::Vector3d>& standing,
+void measure_overlap(const GaussianGrid& grid, const std::vector<SeenPoint>& standing,
                      SubmapAlignment& alignment) {
   double squares = 0.0;
   std::size_t matched = 0;
-  for (const Eigen::Vector3d& point : standing) {
-    const Eigen::Vector3d place = alignment.T_target_source * point;
-    const Gaussian* gaussian = grid.find(place);
-    if (gaussian == nullptr) continue;
-    const double squared = gaussian->distance2(place);
+  const Partners partners = find_partners(grid, standing, alignment.T_target_source);
+  for (std::size_t i = 0; i < standing.size(); ++i) {
+    if (partners[i] == nullptr) continue;
+    const double squared = partners[i]->distance2(alignment.T_target_source * standing[i].at);
     if (squared > kOnIt * kOnIt) continue;
     ++matched;
     squares += squared;

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot map, export, and run --localize: a map that is made, written as other programs read it,
+// and found again.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "io/trajectory_files.hpp"
+#include "process.hpp"
+
+namespace surefoot::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The recording "in" and its map in "map", made once for all tests.
+class MapCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchFolder>();
+    const ProcessResult simulated = surefoot({"simulate", "campus", "--scans", "60", "--speed",
+                                              "2.4", "--format", "pcap", "-q", "-o", "in"});
+    if (simulated.exit_code != 0) return;  // built without the simulation
+    made_ = surefoot({"map", "in", "-o", "map", "--no-report", "--no-picture"});
+  }
+  static void TearDownTestSuite() { scratch_.reset(); }
+  void SetUp() override {
+    if (!fs::exists(path("in"))) GTEST_SKIP() << "built without the simulation";
+    ASSERT_EQ(made_.exit_code, 0) << made_;
+  }
+  [[nodiscard]] static fs::path path(const std::string& name) { return scratch_->path() / name; }
+  [[nodiscard]] static ProcessResult surefoot(const std::vector<std::string>& arguments) {
+    return run_surefoot(arguments, scratch_->path());
+  }
+  static void expect_refused(const std::vector<std::string>& arguments, const std::string& named) {
+    const ProcessResult result = surefoot(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_NE(result.errors.find(named), std::string::npos) << "not named: " << named << result;
+  }
+
+  static inline std::unique_ptr<ScratchFolder> scratch_;
+  static inline ProcessResult made_;
+};
+
+TEST_F(MapCommand, LeavesTheMapBesideAnOdometryThatIsLeftAlone) {
+  for (const char* file : {"trajectory_optimized.tum", "map_optimized.ply", "loops.csv",
+                           "pose_graph.g2o", "map.surefoot"}) {
+    EXPECT_TRUE(fs::exists(path("map") / file)) << file;
+  }
+  EXPECT_NE(made_.output.find("0 taken"), std::string::npos) << made_;  // it never came back
+  const ProcessResult run =
+      surefoot({"run", "in", "-o", "run", "--no-report", "--no-picture", "-q"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_EQ(file_content(path("run/trajectory.tum")), file_content(path("map/trajectory.tum")));
+  EXPECT_EQ(file_content(path("run/map.ply")), file_content(path("map/map.ply")));
+}
+
+TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
+  const ProcessResult result = surefoot({"export", "map", "--pcd", "all.pcd", "--ply", "all.ply",
+                                         "--grid", "grid.pgm", "--elevation", "ground.asc"});
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(file_content(path("grid.pgm")).substr(0, 3), "P5\n");
+  EXPECT_NE(file_content(path("grid.yaml")).find("image: grid.pgm"), std::string::npos);
+  EXPECT_EQ(file_content(path("ground.asc")).substr(0, 5), "ncols");
+  EXPECT_TRUE(fs::exists(path("ground_variance.asc")));
+  EXPECT_GT(fs::file_size(path("all.pcd")), 100'000U);
+  EXPECT_EQ(file_content(path("all.ply")).substr(0, 3), "ply");
+  expect_refused({"export", "map"}, "nothing to write");
+}
+
+TEST_F(MapCommand, IsFoundAgainByItsOwnRecording) {
+  const ProcessResult result = surefoot({"run", "in", "-o", "again", "--localize", "map", "--start",
+                                         "5", "--no-report", "--no-picture", "--no-map"});
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.output.find("found in the map after"), std::string::npos) << result;
+  const Trajectory found = io::read_tum(path("again/trajectory_map.tum"));
+  const Trajectory before = io::read_tum(path("map/trajectory_optimized.tum"));
+  ASSERT_GT(found.size(), 10U);
+  const Pose& last = found.back().pose;
+  EXPECT_LT((last.translation - before.back().pose.translation).norm(), 0.2);
+  EXPECT_EQ(lines_of(path("again/localization.csv")), 56U);  // its head and 55 scans
+}
+
+TEST_F(MapCommand, OneThatIsCutShortOrMissingIsRefused) {
+  const std::string whole = file_content(path("map/map.surefoot"));
+  write_content(path("half.surefoot"), whole.substr(0, whole.size() / 2));
+  expect_refused({"export", "half.surefoot", "--ply", "half.ply"}, "half.surefoot");
+  EXPECT_FALSE(fs::exists(path("half.ply")));
+  expect_refused({"run", "in", "-o", "none", "--localize", "nowhere"}, "nowhere");
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/gaussian_grid.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot::mapping {
+namespace {
+
+/// A slab is not taken for one surface by who saw it from above and who saw it from below.
+TEST(GaussianGrid, KnowsTheSideThatAPlaneWasSeenFrom) {
+  std::vector<Eigen::Vector3f> points, above;
+  for (float x = 0.05F; x < 1.0F; x += 0.1F) {
+    for (float y = 0.05F; y < 1.0F; y += 0.1F) {
+      points.emplace_back(x, y, 0.5F);
+      above.emplace_back(0.5F, 0.5F, 1.5F);
+    }
+  }
+  const GaussianGrid grid(points, above, 1.0);
+  const Gaussian* floor = grid.inside({0.5, 0.5, 0.5});
+  ASSERT_NE(floor, nullptr);
+  EXPECT_TRUE(floor->level);
+  EXPECT_NEAR(floor->distance2({0.1, 0.9, 0.8}), 0.09, 1e-6);
+  EXPECT_FALSE(floor->other_side({0.6, 0.0, 0.8}));
+  EXPECT_TRUE(floor->other_side({0.6, 0.0, -0.8}));
+  EXPECT_FALSE(floor->other_side({0.999, 0.0, -0.045}));  // edge-on: not told
+
+  std::vector<Eigen::Vector3f> both = above;
+  for (std::size_t i = 0; i < both.size(); i += 2) both[i].z() = -0.5F;
+  const GaussianGrid thin(points, both, 1.0);
+  EXPECT_FALSE(thin.inside({0.5, 0.5, 0.5})->other_side({0.6, 0.0, -0.8}));
+}
+
+}  // namespace
+}  // namespace surefoot::mapping
