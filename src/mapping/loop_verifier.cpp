@@ -16,11 +16,11 @@ constexpr double kSamePlaceDegrees = 5.0;
 constexpr double kAsGood = 0.95;  // of the best one's share of matched points
 
 /// Share of the points that stand where the space saw nothing, of those that it can tell about.
-double contradicted(const FreeSpace& space, const std::vector<SeenPoint>& points,
+double contradicted(const FreeSpace& space, const std::vector<SubmapPoint>& points,
                     const Pose& T_space_points) {
   std::size_t empty = 0;
   std::size_t known = 0;
-  for (const SeenPoint& point : points) {
+  for (const SubmapPoint& point : points) {
     const FreeSpace::Sight sight = space.at(T_space_points * point.at);
     known += sight != FreeSpace::Sight::unknown ? 1 : 0;
     empty += sight == FreeSpace::Sight::empty ? 1 : 0;

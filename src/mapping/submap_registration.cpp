@@ -31,7 +31,7 @@ constexpr double kFloor = 0.015;        // of an alignment: pieces are bent a li
 constexpr double kHeld = 0.05;  // information of a direction, of that of all points along it
 
 /// Every n-th, so that about `count` are left.
-void pick(const std::vector<SeenPoint>& from, std::size_t count, std::vector<SeenPoint>& to) {
+void pick(const std::vector<SubmapPoint>& from, std::size_t count, std::vector<SubmapPoint>& to) {
   const double every = std::max(1.0, static_cast<double>(from.size()) / static_cast<double>(count));
   for (double at = 0.0; at < static_cast<double>(from.size()); at += every) {
     to.push_back(from[static_cast<std::size_t>(at)]);
@@ -48,12 +48,12 @@ struct Equations {
 /// What each point lies on; null: on nothing.
 using Partners = std::vector<const Gaussian*>;
 
-Partners find_partners(const GaussianGrid& grid, const std::vector<SeenPoint>& points,
+Partners find_partners(const GaussianGrid& grid, const std::vector<SubmapPoint>& points,
                        const Pose& pose) {
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   Partners result;
   result.reserve(points.size());
-  for (const SeenPoint& point : points) {
+  for (const SubmapPoint& point : points) {
     const Gaussian* gaussian = grid.find(R * point.at + pose.translation);
     const bool other = gaussian != nullptr && gaussian->other_side(R * point.to_eye);
     result.push_back(other ? nullptr : gaussian);
@@ -61,7 +61,7 @@ Partners find_partners(const GaussianGrid& grid, const std::vector<SeenPoint>& p
   return result;
 }
 
-Equations linearise(const Partners& partners, const std::vector<SeenPoint>& points,
+Equations linearise(const Partners& partners, const std::vector<SubmapPoint>& points,
                     const Pose& pose, double kernel) {
   Equations sum;
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
@@ -122,7 +122,7 @@ void assess(const Equations& equations, SubmapAlignment& alignment) {
 
 RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
   for (const double size : kSizes) grids_.emplace_back(submap.points, submap.eyes, size);
-  std::vector<SeenPoint> lying, standing;
+  std::vector<SubmapPoint> lying, standing;
   for (std::size_t i = 0; i < submap.points.size(); ++i) {
     const Eigen::Vector3d at = submap.points[i].cast<double>();
     const Gaussian* surface = grids_[2].inside(at);
@@ -141,7 +141,7 @@ RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
 namespace {
 
 /// Moves the pose until the points lie on the grid as well as they can. False if too few do.
-bool descend(const GaussianGrid& grid, const std::vector<SeenPoint>& points, Pose& pose,
+bool descend(const GaussianGrid& grid, const std::vector<SubmapPoint>& points, Pose& pose,
              double converged) {
   const Twist s = scale();
   // Wide at first: what is right may lie a cube away.
@@ -170,14 +170,14 @@ bool descend(const GaussianGrid& grid, const std::vector<SeenPoint>& points, Pos
 }
 
 /// Every so manieth: enough to see which start is the best.
-std::vector<SeenPoint> some_of(const std::vector<SeenPoint>& points) {
-  std::vector<SeenPoint> result;
+std::vector<SubmapPoint> some_of(const std::vector<SubmapPoint>& points) {
+  std::vector<SubmapPoint> result;
   pick(points, points.size() / kRoughShare, result);
   return result;
 }
 
 /// How much of what stands in the source lies on something of the target.
-void measure_overlap(const GaussianGrid& grid, const std::vector<SeenPoint>& standing,
+void measure_overlap(const GaussianGrid& grid, const std::vector<SubmapPoint>& standing,
                      SubmapAlignment& alignment) {
   double squares = 0.0;
   std::size_t matched = 0;

@@ -14,7 +14,7 @@
 namespace surefoot::mapping {
 
 /// A point of a submap, and the direction (unit) to where it was seen from.
-struct SeenPoint {
+struct SubmapPoint {
   Eigen::Vector3d at;
   Eigen::Vector3d to_eye;
 };
@@ -28,17 +28,17 @@ class RegistrationSubmap {
   static constexpr std::array<double, 3> kSizes = {2.0, 1.0, 0.5};  // [m]
   [[nodiscard]] const GaussianGrid& grid(std::size_t level) const { return grids_[level]; }
   /// Evenly picked points; half of them stand (walls, poles, leaves), as far as there are any.
-  [[nodiscard]] const std::vector<SeenPoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<SubmapPoint>& points() const { return points_; }
   /// Of the points that do not lie on ground or ceiling, which tell one place from another: some
   /// thousands, evenly picked.
-  [[nodiscard]] const std::vector<SeenPoint>& standing() const { return standing_; }
+  [[nodiscard]] const std::vector<SubmapPoint>& standing() const { return standing_; }
   /// How many of them there are.
   [[nodiscard]] std::size_t standing_count() const { return standing_count_; }
 
  private:
   std::vector<GaussianGrid> grids_;
-  std::vector<SeenPoint> points_;
-  std::vector<SeenPoint> standing_;
+  std::vector<SubmapPoint> points_;
+  std::vector<SubmapPoint> standing_;
   std::size_t standing_count_ = 0;
 };
 
