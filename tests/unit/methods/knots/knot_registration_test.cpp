@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One scan of a swaying sensor against a map made with the true motion.
-#include "methods/knots/knot_attempts.hpp"
+#include "methods/knots/knot_registration.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,107 +18,12 @@
 
 #include "support/random.hpp"
 #include "support/synthetic_run.hpp"
+#include "unit/methods/knots/swaying_scan.hpp"
 
 namespace surefoot {
 namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kScanStart = 0.7;  // [s]
-constexpr int kSegments = 8;
-constexpr double kStep = 0.1 / kSegments;  // [s]
-const Pose kStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
-const StepObserver kNobody = [](Step) {};
-
-/// Rolls and pitches by up to 3.5 deg at 2.5 Hz while it walks: 0.5 rad/s.
-Pose swaying(double t) {
-  const double phase = 2.0 * std::numbers::pi * 2.5 * t;
-  const Eigen::Vector3d angles(3.5 * kDegree * std::sin(phase), 2.5 * kDegree * std::cos(phase),
-                               1.0 * kDegree * std::sin(phase + 1.0));
-  return kStart * Pose{from_roll_pitch_yaw(angles), {0.8 * t, 0.0, 0.02 * std::sin(2.0 * phase)}};
-}
-
-double seconds(const Scan& scan, std::size_t point) {
-  return 1e-9 * static_cast<double>(scan.stamp_ns + scan.times_ns[point]);
-}
-
-/// Six scans of the same walk, every point where it was seen.
-const SurfelMap& true_map() {
-  static const SurfelMap map = [] {
-    SurfelMap made(Config().knots, 100.0);
-    for (const Scan& scan : take_scans(furnished_hall(), swaying, 6)) {
-      std::vector<Eigen::Vector3d> points;
-      for (std::size_t i = 0; i < scan.points.size(); ++i) {
-        if (scan.points[i].isZero()) continue;
-        points.emplace_back(swaying(seconds(scan, i)) * scan.points[i].cast<double>());
-      }
-      made.insert(points, swaying(seconds(scan, 0)).translation);
-    }
-    return made;
-  }();
-  return map;
-}
-
-/// Every third point of the scan that begins at kScanStart.
-KnotPoints take_points() {
-  const Scan scan = take_scan(furnished_hall(), swaying, kScanStart, {});
-  KnotPoints points;
-  for (int segment = 0; segment < kSegments; ++segment) {
-    points.begins.push_back(points.points.size());
-    for (std::size_t i = 0; i < scan.points.size(); i += 3) {
-      const double share = (seconds(scan, i) - kScanStart) / kStep;
-      if (scan.points[i].isZero() || std::min(static_cast<int>(share), kSegments - 1) != segment) {
-        continue;
-      }
-      points.points.push_back({scan.points[i].cast<double>(), share - segment, {}});
-    }
-  }
-  points.begins.push_back(points.points.size());
-  return points;
-}
-
-const KnotPoints& scan_points() {
-  static const KnotPoints points = take_points();
-  return points;
-}
-
-double knot_time(std::size_t k) { return kScanStart + (static_cast<double>(k) - 1.0) * kStep; }
-
-KnotWindow window_along(const std::function<Pose(double)>& motion) {
-  KnotWindow window{{}, kStep, kStep, 700'000'000, 800'000'000};
-  for (std::size_t k = 0; k < kSegments + 2; ++k) window.knots.push_back(motion(knot_time(k)));
-  return window;
-}
-
-/// The first two knots, known to `sigma` [m, rad].
-KnotPrior prior_at(const KnotWindow& window, double sigma) {
-  return {{window.knots[0], window.knots[1]},
-          Eigen::Matrix<double, 12, 12>::Identity() / (sigma * sigma)};
-}
-
-KnotRegistration register_from(const KnotWindow& start, const KnotPrior& prior,
-                               const Config::Knots& config = Config().knots, int threads = 1) {
-  KnotPoints points = scan_points();
-  const VelocityModel model(config);
-  const Workers workers(threads);
-  return register_knots(points, {true_map(), prior, model, config, workers, kNobody}, start,
-                        usual_annealing(config));
-}
-
-struct KnotError {
-  double translation = 0.0, rotation_deg = 0.0;  ///< largest of the scan's knots
-};
-
-KnotError error_of(const KnotWindow& window) {
-  KnotError error;
-  for (std::size_t k = 1; k < window.knots.size(); ++k) {
-    const Twist miss = difference(window.knots[k], swaying(knot_time(k)));
-    error.translation = std::max(error.translation, miss.head<3>().norm());
-    error.rotation_deg = std::max(error.rotation_deg, miss.tail<3>().norm() / kDegree);
-  }
-  return error;
-}
 
 TEST(KnotRegistration, AtTheTruthItStays) {
   const KnotWindow truth = window_along(swaying);
@@ -453,114 +358,6 @@ TEST(KnotRegistration, WithoutAMapThePredictionStays) {
   for (std::size_t k = 0; k < start.knots.size(); ++k) {
     EXPECT_LT(difference(found.window.knots[k], start.knots[k]).norm(), 1e-9);
   }
-}
-
-KnotRegistration attempts_from(const KnotWindow& start, const KnotPrior& prior,
-                               const UsualFit& usual, int* searches = nullptr,
-                               const VelocityModel& model = VelocityModel(Config().knots)) {
-  const Config::Knots config = Config().knots;
-  const Workers workers(1);
-  const StepObserver count = [&](Step step) {
-    if (searches != nullptr && step == Step::search) ++*searches;
-  };
-  KnotPoints points = scan_points();
-  return register_in_attempts(points, {true_map(), prior, model, config, workers, count}, start,
-                              usual);
-}
-
-TEST(KnotAttempts, AUsualScanNeedsOne) {
-  const KnotWindow truth = window_along(swaying);
-  const KnotPrior prior = prior_at(truth, 0.01);
-  const KnotRegistration one = register_from(truth, prior);
-  UsualFit usual;
-  usual.learn(one, 1.0, Config().knots);
-  int searches = 0;
-  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
-  EXPECT_EQ(searches, one.iterations);
-  EXPECT_EQ(found.misfit, one.misfit);
-}
-
-/// As it is, but that the sensor pitches by 20 deg within the scan.
-KnotWindow pitching(const KnotWindow& window) {
-  KnotWindow start = window;
-  for (std::size_t k = 2; k < start.knots.size(); ++k) {
-    const double angle = 20.0 * kDegree * static_cast<double>(k - 1) / kSegments;
-    start.knots[k].rotation = start.knots[k].rotation * from_roll_pitch_yaw({0.0, angle, 0.0});
-  }
-  return start;
-}
-
-// Swings begin with a kernel of 0.2 m, which narrows to 0.1 in four iterations, the wide one with
-// 3 m, in sixteen; a few more may follow.
-constexpr int kLeastSearches = 4 * 5 + 17, kMostSearches = 4 * 10 + 22;
-
-TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
-  // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
-  const KnotWindow truth = window_along(swaying);
-  const KnotPrior prior = prior_at(truth, 0.01);
-  UsualFit usual;
-  usual.learn(register_from(truth, prior), 1.0, Config().knots);
-  usual.disagreement *= 0.5;
-  const KnotWindow start = pitching(truth);
-  int searches = 0;
-  const KnotRegistration found = attempts_from(start, prior, usual, &searches);
-  ASSERT_TRUE(found.solved);
-  EXPECT_GT(searches, kLeastSearches);
-  EXPECT_LE(found.misfit, register_from(start, prior).misfit);
-  const KnotError error = error_of(found.window);
-  std::printf("from a pitch of 20 deg: %.4f m, %.3f deg, misfit %.3f\n", error.translation,
-              error.rotation_deg, found.misfit);
-  EXPECT_LT(error.translation, 0.02);  // as from the truth
-  EXPECT_LT(error.rotation_deg, 0.7);
-}
-
-TEST(KnotAttempts, WhereTheyLeadToTheSamePlaceTheyCostLittle) {
-  const KnotWindow truth = window_along(swaying);
-  const KnotPrior prior = prior_at(truth, 0.01);
-  const KnotRegistration one = register_from(truth, prior);
-  ASSERT_TRUE(one.converged);
-  UsualFit usual;
-  usual.learn(one, 1.0, Config().knots);
-  usual.disagreement *= 0.5;
-  int searches = 0;
-  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
-  EXPECT_EQ(found.misfit, one.misfit);
-  EXPECT_EQ(found.window.knots.back().translation, one.window.knots.back().translation);
-  const int others = searches - one.iterations - 1;  // and one look at what is to be beaten
-  EXPECT_GE(others, kLeastSearches);
-  EXPECT_LE(others, kMostSearches);
-}
-
-TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
-  const KnotWindow truth = window_along(swaying);
-  const KnotPrior prior = prior_at(truth, 0.01);
-  UsualFit usual;
-  usual.learn(register_from(truth, prior), 1.0, Config().knots);
-  usual.disagreement *= 0.5;  // so that it is suspicious, but not wrong
-  int searches = 0;
-  (void)attempts_from(truth, prior, usual, &searches);
-  usual.misfit_of_seen = -1.0;  // wrong, whatever is found
-  int searches_with = 0;
-  (void)attempts_from(truth, prior, usual, &searches_with);
-  // Two, patiently: half as fast from 3 m to 0.1.
-  EXPECT_GE(searches_with - searches, 2 * 32);
-  EXPECT_LE(searches_with - searches, 2 * 37);
-}
-
-TEST(KnotAttempts, TheUsualFadesAndWhatIsUnseenCountsLittle) {
-  const Config::Knots config = Config().knots;
-  KnotRegistration found;
-  found.misfit = 0.5;
-  found.unseen = 0.4;  // so that 0.1 are of points that the map has seen
-  UsualFit usual;
-  usual.learn(found, 1.0, config);
-  EXPECT_DOUBLE_EQ(usual.misfit, 0.5);
-  EXPECT_NEAR(usual.disagreement, 0.1 + 0.2 * 0.4, 1e-12);
-  EXPECT_NEAR(usual.misfit_of_seen, 0.1 / 0.6, 1e-12);
-  EXPECT_NEAR(usual.most_misfit_of_seen(config), 2.0 * 0.1 / 0.6 + 0.15, 1e-12);
-  found.misfit = 0.4;
-  usual.learn(found, 0.1, config);
-  EXPECT_NEAR(usual.misfit, 0.49, 1e-12);
 }
 
 TEST(KnotRegistration, WhatIsNotFiniteIsNotSolved) {

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/knot_attempts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "unit/methods/knots/swaying_scan.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scan of the test support
+
+KnotRegistration attempts_from(const KnotWindow& start, const KnotPrior& prior,
+                               const UsualFit& usual, int* searches = nullptr,
+                               const VelocityModel& model = VelocityModel(Config().knots)) {
+  const Config::Knots config = Config().knots;
+  const Workers workers(1);
+  const StepObserver count = [&](Step step) {
+    if (searches != nullptr && step == Step::search) ++*searches;
+  };
+  KnotPoints points = scan_points();
+  return register_in_attempts(points, {true_map(), prior, model, config, workers, count}, start,
+                              usual);
+}
+
+TEST(KnotAttempts, AUsualScanNeedsOne) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  UsualFit usual;
+  usual.learn(one, 1.0, Config().knots);
+  int searches = 0;
+  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
+  EXPECT_EQ(searches, one.iterations);
+  EXPECT_EQ(found.misfit, one.misfit);
+}
+
+/// As it is, but that the sensor pitches by 20 deg within the scan.
+KnotWindow pitching(const KnotWindow& window) {
+  KnotWindow start = window;
+  for (std::size_t k = 2; k < start.knots.size(); ++k) {
+    const double angle = 20.0 * kDegree * static_cast<double>(k - 1) / kSegments;
+    start.knots[k].rotation = start.knots[k].rotation * from_roll_pitch_yaw({0.0, angle, 0.0});
+  }
+  return start;
+}
+
+// Swings begin with a kernel of 0.2 m, which narrows to 0.1 in four iterations, the wide one with
+// 3 m, in sixteen; a few more may follow.
+constexpr int kLeastSearches = 4 * 5 + 17, kMostSearches = 4 * 10 + 22;
+
+TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
+  // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  UsualFit usual;
+  usual.learn(register_from(truth, prior), 1.0, Config().knots);
+  usual.disagreement *= 0.5;
+  const KnotWindow start = pitching(truth);
+  int searches = 0;
+  const KnotRegistration found = attempts_from(start, prior, usual, &searches);
+  ASSERT_TRUE(found.solved);
+  EXPECT_GT(searches, kLeastSearches);
+  EXPECT_LE(found.misfit, register_from(start, prior).misfit);
+  const KnotError error = error_of(found.window);
+  std::printf("from a pitch of 20 deg: %.4f m, %.3f deg, misfit %.3f\n", error.translation,
+              error.rotation_deg, found.misfit);
+  EXPECT_LT(error.translation, 0.02);  // as from the truth
+  EXPECT_LT(error.rotation_deg, 0.7);
+}
+
+TEST(KnotAttempts, WhereTheyLeadToTheSamePlaceTheyCostLittle) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  const KnotRegistration one = register_from(truth, prior);
+  ASSERT_TRUE(one.converged);
+  UsualFit usual;
+  usual.learn(one, 1.0, Config().knots);
+  usual.disagreement *= 0.5;
+  int searches = 0;
+  const KnotRegistration found = attempts_from(truth, prior, usual, &searches);
+  EXPECT_EQ(found.misfit, one.misfit);
+  EXPECT_EQ(found.window.knots.back().translation, one.window.knots.back().translation);
+  const int others = searches - one.iterations - 1;  // and one look at what is to be beaten
+  EXPECT_GE(others, kLeastSearches);
+  EXPECT_LE(others, kMostSearches);
+}
+
+TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  UsualFit usual;
+  usual.learn(register_from(truth, prior), 1.0, Config().knots);
+  usual.disagreement *= 0.5;  // so that it is suspicious, but not wrong
+  int searches = 0;
+  (void)attempts_from(truth, prior, usual, &searches);
+  usual.misfit_of_seen = -1.0;  // wrong, whatever is found
+  int searches_with = 0;
+  (void)attempts_from(truth, prior, usual, &searches_with);
+  // Two, patiently: half as fast from 3 m to 0.1.
+  EXPECT_GE(searches_with - searches, 2 * 32);
+  EXPECT_LE(searches_with - searches, 2 * 37);
+}
+
+TEST(KnotAttempts, TheUsualFadesAndWhatIsUnseenCountsLittle) {
+  const Config::Knots config = Config().knots;
+  KnotRegistration found;
+  found.misfit = 0.5;
+  found.unseen = 0.4;  // so that 0.1 are of points that the map has seen
+  UsualFit usual;
+  usual.learn(found, 1.0, config);
+  EXPECT_DOUBLE_EQ(usual.misfit, 0.5);
+  EXPECT_NEAR(usual.disagreement, 0.1 + 0.2 * 0.4, 1e-12);
+  EXPECT_NEAR(usual.misfit_of_seen, 0.1 / 0.6, 1e-12);
+  EXPECT_NEAR(usual.most_misfit_of_seen(config), 2.0 * 0.1 / 0.6 + 0.15, 1e-12);
+  found.misfit = 0.4;
+  usual.learn(found, 0.1, config);
+  EXPECT_NEAR(usual.misfit, 0.49, 1e-12);
+}
+
+}  // namespace
+}  // namespace surefoot
