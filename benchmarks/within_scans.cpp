@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// within_scans RECORDING... [--method M]: what a trajectory file does not show. How well the motion
-// within each scan is known (attitude and deskewing, relative to mid-scan), and whether the
-// covariances tell the truth. Needs gt.tum in each folder. Exit codes: 0, 2 for bad input.
+// within_scans RECORDING... [--method M] [--hole S]: what a trajectory file does not show. How well
+// the motion within each scan is known (attitude and deskewing, relative to mid-scan), and whether
+// the covariances tell the truth. Needs gt.tum in each folder. Exit codes: 0, 2 for bad input.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,6 +32,10 @@ constexpr int kInstants = 9;       // of a scan, its ends included
 constexpr double kRange = 8.0;     // [m] of the points whose deskewing is judged
 constexpr double kMotion = 1.0;    // [m] of the motions whose covariance is judged
 constexpr std::size_t kLearn = 4;  // scans at first that do not count
+// With holes: one every so often; motions across it from and to so many scans.
+constexpr double kBetweenHoles = 8.0;  // [s]
+constexpr std::size_t kAround = 5;
+constexpr std::int64_t kHole = 500'000'000;  // [ns] what is longer between two scans is one
 // 2.5, 50 and 97.5 % of chi squared with six degrees of freedom.
 constexpr double kLower = 1.237, kMiddle = 5.348, kUpper = 14.449;
 
@@ -47,7 +51,12 @@ std::int64_t instant(const ScanTrajectory& scan, int i) {
   return scan.start_ns() + (scan.end_ns() - scan.start_ns()) * i / (kInstants - 1);
 }
 
-std::vector<Pair> run(const std::string& recording, const std::string& method) {
+/// Whether a scan so long [s] after the first is left out.
+bool in_hole(double since, double hole) {
+  return std::fmod(since, kBetweenHoles) >= kBetweenHoles - hole;
+}
+
+std::vector<Pair> run(const std::string& recording, const std::string& method, double hole) {
   const Trajectory truth = io::read_tum(std::filesystem::path(recording) / "gt.tum");
   const auto true_pose = [&truth](std::int64_t stamp) -> std::optional<Pose> {
     if (stamp < truth.front().stamp_ns || stamp > truth.back().stamp_ns) return std::nullopt;
@@ -58,9 +67,13 @@ std::vector<Pair> run(const std::string& recording, const std::string& method) {
   };
   Odometry odometry(method_config(method));
   std::vector<Pair> pairs;
+  std::optional<std::int64_t> first_ns;
   const auto scans = io::open_recording(recording);
   while (const auto item = scans->next()) {
     if (!item->scan || !item->remark.empty()) continue;
+    const std::int64_t since = item->scan->stamp_ns - first_ns.value_or(item->scan->stamp_ns);
+    if (!first_ns) first_ns = item->scan->stamp_ns;
+    if (in_hole(1e-9 * static_cast<double>(since), hole)) continue;
     Pair pair{odometry.add_scan(*item->scan), {}};
     bool known = pair.estimate.trusted();
     for (int i = 0; known && i < kInstants; ++i) {
@@ -137,14 +150,32 @@ std::vector<double> normalised_errors(const std::vector<Pair>& pairs) {
   return errors;
 }
 
+/// Of the motions across holes.
+std::vector<double> errors_across_holes(const std::vector<Pair>& pairs) {
+  std::vector<double> errors;
+  for (std::size_t after = kLearn + kAround; after < pairs.size(); ++after) {
+    const auto stamp = [&pairs](std::size_t n) { return pairs[n].estimate.stamp_ns; };
+    if (stamp(after) - stamp(after - 1) < kHole) continue;
+    for (std::size_t a = after - kAround; a < after; ++a) {
+      for (std::size_t b = after; b < std::min(after + kAround, pairs.size()); ++b) {
+        if (pairs[a].estimate.segment != pairs[b].estimate.segment) continue;
+        errors.push_back(normalised_error(pairs[a], pairs[b]));
+      }
+    }
+  }
+  std::sort(errors.begin(), errors.end());
+  return errors;
+}
+
 double share_below(const std::vector<double>& sorted, double bound) {
   const auto end = std::lower_bound(sorted.begin(), sorted.end(), bound);
   return static_cast<double>(end - sorted.begin()) / static_cast<double>(sorted.size());
 }
 
-void print_row(const std::string& recording, const std::vector<Pair>& pairs) {
+void print_row(const std::string& recording, const std::vector<Pair>& pairs, double hole) {
   const WithinScans within = within_scans(pairs);
-  const std::vector<double> errors = normalised_errors(pairs);
+  const std::vector<double> errors =
+      hole > 0.0 ? errors_across_holes(pairs) : normalised_errors(pairs);
   fmt::print("| {} | {} | {:.1f} | {:.0f} |", std::filesystem::path(recording).filename().string(),
              pairs.size(), 1e3 * within.attitude, 1e3 * within.deskewing);
   if (errors.empty()) {
@@ -164,9 +195,12 @@ void print_row(const std::string& recording, const std::vector<Pair>& pairs) {
 int main(int argc, char** argv) {
   std::vector<std::string> recordings;
   std::string method = "surefoot";
+  double hole = 0.0;
   CLI::App app{"Motion within the scans and covariances against the truth"};
   app.add_option("recordings", recordings, "Folders with gt.tum")->required();
   app.add_option("--method", method, "As surefoot run's")->capture_default_str();
+  app.add_option("--hole", hole, "[s] left out of every 8; the covariances are those across it")
+      ->check(CLI::Range(0.0, 7.0));
   try {
     app.parse(argc, argv);
     fmt::print(
@@ -175,7 +209,8 @@ int main(int argc, char** argv) {
         "error of 1 m, median over expected | below its 97.5 % bound [%] | between both "
         "bounds [%] |\n|---|---|---|---|---|---|---|\n");
     for (const std::string& recording : recordings) {
-      surefoot::benchmarks::print_row(recording, surefoot::benchmarks::run(recording, method));
+      surefoot::benchmarks::print_row(recording, surefoot::benchmarks::run(recording, method, hole),
+                                      hole);
     }
     return 0;
   } catch (const CLI::ParseError& error) {

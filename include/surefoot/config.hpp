@@ -99,7 +99,6 @@ struct Config {
     double gone_share;        // of the scans that ever hit a voxel, besides gone_after
     double lost_probability;  // of a wrong pose, beyond which it is lost; 1: never
     int search_scans;         // that it searches for itself until a new segment begins
-    double covariance_scale;  // variance beyond the residuals'
   } knots;
 
   /// What the other methods read, each in a struct of its own: reached by name alone, with

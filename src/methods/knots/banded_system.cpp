@@ -14,6 +14,13 @@ BandedSystem::BandedSystem(std::size_t poses) : blocks_(poses), gradient_(poses,
   for (auto& column : blocks_) column.fill(Matrix6::Zero());
 }
 
+void BandedSystem::add(const BandedSystem& other, double factor) {
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    for (std::size_t d = 0; d <= kBand; ++d) blocks_[i][d] += factor * other.blocks_[i][d];
+    gradient_[i] += factor * other.gradient_[i];
+  }
+}
+
 bool BandedSystem::factorise() {
   const std::size_t n = blocks_.size();
   for (std::size_t i = 0; i < n; ++i) {

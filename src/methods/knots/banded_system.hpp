@@ -24,6 +24,8 @@ class BandedSystem {
     blocks_[column][row - column] += block;
   }
   void add(std::size_t row, const Twist& gradient) { gradient_[row] += gradient; }
+  /// Adds another chain of as many poses, times a factor; neither factorised.
+  void add(const BandedSystem& other, double factor);
 
   /// Cholesky factor, block by block; false if H is not positive definite or not finite.
   [[nodiscard]] bool factorise();

@@ -15,7 +15,6 @@
 #include "core/health.hpp"
 #include "core/information.hpp"
 #include "core/level.hpp"
-#include "methods/knots/calibration.hpp"
 #include "methods/knots/drift.hpp"
 #include "methods/knots/verdict_weights.hpp"
 #include "surefoot/seconds.hpp"
@@ -180,6 +179,9 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
   ++agreed_;
   usual_signs_.learn(registered.signs, right, knots.usual_rate);
   dependence_ += knots.usual_rate * (found.dependence - dependence_);
+  held_back_.learn(found.held_back_at(registered.trajectory.mid_ns()),
+                   registered.trajectory.at(0.5).rotation,
+                   std::max(knots.usual_rate, 1.0 / agreed_));
   usual_.learn(found, first_scan_ ? 1.0 : knots.usual_rate, knots);
   model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
   finish(found.window, found.last_two);
@@ -204,12 +206,11 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);
   if (judgement.status != Status::ok) return;
-  // The weights assumed a share of independent residuals; the covariance goes by the measured one.
+  const std::int64_t mid_ns = trajectory.mid_ns();
   // [K22]
-  const double scale = config_.knots.independence * config_.knots.covariance_scale * dependence_ *
-                       residual_variance(found, config_.knots);
-  estimate.covariance = calibrated(scale * found.covariance_at(trajectory.mid_ns()),
-                                   found.window.mean_velocity(), model_.fluctuation());
+  estimate.covariance =
+      dependence_ * residual_variance(found, config_.knots) * found.covariance_at(mid_ns) +
+      held_back_.covariance(found.held_back_at(mid_ns), model_.fluctuation(), T_map_lidar.rotation);
   NormalEquations<6> held = found.rigid;
   held.H -= found.doubtful;
   report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);

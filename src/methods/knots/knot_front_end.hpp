@@ -7,6 +7,7 @@
 
 #include "core/front_end.hpp"
 #include "methods/knots/evidence.hpp"
+#include "methods/knots/held_back.hpp"
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/knot_search.hpp"
@@ -114,6 +115,7 @@ class KnotFrontEnd : public FrontEnd {
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
   double dependence_;
+  HeldBack held_back_;
   LastViews views_;
   UsualSigns usual_signs_;
   Verdict verdict_;

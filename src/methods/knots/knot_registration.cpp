@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/segment_motion.hpp"
 #include "surefoot/seconds.hpp"
@@ -44,8 +45,9 @@ void add_product(const Twist& a, const Twist& b, Triangle& sum) {
 
 /// Sums over the residuals of one point.
 struct PointSum {
-  Triangle H = Triangle::Zero();  // sum w J^T J
-  Twist g = Twist::Zero();        // sum w r J
+  Triangle H = Triangle::Zero();         // sum w J^T J
+  Triangle doubtful = Triangle::Zero();  // of H, what a cloud is not worth
+  Twist g = Twist::Zero();               // sum w r J
 
   void add(const Twist& J, double w, const Twist& gradient) {
     const Twist wJ = w * J;
@@ -54,27 +56,43 @@ struct PointSum {
   }
 };
 
-/// Sums over one segment's points, whose pose is (1 - u) of one knot's and u of the next one's.
-struct SegmentSum {
+/// H of a segment's points, as blocks of its two knots.
+struct SegmentBlocks {
   Triangle first = Triangle::Zero();    // sum (1 - u)^2 H
   Triangle between = Triangle::Zero();  // sum u (1 - u) H
   Triangle last = Triangle::Zero();     // sum u^2 H
+
+  void add(const Triangle& H, double u) {
+    first += (1.0 - u) * (1.0 - u) * H;  // [K3]
+    between += u * (1.0 - u) * H;
+    last += u * u * H;
+  }
+  void add_to(BandedSystem& system, std::size_t segment) const {
+    system.add(segment + 1, segment + 1, matrix_of(first));
+    system.add(segment + 2, segment + 1, matrix_of(between));
+    system.add(segment + 2, segment + 2, matrix_of(last));
+  }
+  /// Both knots moved as one.
+  [[nodiscard]] Matrix6 rigid() const { return matrix_of(first + 2.0 * between + last); }
+};
+
+/// Sums over one segment's points, whose pose is (1 - u) of one knot's and u of the next one's.
+struct SegmentSum {
+  SegmentBlocks H;
+  SegmentBlocks doubtful;  // of H, what clouds are not worth
   Twist first_gradient = Twist::Zero();
   Twist last_gradient = Twist::Zero();
   double weight = 0.0;
   double weighted_squares = 0.0;
   double squared_distance = 0.0;
-  double misfit = 0.0;                   // sum over points, each 0 to 1
-  int matches = 0;                       // points
-  int residuals = 0;                     // of them; a pole has two, a cloud three
-  Triangle doubtful = Triangle::Zero();  // of H, what clouds are not worth
+  double misfit = 0.0;  // sum over points, each 0 to 1
+  int matches = 0;      // points
+  int residuals = 0;    // of them; a pole has two, a cloud three
   // Gradients of neighbours: of the segment's surfels that face along x, y and z.
   std::array<Twist, 3> neighbours = {Twist::Zero(), Twist::Zero(), Twist::Zero()};
 
   void add(const PointSum& point, double u) {
-    first += (1.0 - u) * (1.0 - u) * point.H;  // [K3]
-    between += u * (1.0 - u) * point.H;
-    last += u * u * point.H;
+    H.add(point.H, u);
     first_gradient += (1.0 - u) * point.g;
     last_gradient += u * point.g;
     ++matches;
@@ -158,11 +176,12 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
       of_point.add(J, kernel.weight, gradient);
       sum.count(J, residual, kernel.weight, gradient);
       const double doubt = kernel.weight * (1.0 - surfel->worth[d]);
-      if (doubt > 0.0 && look.inflation <= 1.0) add_product(doubt * J, J, sum.doubtful);
+      if (doubt > 0.0 && look.inflation <= 1.0) add_product(doubt * J, J, of_point.doubtful);
       sum.squared_distance += kernel.weight * squared_distance;
       sum.misfit += kernel.misfit / surfel->directions;
     }
     sum.add(of_point, u);
+    if (surfel->cloud() && look.inflation <= 1.0) sum.doubtful.add(of_point.doubtful, u);
   }
   return sum;
 }
@@ -176,15 +195,13 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
   result.squared_distance = 0.0;
   for (std::size_t s = 0; s < sums.size(); ++s) {
     const SegmentSum& sum = sums[s];
-    system.add(s + 1, s + 1, matrix_of(sum.first));
-    system.add(s + 2, s + 1, matrix_of(sum.between));
-    system.add(s + 2, s + 2, matrix_of(sum.last));
+    sum.H.add_to(system, s);
     system.add(s + 1, sum.first_gradient);
     system.add(s + 2, sum.last_gradient);
     result.matches += sum.matches;
     result.misfit += sum.misfit;
-    result.rigid.H += matrix_of(sum.first + 2.0 * sum.between + sum.last);
-    result.doubtful += matrix_of(sum.doubtful);
+    result.rigid.H += sum.H.rigid();
+    result.doubtful += sum.doubtful.rigid();
     result.rigid.g += sum.first_gradient + sum.last_gradient;
     result.rigid.weight += sum.weight;
     result.rigid.weighted_squares += sum.weighted_squares;
@@ -206,7 +223,10 @@ double dependence_of(const std::vector<SegmentSum>& sums, const NormalEquations<
   if (variance <= 0.0 || solver.info() != Eigen::Success || !solver.isPositive()) {
     return 1.0 / independence;
   }
-  const double ratio = solver.solve(B).trace() / (6.0 * variance);  // [K21]
+  // What six degrees of freedom have been fitted to varies less than it would have.
+  const double clusters = 3.0 * static_cast<double>(sums.size());
+  const double freedom = clusters / std::max(clusters - 6.0, 1.0);
+  const double ratio = freedom * solver.solve(B).trace() / (6.0 * variance);  // [K21]
   return std::isfinite(ratio) ? ratio : 1.0 / independence;
 }
 
@@ -223,18 +243,47 @@ std::optional<double> move_knots(const std::vector<Twist>& steps, KnotWindow& wi
   return largest;
 }
 
-}  // namespace
-
-Matrix6 KnotRegistration::covariance_at(std::int64_t instant_ns) const {
+/// The knot before an instant, and the share of the way to the next.
+std::pair<std::size_t, double> place_of(std::int64_t instant_ns, const KnotWindow& window) {
   const double steps = seconds(instant_ns - window.begin_ns) / window.step;
   const auto last = static_cast<double>(window.segments() - 1);
   const auto segment = static_cast<std::size_t>(std::clamp(steps, 0.0, last));
-  const double u = std::clamp(steps - static_cast<double>(segment), 0.0, 1.0);
-  const std::size_t a = segment + 1, b = segment + 2;
-  const Matrix6 between = covariance(a, b);
+  return {segment + 1, std::clamp(steps - static_cast<double>(segment), 0.0, 1.0)};
+}
+
+/// What the knots would be, and how well they would be known, were every residual independent.
+/// `assumed`: the equations that were solved, `surfels`: of them, those of the residuals.
+/// @return whether there is a finite solution
+bool count_in_full(const BandedSystem& assumed, const BandedSystem& surfels,
+                   const std::vector<SegmentSum>& sums, const std::vector<Twist>& steps,
+                   double independence, KnotRegistration& result) {
+  BandedSystem full = assumed;
+  full.add(surfels, 1.0 / independence - 1.0);
+  BandedSystem doubtful(steps.size());
+  for (std::size_t s = 0; s < sums.size(); ++s) sums[s].doubtful.add_to(doubtful, s);
+  BandedSystem worth = full;
+  worth.add(doubtful, -1.0 / independence);
+  if (!full.factorise() || !worth.factorise()) return false;
+  result.full_covariance = worth.covariance();
+  result.held_back = full.solve();  // [K34]
+  for (std::size_t k = 0; k < steps.size(); ++k) result.held_back[k] -= steps[k];
+  return true;
+}
+
+}  // namespace
+
+Matrix6 KnotRegistration::covariance_at(std::int64_t instant_ns) const {
+  const auto [a, u] = place_of(instant_ns, window);
+  const std::size_t b = a + 1;
+  const Matrix6 between = full_covariance(a, b);
   // [K20]
-  return (1.0 - u) * (1.0 - u) * covariance(a, a) + u * u * covariance(b, b) +
+  return (1.0 - u) * (1.0 - u) * full_covariance(a, a) + u * u * full_covariance(b, b) +
          u * (1.0 - u) * (between + between.transpose());
+}
+
+Twist KnotRegistration::held_back_at(std::int64_t instant_ns) const {
+  const auto [a, u] = place_of(instant_ns, window);
+  return (1.0 - u) * held_back[a] + u * held_back[a + 1];
 }
 
 double KnotRegistration::disagreement(double unseen_weight) const {
@@ -272,17 +321,20 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
       sums[s] = sum_segment(points, s, problem, result.window, look);
     });
     problem.begin_step(Step::solve);
-    BandedSystem system(start.knots.size());
-    add_surfels(system, sums, result);
+    BandedSystem surfels(start.knots.size());
+    add_surfels(surfels, sums, result);
+    BandedSystem system = surfels;
     const auto all = static_cast<double>(std::max<std::size_t>(points.points.size(), 1));
     result.misfit /= all;  // [K12]
     result.unseen = 1.0 - result.matches / all;
     problem.prior.add_to(system, result.window);
     problem.model.add_to(system, result.window, problem.prior.means[1].rotation);
     result.iterations = t;
+    const BandedSystem assumed = system;
     result.solved = system.factorise();
     if (!result.solved) return result;
-    const std::optional<double> change = move_knots(system.solve(), result.window);
+    const std::vector<Twist> steps = system.solve();
+    const std::optional<double> change = move_knots(steps, result.window);
     result.solved = change.has_value();
     if (!result.solved) return result;
     result.converged = ratio <= 1.0 && *change < config.convergence;
@@ -290,6 +342,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
       result.covariance = system.covariance();
       result.last_two = system.last_two_information();
       result.dependence = dependence_of(sums, result.rigid, config.independence);
+      result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);
       return result;
     }
     kernel *= annealing.decay;

@@ -38,8 +38,13 @@ struct Annealing {
 /// Where the registration of a window ended.
 struct KnotRegistration {
   KnotWindow window;
-  BandedSystem::Covariance covariance;  ///< of the knots; valid if solved
-  bool solved = false;                  ///< every step had a finite solution
+  BandedSystem::Covariance covariance;  ///< of the knots, as they were weighed; valid if solved
+  /// Of the knots, were every residual counted in full and a cloud by its worth; valid if solved.
+  BandedSystem::Covariance full_covariance;
+  /// How far the knots are held back from where residuals counted in full would have them, by the
+  /// last scan and the velocity model; valid if solved.
+  std::vector<Twist> held_back;
+  bool solved = false;  ///< every step had a finite solution
   bool converged = false;
   int iterations = 0;
   int matches = 0;
@@ -57,8 +62,9 @@ struct KnotRegistration {
   [[nodiscard]] double disagreement(double unseen_weight) const;
   /// The misfit of the points where the map has a surfel; 1 if there are none.
   [[nodiscard]] double misfit_of_seen() const;
-  /// Covariance of the pose at an instant of the window; valid if solved.
+  /// Of the pose at an instant of the window, residuals counted in full; valid if solved.
   [[nodiscard]] Matrix6 covariance_at(std::int64_t instant_ns) const;
+  [[nodiscard]] Twist held_back_at(std::int64_t instant_ns) const;
 };
 
 /// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first

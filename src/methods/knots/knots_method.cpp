@@ -84,7 +84,7 @@ const ConfigField kFields[] = {
      "knots.looser",
      kMethod},
     {"knots.usual_rate", SLOT(knots.usual_rate), "0.1", "", 0.0, 1.0,
-     "how fast the usual misfit and the residuals' dependence are learnt, per scan", kMethod},
+     "how fast the usual misfit and what the covariance is made of are learnt, per scan", kMethod},
     {"knots.unseen_weight", SLOT(knots.unseen_weight), "0.2", "", 0.0, 1.0,
      "among attempts, a point where the map has no surfel counts as this: who climbs a stair sees "
      "much that is new, and a wrong pose that brings some of it near an old wall must not win",
@@ -106,10 +106,6 @@ const ConfigField kFields[] = {
     {"knots.search_scans", SLOT(knots.search_scans), "60", "scans", 0, 1e6,
      "so long a lost one searches for itself, until a new segment with a map of its own begins",
      kMethod},
-    {"knots.covariance_scale", SLOT(knots.covariance_scale), "4", "", 1e-6, 1e6,
-     "variance of a pose beyond what its residuals show, since knots and map have taken up most of "
-     "what neighbours share; from the errors of 1 m motions",
-     "docs/benchmarks.md"},
 };
 
 #undef SLOT

@@ -87,6 +87,19 @@ TEST(BandedSystem, StepAndCovarianceEqualTheDenseOnes) {
   }
 }
 
+TEST(BandedSystem, ChainsAddUp) {
+  Random random(3);
+  const Chain a = random_chain(random, 6), b = random_chain(random, 6);
+  BandedSystem sum = a.system;
+  sum.add(b.system, 0.7);
+  ASSERT_TRUE(sum.factorise());
+  const Eigen::VectorXd expected = (a.H + 0.7 * b.H).llt().solve(-(a.g + 0.7 * b.g));
+  const auto step = sum.solve();
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_LT((step[i] - expected.segment<6>(6 * i)).norm(), 1e-9 * expected.norm());
+  }
+}
+
 TEST(BandedSystem, TermsAddUp) {
   Random random(2);
   const Chain chain = random_chain(random, 5);

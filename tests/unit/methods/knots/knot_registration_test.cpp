@@ -151,6 +151,8 @@ TEST(KnotRegistration, ItEndsWhereTheCostsGradientVanishes) {
 /// The normal equations of the cost's Gauss-Newton step at a window, whole.
 struct DenseEquations {
   Eigen::MatrixXd H;                   ///< of all knots
+  Eigen::VectorXd g;                   ///< of the surfels alone
+  Eigen::MatrixXd worth;               ///< H of the surfels alone, clouds counted by their worth
   Matrix6 rigid = Matrix6::Zero();     ///< of the surfels alone, the scan moved as one
   Matrix6 clusters = Matrix6::Zero();  ///< outer products of the gradients of neighbours
   double weighted_squares = 0.0;
@@ -183,6 +185,8 @@ void add_dense_surfels(const KnotWindow& window, const Config::Knots& config,
         J.segment<6>(6 * static_cast<Eigen::Index>(s + 1)) = (1.0 - u) * of_pose;
         J.segment<6>(6 * static_cast<Eigen::Index>(s + 2)) = u * of_pose;
         dense.H += w * J * J.transpose();
+        dense.g += w * r * J;
+        dense.worth += w * surfel->worth[d] * J * J.transpose();
         dense.rigid += w * of_pose * of_pose.transpose();
         dense.weighted_squares += w * r * r;
         ++dense.residuals;
@@ -199,7 +203,8 @@ DenseEquations dense_equations(const KnotWindow& window, const KnotPrior& prior,
                                const Config::Knots& config) {
   DenseEquations dense;
   const auto size = static_cast<Eigen::Index>(6 * window.knots.size());
-  dense.H = Eigen::MatrixXd::Zero(size, size);
+  dense.H = dense.worth = Eigen::MatrixXd::Zero(size, size);
+  dense.g = Eigen::VectorXd::Zero(size);
   add_dense_surfels(window, config, dense);
   const double phi = std::exp(-kStep / config.correlation_time);
   const Twist s = VelocityModel(config).fluctuation();
@@ -251,10 +256,56 @@ TEST(KnotRegistration, ItsCovarianceIsTheInverseOfTheDenseNormalEquations) {
   EXPECT_EQ(found.rigid.count, dense.residuals);
 }
 
+/// Where a registration ended, and the equations there with all residuals counted in full.
+struct InFull {
+  KnotRegistration found;
+  Eigen::VectorXd step;
+  Eigen::MatrixXd covariance;
+};
+
+InFull in_full() {
+  auto [found, dense] = settle();
+  const double c = Config().knots.independence;
+  DenseEquations surfels;
+  surfels.H = surfels.worth = Eigen::MatrixXd::Zero(dense.H.rows(), dense.H.cols());
+  surfels.g = Eigen::VectorXd::Zero(dense.g.size());
+  add_dense_surfels(found.window, Config().knots, surfels);
+  const Eigen::MatrixXd others = dense.H - surfels.H;
+  // Where nothing moves any more, the surfels' gradient and the others' cancel.
+  const Eigen::VectorXd g = (1.0 / c - 1.0) * surfels.g;
+  return {std::move(found), -(others + surfels.H / c).ldlt().solve(g),
+          (others + surfels.worth / c).inverse()};
+}
+
+TEST(KnotRegistration, HeldBackIsTheStepWithAllResidualsInFull) {
+  const auto [found, step, covariance] = in_full();
+  ASSERT_EQ(found.held_back.size(), found.window.knots.size());
+  for (std::size_t k = 0; k < found.held_back.size(); ++k) {
+    const Twist expected = step.segment<6>(6 * static_cast<Eigen::Index>(k));
+    EXPECT_LT((found.held_back[k] - expected).norm(), 1e-3 * step.norm()) << k;
+  }
+  EXPECT_GT(step.norm(), 1e-4);  // or it would tell nothing
+  const auto step_ns = static_cast<std::int64_t>(1e9 * kStep);
+  const Twist between = 0.75 * found.held_back[3] + 0.25 * found.held_back[4];
+  const Twist at = found.held_back_at(found.window.begin_ns + 2 * step_ns + step_ns / 4);
+  EXPECT_LT((at - between).norm(), 1e-6 * step.norm());
+}
+
+TEST(KnotRegistration, ItsFullCovarianceCountsAllResidualsAndCloudsByTheirWorth) {
+  const auto [found, step, covariance] = in_full();
+  for (std::size_t k = 0; k < found.window.knots.size(); ++k) {
+    const auto at = 6 * static_cast<Eigen::Index>(k);
+    const Matrix6 expected = covariance.block<6, 6>(at, at);
+    EXPECT_LT((found.full_covariance(k, k) - expected).norm(), 1e-4 * expected.norm()) << k;
+  }
+}
+
 TEST(KnotRegistration, DependenceIsOfTheSumsOverNeighbours) {
   const auto [found, dense] = settle();
   const double variance = dense.weighted_squares / dense.residuals;
-  const double expected = (dense.rigid.inverse() * dense.clusters).trace() / (6.0 * variance);
+  constexpr double kClusters = 3.0 * kSegments;
+  const double expected = kClusters / (kClusters - 6.0) *
+                          (dense.rigid.inverse() * dense.clusters).trace() / (6.0 * variance);
   EXPECT_NEAR(found.dependence, expected, 1e-4 * expected);
   EXPECT_GT(std::abs(expected - 1.0), 0.1);  // or it would tell nothing
   std::printf("dependence: %.2f\n", expected);
@@ -269,9 +320,9 @@ TEST(KnotRegistration, ThePoseBetweenTwoKnotsHasTheirJointCovariance) {
       const std::int64_t at = found.window.begin_ns + static_cast<std::int64_t>(segment) * step_ns +
                               static_cast<std::int64_t>(u * 1e9 * kStep);
       Eigen::Matrix<double, 12, 12> joint;
-      joint << found.covariance(segment + 1, segment + 1),
-          found.covariance(segment + 1, segment + 2), found.covariance(segment + 2, segment + 1),
-          found.covariance(segment + 2, segment + 2);
+      const BandedSystem::Covariance& C = found.full_covariance;
+      joint << C(segment + 1, segment + 1), C(segment + 1, segment + 2),
+          C(segment + 2, segment + 1), C(segment + 2, segment + 2);
       Eigen::Matrix<double, 6, 12> share;
       share << (1.0 - u) * Matrix6::Identity(), u * Matrix6::Identity();
       const Matrix6 expected = share * joint * share.transpose();

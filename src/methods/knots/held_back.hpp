@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "surefoot/pose.hpp"
+
+namespace surefoot {
+
+/// How far poses are held back from what their scans say, by the velocity model: an error that goes
+/// with the gait. docs/method.md.
+class HeldBack {
+ public:
+  /// Mean square of this pose's error.
+  /// `held_back`: KnotRegistration::held_back_at(), `fluctuation`: VelocityModel::fluctuation(),
+  /// both in the map's axes; `rotation`: of the pose. In the map's axes, too.
+  [[nodiscard]] Matrix6 covariance(const Twist& held_back, const Twist& fluctuation,
+                                   const Eigen::Quaterniond& rotation) const;
+
+  /// `rate`: of the fading mean.
+  void learn(const Twist& held_back, const Eigen::Quaterniond& rotation, double rate);
+
+ private:
+  Matrix6 usual_ = Matrix6::Zero();  // fading mean square, in the sensor's axes
+};
+
+}  // namespace surefoot

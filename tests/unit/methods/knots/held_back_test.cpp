@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/held_back.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "methods/knots/knot_window.hpp"
+#include "support/random.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+const Eigen::Quaterniond kLevel = Eigen::Quaterniond::Identity();
+
+Twist tilting(double rate) { return (Twist() << 0.2, 0.2, 0.2, rate, rate, 0.2).finished(); }
+
+TEST(HeldBack, IsThePosesOwnAndHalfTheUsual) {
+  Random random(1);
+  const Twist now = random.twist(0.01, 0.01), before = random.twist(0.01, 0.01);
+  HeldBack held_back;
+  const Matrix6 own = now * now.transpose();
+  EXPECT_LT((held_back.covariance(now, tilting(0.5), kLevel) - own).norm(), 1e-15);
+  held_back.learn(before, kLevel, 0.25);
+  const Matrix6 expected = own + 0.5 * 0.25 * before * before.transpose();
+  EXPECT_LT((held_back.covariance(now, tilting(0.5), kLevel) - expected).norm(), 1e-15);
+}
+
+TEST(HeldBack, CountsTheMoreTheMoreTheTiltFluctuates) {
+  const Twist now = Twist::Constant(0.01);
+  const auto variance = [&now](double tilt) {
+    return HeldBack().covariance(now, tilting(tilt), kLevel)(0, 0);
+  };
+  EXPECT_NEAR(variance(1.0), 2.0 * variance(0.5), 1e-15);
+  EXPECT_LT(variance(0.1), variance(0.5));
+  EXPECT_EQ(variance(0.0), variance(0.1));  // but nothing is followed without end
+}
+
+TEST(HeldBack, TheUsualTurnsWithTheSensor) {
+  Random random(2);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Quaterniond attitude = so3_exp(random.twist(1.0, 1.0).tail<3>());
+    const Eigen::Quaterniond turn = so3_exp({0.0, 0.0, random.uniform(-3.0, 3.0)});
+    const Twist before = random.twist(0.01, 0.01), now = random.twist(0.01, 0.01);
+    HeldBack here, there;
+    here.learn(before, attitude, 0.5);
+    there.learn(rotated(turn, before), turn * attitude, 0.5);
+    Matrix6 both = Matrix6::Zero();
+    both.topLeftCorner<3, 3>() = both.bottomRightCorner<3, 3>() = turn.toRotationMatrix();
+    const Matrix6 expected = both * here.covariance(now, tilting(0.3), attitude) * both.transpose();
+    const Matrix6 found = there.covariance(rotated(turn, now), tilting(0.3), turn * attitude);
+    EXPECT_LT((found - expected).norm(), 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
