@@ -9,7 +9,7 @@
 
 namespace {
 
-const surefoot::fuzz::Target& target() {
+surefoot::fuzz::Target target() {
   for (const surefoot::fuzz::Target& one : surefoot::fuzz::targets()) {
     if (std::string_view(one.name) == SUREFOOT_FUZZ_TARGET) {
       return one;
@@ -21,7 +21,7 @@ const surefoot::fuzz::Target& target() {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  static const surefoot::fuzz::Target& chosen = target();
+  static const surefoot::fuzz::Target chosen = target();
   chosen.read({reinterpret_cast<const std::byte*>(data), size});
   return 0;
 }
