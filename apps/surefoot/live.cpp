@@ -27,6 +27,7 @@
 #include "recorded_options.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
+#include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
 
 namespace surefoot::app {
@@ -77,7 +78,10 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   arguments.live.idle = [&] { work(); };
   live::LiveRecording recording(std::move(ends.stream), arguments.live);
   std::optional<LivePublisher> publisher;
-  if (ends.messages) publisher.emplace(ends.messages);
+  if (ends.messages) {
+    (void)runs::add_run_topics(*ends.messages);
+    publisher.emplace(ends.messages);
+  }
   std::function<void(const std::string&, const Estimate&, const Odometry&)> answered;
 #ifdef SUREFOOT_HAS_LIVE_PAGE
   std::optional<LiveViewers> viewers;
@@ -159,7 +163,7 @@ void add_source_options(CLI::App& command, LiveArguments& arguments) {
   command
       .add_option("--record", arguments.record,
                   "also write all packets to this capture, from which the run can be repeated; "
-                  "of a topic all messages, to an MCAP file")
+                  "of a topic all messages, to an MCAP file (ROS 1: a bag)")
       ->group(kSourceGroup);
   command
       .add_option("--silence", arguments.live.silence,
@@ -178,6 +182,9 @@ void add_live_command(CLI::App& app, int& exit_code) {
   add_source_options(*command, *arguments);
 #ifdef SUREFOOT_HAS_LIVE_PAGE
   add_page_option(*command, arguments->page);
+#endif
+#ifdef SUREFOOT_HAS_ROS1
+  add_ros1_options(*command, arguments->ros1);
 #endif
 #ifdef SUREFOOT_HAS_ROS2
   add_ros2_options(*command, arguments->ros2);

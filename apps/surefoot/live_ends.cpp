@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +15,10 @@
 #include "io/bags/bag_files.hpp"
 #include "io/datasets.hpp"
 #include "io/robots.hpp"
+#ifdef SUREFOOT_HAS_ROS1
+#include "ros1/topic_publisher.hpp"
+#include "ros1/topic_subscription.hpp"
+#endif
 #ifdef SUREFOOT_HAS_ROS2
 #include "ros2/topic_publisher.hpp"
 #include "ros2/topic_subscription.hpp"
@@ -21,6 +26,8 @@
 
 namespace surefoot::app {
 namespace {
+
+const std::vector<std::string> kCommands = {"reset", "pause", "resume", "save_map"};
 
 /// An Ouster's packets are not understood without what it says about itself.
 std::string metadata_of(const LiveArguments& arguments) {
@@ -67,21 +74,57 @@ std::unique_ptr<live::ScanStream> replayed_messages(LiveArguments& arguments) {
                             {});
 }
 
-#ifdef SUREFOOT_HAS_ROS2
-std::unique_ptr<live::ScanStream> messages_of(LiveArguments& arguments,
-                                              std::shared_ptr<ros2::Participant> participant) {
-  if (!arguments.record.empty() && arguments.record.extension() != ".mcap") {
-    throw std::invalid_argument("live: messages are recorded as MCAP: --record expects FILE.mcap");
+#if defined(SUREFOOT_HAS_ROS1) || defined(SUREFOOT_HAS_ROS2)
+/// A topic named by which ROS it is of, and recorded as that ROS has it.
+io::OpenOptions prepare_topic(LiveArguments& arguments, std::string name,
+                              const std::string& extension) {
+  if (!arguments.record.empty() && arguments.record.extension() != extension) {
+    throw std::invalid_argument(fmt::format("live: --record of a topic expects FILE{}", extension));
   }
-  std::string name = "ros2" + arguments.ros2.topic;
   std::replace(name.begin(), name.end(), '/', '-');
   name_input(arguments, name);
-  const io::OpenOptions reader = topic_options(arguments);
-  const auto say = [quiet = arguments.run.quiet](const std::string& text) {
+  return topic_options(arguments);
+}
+
+std::function<void(const std::string&)> notes_of(const LiveArguments& arguments) {
+  return [quiet = arguments.run.quiet](const std::string& text) {
     if (!quiet) fmt::print(stderr, "note: {}\n", text);
   };
+}
+#endif
+
+#ifdef SUREFOOT_HAS_ROS1
+std::unique_ptr<live::ScanStream> open_ros1(LiveArguments& arguments, Ends& ends,
+                                            live::CommandQueue& commands) {
+  if (!arguments.ros1.any()) return nullptr;
+  const auto node = std::make_shared<ros1::Node>(arguments.ros1.node);
+  if (arguments.ros1.publish) ends.messages = ros1::publish(node);
+  if (arguments.ros1.commands) {
+    ends.ros1_commands = std::make_unique<ros1::TriggerServices>(
+        node, kCommands, [&](const std::string& command) { return commands.ask(command); });
+  }
+  if (arguments.ros1.topic.empty()) return nullptr;
+  const io::OpenOptions reader = prepare_topic(arguments, "ros1" + arguments.ros1.topic, ".bag");
+  return live::topic_stream(ros1::subscribe(node, arguments.ros1.topic, notes_of(arguments)),
+                            reader, arguments.record);
+}
+#endif
+
+#ifdef SUREFOOT_HAS_ROS2
+std::unique_ptr<live::ScanStream> open_ros2(LiveArguments& arguments, Ends& ends,
+                                            live::CommandQueue& commands) {
+  if (!arguments.ros2.any()) return nullptr;
+  const auto participant = std::make_shared<ros2::Participant>(arguments.ros2.participant);
+  if (arguments.ros2.publish) ends.messages = ros2::publish(participant);
+  if (arguments.ros2.commands) {
+    ends.commands = std::make_unique<ros2::CommandServer>(
+        participant, kCommands, [&](const std::string& command) { return commands.ask(command); });
+  }
+  if (arguments.ros2.topic.empty()) return nullptr;
+  const io::OpenOptions reader = prepare_topic(arguments, "ros2" + arguments.ros2.topic, ".mcap");
   return live::topic_stream(
-      ros2::subscribe(std::move(participant), {arguments.ros2.topic, arguments.ros2.reliable, say}),
+      ros2::subscribe(participant,
+                      {arguments.ros2.topic, arguments.ros2.reliable, notes_of(arguments)}),
       reader, arguments.record);
 }
 #endif
@@ -91,7 +134,11 @@ std::unique_ptr<live::ScanStream> messages_of(LiveArguments& arguments,
 void check_source(LiveArguments& arguments) {
   bool has_topic = false;
   const bool has_packets = !arguments.replay.empty() || arguments.udp != 0;
-#ifdef SUREFOOT_HAS_ROS2
+#if defined(SUREFOOT_HAS_ROS1)
+  has_topic = !arguments.ros1.topic.empty();
+  constexpr const char* kExpected =
+      "live: expected --udp PORT, --replay CAPTURE or --ros1-topic TOPIC";
+#elif defined(SUREFOOT_HAS_ROS2)
   std::string& topic = arguments.ros2.topic;
   const std::string& robot = arguments.run.reader.robot;
   if (topic.empty() && !robot.empty() && !has_packets) topic = io::robot_named(robot).topic;
@@ -109,23 +156,14 @@ void check_source(LiveArguments& arguments) {
 
 Ends ends_of(LiveArguments& arguments, [[maybe_unused]] live::CommandQueue& commands) {
   Ends ends;
-#ifdef SUREFOOT_HAS_ROS2
-  std::shared_ptr<ros2::Participant> participant;
-  if (arguments.ros2.any()) {
-    participant = std::make_shared<ros2::Participant>(arguments.ros2.participant);
-  }
-  if (arguments.ros2.publish) ends.messages = ros2::publish(participant);
-  if (arguments.ros2.commands) {
-    ends.commands = std::make_unique<ros2::CommandServer>(
-        participant, std::vector<std::string>{"reset", "pause", "resume", "save_map"},
-        [&](const std::string& command) { return commands.ask(command); });
-  }
-  ends.of_topic = !arguments.ros2.topic.empty();
-  if (ends.of_topic) {
-    ends.stream = messages_of(arguments, participant);
-    return ends;
-  }
+#ifdef SUREFOOT_HAS_ROS1
+  ends.stream = open_ros1(arguments, ends, commands);
 #endif
+#ifdef SUREFOOT_HAS_ROS2
+  ends.stream = open_ros2(arguments, ends, commands);
+#endif
+  ends.of_topic = ends.stream != nullptr;
+  if (ends.of_topic) return ends;
   if (!arguments.replay.empty()) arguments.run.input = arguments.replay;
   if (is_bag(arguments.replay)) {
     ends.of_topic = true;

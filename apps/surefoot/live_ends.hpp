@@ -14,6 +14,10 @@
 #include "live/command_queue.hpp"
 #include "live/live_recording.hpp"
 #include "runs/run_options.hpp"
+#ifdef SUREFOOT_HAS_ROS1
+#include "ros1/trigger_services.hpp"
+#include "ros1_options.hpp"
+#endif
 #ifdef SUREFOOT_HAS_ROS2
 #include "ros2/command_server.hpp"
 #include "ros2_options.hpp"
@@ -30,6 +34,9 @@ struct LiveArguments {
   double speed = 1.0;
   std::filesystem::path record;
   std::optional<std::uint16_t> page;  ///< port of it; empty: none
+#ifdef SUREFOOT_HAS_ROS1
+  Ros1Arguments ros1;
+#endif
 #ifdef SUREFOOT_HAS_ROS2
   Ros2Arguments ros2;
 #endif
@@ -40,6 +47,9 @@ struct Ends {
   std::unique_ptr<live::ScanStream> stream;
   std::shared_ptr<io::BagWriter> messages;  ///< null: nowhere
   bool of_topic = false;
+#ifdef SUREFOOT_HAS_ROS1
+  std::unique_ptr<ros1::TriggerServices> ros1_commands;
+#endif
 #ifdef SUREFOOT_HAS_ROS2
   std::unique_ptr<ros2::CommandServer> commands;
 #endif

@@ -65,7 +65,8 @@ void LivePublisher::tell(const live::LiveFigures& figures) {
   if (Clock::now() - told_ < kPeriod) return;
   told_ = Clock::now();
   const io::Diagnostic diagnostic = diagnostic_of(figures);
-  messages_->write(topic_, diagnostic.stamp_ns, io::format_diagnostic(diagnostic));
+  messages_->write(topic_, diagnostic.stamp_ns,
+                   io::format_diagnostic(diagnostic, messages_->flavour()));
 }
 
 }  // namespace surefoot::app

@@ -1,24 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <exception>
-#include <filesystem>
-#include <new>
-#include <stdexcept>
-#include <system_error>
 
 #include "commands.hpp"
 #include "process/exit_codes.hpp"
-#include "suggestion.hpp"
+#include "program.hpp"
 
 namespace {
-
-using surefoot::process::kBadInput;
 
 void add_commands(CLI::App& app, int& exit_code) {
   using namespace surefoot::app;
@@ -45,55 +33,11 @@ void add_commands(CLI::App& app, int& exit_code) {
 #endif
 }
 
-/// CLI11 only says that something is missing or too much.
-void check_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw std::invalid_argument(surefoot::app::unknown_word("subcommand", argv[1], names));
-}
-
-/// "PATH: why", without the name of the call that failed.
-std::string text_of(const std::filesystem::filesystem_error& error) {
-  return error.path1().empty() ? error.what()
-                               : error.path1().string() + ": " + error.code().message();
-}
-
-/// What was printed may not have arrived: the disk may be full.
-void flush_output() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  throw std::system_error(errno, std::generic_category(), "what was to be printed is lost");
-}
-
-int parse(CLI::App& app, int argc, char** argv) {
-  try {
-    check_command(app, argc, argv);
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (app.exit(error) != 0) return kBadInput;
-  }
-  flush_output();
-  return surefoot::process::kDone;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Surefoot: LiDAR odometry for robots that walk"};
-  app.set_version_flag("--version", SUREFOOT_VERSION);
-  app.require_subcommand(1);
   int exit_code = surefoot::process::kDone;
   add_commands(app, exit_code);
-  try {
-    const int parsed = parse(app, argc, argv);
-    return parsed != surefoot::process::kDone ? parsed : exit_code;
-  } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "surefoot: {}\n", text_of(error));
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "surefoot: takes more memory than there is\n");
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "surefoot: {}\n", error.what());
-  }
-  return kBadInput;
+  return surefoot::app::run_program(app, argc, argv, exit_code);
 }

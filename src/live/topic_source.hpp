@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "io/bags/message_source.hpp"
+#include "io/messages/message_definitions.hpp"
 #include "io/recording.hpp"
 #include "live/datagram_source.hpp"
 
 namespace surefoot::live {
 
 struct TopicArrival {
-  std::vector<std::byte> bytes;  ///< CDR
+  std::vector<std::byte> bytes;  ///< in the topic's encoding
   std::int64_t arrival_ns = 0;   ///< since 1970
   std::chrono::steady_clock::time_point received;
 };
@@ -32,6 +33,11 @@ class TopicSource {
   [[nodiscard]] virtual Received receive(TopicArrival& arrival) = 0;
   /// Known once something was received.
   [[nodiscard]] virtual const io::Topic& topic() const = 0;
+  /// Of its type, for who records it: for ROS 2 clouds' alone, which no reader of ours asks for.
+  [[nodiscard]] virtual io::MessageDefinition definition() const {
+    const io::MessageDefinition cloud = io::point_cloud2_definition();
+    return topic().type == cloud.type ? cloud : io::MessageDefinition{topic().type, "", "", ""};
+  }
   /// Messages that were sent but lost before they could be received.
   [[nodiscard]] virtual std::uint64_t lost() const { return 0; }
   [[nodiscard]] virtual bool patient() const { return false; }

@@ -21,11 +21,12 @@ using Clock = std::chrono::steady_clock;
 /// All messages, in a file that a run can be repeated from.
 class TopicRecord {
  public:
-  explicit TopicRecord(const std::filesystem::path& file) : bag_(io::make_mcap_bag(file)) {}
+  explicit TopicRecord(const std::filesystem::path& file)
+      : bag_(file.extension() == ".bag" ? io::make_ros1_bag(file) : io::make_mcap_bag(file)) {}
 
-  void add(const io::Topic& topic, const TopicArrival& arrival) {
+  void add(const TopicSource& source, const TopicArrival& arrival) {
     if (!known_) {
-      topic_ = bag_->add_topic(topic.name, definition_of(topic.type));
+      topic_ = bag_->add_topic(source.topic().name, source.definition());
       known_ = true;
     }
     bag_->write(topic_, arrival.arrival_ns,
@@ -35,12 +36,6 @@ class TopicRecord {
   void finish() { bag_->finish(); }
 
  private:
-  /// Others than clouds are recorded without a definition, which no reader of ours asks for.
-  static io::MessageDefinition definition_of(const std::string& type) {
-    io::MessageDefinition cloud = io::point_cloud2_definition();
-    return type == cloud.type ? cloud : io::MessageDefinition{type, "", "", ""};
-  }
-
   std::unique_ptr<io::BagWriter> bag_;
   std::size_t topic_ = 0;
   bool known_ = false;
@@ -97,7 +92,7 @@ class LiveMessages final : public io::MessageSource {
       if (received != Received::something) continue;
       ++messages_;
       last_ = arrival.received;
-      if (record_) record_->add(source_->topic(), arrival);
+      if (record_) record_->add(*source_, arrival);
       kept_.push_back(std::move(arrival));
       return true;
     }

@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -29,9 +30,12 @@ class TopicPublisher final : public io::BagWriter {
   ~TopicPublisher() override { stop(); }
 
   std::size_t add_topic(const std::string& name, const io::MessageDefinition& definition) override {
-    writers_.push_back(
-        participant_->add_writer(message_topic(name, definition.type), qos_of(name)));
-    return writers_.size() - 1;
+    const auto [known, is_new] = numbers_.emplace(name, writers_.size());
+    if (is_new) {
+      writers_.push_back(
+          participant_->add_writer(message_topic(name, definition.type), qos_of(name)));
+    }
+    return known->second;
   }
 
   void write(std::size_t topic, std::int64_t /*stamp_ns*/, std::string_view message) override {
@@ -76,7 +80,8 @@ class TopicPublisher final : public io::BagWriter {
 
   std::shared_ptr<Participant> participant_;
   std::vector<Participant::Endpoint> writers_;
-  std::mutex mutex_;  ///< of what follows
+  std::map<std::string, std::size_t> numbers_;  ///< by topic
+  std::mutex mutex_;                            ///< of what follows
   std::condition_variable changed_;
   std::deque<Waiting> waiting_;
   bool stopped_ = false;

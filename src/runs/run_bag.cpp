@@ -53,18 +53,23 @@ io::Diagnostic::Level level_of(const Estimate& estimate) {
 
 }  // namespace
 
+RunTopics add_run_topics(io::BagWriter& bag) {
+  RunTopics topics = {};
+  topics.scan = bag.add_topic("/surefoot/scan", io::point_cloud2_definition());
+  topics.map = bag.add_topic("/surefoot/local_map", io::point_cloud2_definition());
+  topics.odometry = bag.add_topic("/surefoot/odometry", io::odometry_definition());
+  topics.path = bag.add_topic("/surefoot/path", io::path_definition());
+  topics.transforms = bag.add_topic("/tf", io::transforms_definition());
+  topics.diagnostics = bag.add_topic("/diagnostics", io::diagnostics_definition());
+  return topics;
+}
+
 RunBag::RunBag(std::shared_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base)
     : bag_(std::move(bag)),
       T_lidar_written_(T_lidar_base.value_or(Pose{})),
       of_base_(T_lidar_base.has_value()),
-      frame_(of_base_ ? kBase : kLidar) {
-  topics_.scan = bag_->add_topic("/surefoot/scan", io::point_cloud2_definition());
-  topics_.map = bag_->add_topic("/surefoot/local_map", io::point_cloud2_definition());
-  topics_.odometry = bag_->add_topic("/surefoot/odometry", io::odometry_definition());
-  topics_.path = bag_->add_topic("/surefoot/path", io::path_definition());
-  topics_.transforms = bag_->add_topic("/tf", io::transforms_definition());
-  topics_.diagnostics = bag_->add_topic("/diagnostics", io::diagnostics_definition());
-}
+      frame_(of_base_ ? kBase : kLidar),
+      topics_(add_run_topics(*bag_)) {}
 
 void RunBag::add(const std::string& name, const Estimate& estimate, const Odometry& odometry) {
   write_diagnosis(name, estimate);
@@ -81,7 +86,7 @@ void RunBag::write_fixed_transforms(std::int64_t stamp_ns) {
   std::vector<io::Transform> transforms = {{stamp_ns, kMap, kWorld, Pose{}}};
   if (of_base_) transforms.push_back({stamp_ns, kBase, kLidar, T_lidar_written_.inverse()});
   const std::size_t topic = bag_->add_topic("/tf_static", io::transforms_definition());
-  bag_->write(topic, stamp_ns, io::format_transforms(transforms));
+  bag_->write(topic, stamp_ns, io::format_transforms(transforms, bag_->flavour()));
 }
 
 void RunBag::write_pose(const Estimate& estimate) {
@@ -90,12 +95,12 @@ void RunBag::write_pose(const Estimate& estimate) {
   io::OdometryMessage message{stamp, kWorld, frame_, estimate.T_world_lidar * T_lidar_written_};
   message.covariance = moved_covariance(estimate, T_lidar_written_);
   message.twist = moved_twist(estimate.twist, T_lidar_written_);
-  bag_->write(topics_.odometry, stamp, io::format_odometry(message));
+  bag_->write(topics_.odometry, stamp, io::format_odometry(message, bag_->flavour()));
   std::vector<io::Transform> transforms = {{stamp, kWorld, frame_, message.T_frame_child}};
   if (of_base_ && !fixed_written_) {
     transforms.push_back({stamp, kBase, kLidar, T_lidar_written_.inverse()});
   }
-  bag_->write(topics_.transforms, stamp, io::format_transforms(transforms));
+  bag_->write(topics_.transforms, stamp, io::format_transforms(transforms, bag_->flavour()));
   if (std::exchange(segment_, estimate.segment) != estimate.segment) {  // in another frame
     path_.clear();
     path_written_ = 0;
@@ -122,7 +127,7 @@ void RunBag::write_clouds(const Estimate& estimate, const Odometry& odometry) {
 }
 
 void RunBag::write_path() {
-  bag_->write(topics_.path, path_.back().stamp_ns, io::format_path(path_, kWorld));
+  bag_->write(topics_.path, path_.back().stamp_ns, io::format_path(path_, kWorld, bag_->flavour()));
   path_written_ = path_.size();
 }
 
@@ -149,7 +154,8 @@ void RunBag::write_diagnosis(const std::string& name, const Estimate& estimate) 
     weak += (weak.empty() ? "" : " ") + direction.name;
   }
   add("weak directions", weak);
-  bag_->write(topics_.diagnostics, estimate.stamp_ns, io::format_diagnostic(diagnostic));
+  bag_->write(topics_.diagnostics, estimate.stamp_ns,
+              io::format_diagnostic(diagnostic, bag_->flavour()));
 }
 
 void RunBag::finish(const std::string& run_yaml) {

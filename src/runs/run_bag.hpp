@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,13 @@
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
+
+/// A bag's numbers of the topics that a run writes.
+struct RunTopics {
+  std::size_t scan, map, odometry, path, transforms, diagnostics;
+};
+/// To listeners, before there is something to say: who is there hears the first scan's already.
+RunTopics add_run_topics(io::BagWriter& bag);
 
 /// A run as a bag to be played or looked at: deskewed scans, the local map about once a second, the
 /// odometry with covariance and twist, the path so far, transforms, and a diagnosis of every scan.
@@ -28,9 +36,6 @@ class RunBag {
   void finish(const std::string& run_yaml);
 
  private:
-  struct Topics {
-    std::size_t scan, map, odometry, path, transforms, diagnostics;
-  };
   void write_fixed_transforms(std::int64_t stamp_ns);
   void write_pose(const Estimate& estimate);
   void write_clouds(const Estimate& estimate, const Odometry& odometry);
@@ -42,7 +47,7 @@ class RunBag {
   bool of_base_;
   bool fixed_written_ = false;
   std::string frame_;  ///< whose poses are written
-  Topics topics_;
+  RunTopics topics_;
   Trajectory path_;
   int segment_ = 0;               ///< of the path's poses
   std::size_t path_written_ = 0;  ///< poses when it was written last

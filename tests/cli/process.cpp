@@ -49,7 +49,7 @@ void redirect(int stream, const fs::path& file, int flags) {
     std::signal(SIGXFSZ, SIG_IGN);  // writing fails, as it does where there is no room
   }
   alarm(surroundings.most_seconds);
-  execv(arguments[0], arguments.data());
+  execvp(arguments[0], arguments.data());
   _exit(127);
 }
 
@@ -64,7 +64,8 @@ std::ostream& operator<<(std::ostream& out, const ProcessResult& result) {
 Process::Process(const std::vector<std::string>& arguments, const fs::path& folder,
                  const Surroundings& surroundings)
     : folder_(folder), output_(surroundings.output) {
-  std::vector<std::string> words{SUREFOOT_PROGRAM};
+  std::vector<std::string> words{surroundings.program.empty() ? SUREFOOT_PROGRAM
+                                                              : surroundings.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());

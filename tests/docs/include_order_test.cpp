@@ -55,6 +55,7 @@ const std::vector<Layer> kLayers = {
     {"sensors", {}},
     {"io", {"geometry", "sensors"}},
     {"live", {"io"}},
+    {"ros1", {"io", "live"}},
     {"ros2", {"io", "live"}},
     {"mapping", {"geometry", "core"}},
     {"evaluation", {"geometry"}},

@@ -17,7 +17,7 @@ namespace surefoot::io {
 class BagWriter {
  public:
   virtual ~BagWriter() = default;
-  /// The topic's number.
+  /// The topic's number. Listeners' topics keep it where they are added again; a bag has each once.
   virtual std::size_t add_topic(const std::string& name, const MessageDefinition& definition) = 0;
   /// `message` in the flavour of the bag.
   virtual void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) = 0;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/messages/pose_messages.hpp"
 
-#include "io/messages/message_writer.hpp"
-
 namespace surefoot::io {
 namespace {
 
@@ -25,8 +23,8 @@ void append(MessageWriter& message, const Matrix6& covariance) {
 
 }  // namespace
 
-std::string format_odometry(const OdometryMessage& odometry) {
-  MessageWriter message;
+std::string format_odometry(const OdometryMessage& odometry, MessageWriter::Flavour flavour) {
+  MessageWriter message(flavour);
   message.header(odometry.stamp_ns, odometry.frame).string(odometry.child_frame);
   append(message, odometry.T_frame_child);
   append(message, odometry.covariance);
@@ -36,8 +34,9 @@ std::string format_odometry(const OdometryMessage& odometry) {
   return message.take();
 }
 
-std::string format_path(const Trajectory& poses, std::string_view frame) {
-  MessageWriter message;
+std::string format_path(const Trajectory& poses, std::string_view frame,
+                        MessageWriter::Flavour flavour) {
+  MessageWriter message(flavour);
   message.header(poses.empty() ? 0 : poses.back().stamp_ns, frame).count(poses.size());
   for (const StampedPose& stamped : poses) {
     message.header(stamped.stamp_ns, frame);
@@ -46,8 +45,9 @@ std::string format_path(const Trajectory& poses, std::string_view frame) {
   return message.take();
 }
 
-std::string format_transforms(const std::vector<Transform>& transforms) {
-  MessageWriter message;
+std::string format_transforms(const std::vector<Transform>& transforms,
+                              MessageWriter::Flavour flavour) {
+  MessageWriter message(flavour);
   message.count(transforms.size());
   for (const Transform& transform : transforms) {
     message.header(transform.stamp_ns, transform.parent).string(transform.child);
@@ -56,8 +56,8 @@ std::string format_transforms(const std::vector<Transform>& transforms) {
   return message.take();
 }
 
-std::string format_diagnostic(const Diagnostic& diagnostic) {
-  MessageWriter message;
+std::string format_diagnostic(const Diagnostic& diagnostic, MessageWriter::Flavour flavour) {
+  MessageWriter message(flavour);
   message.header(diagnostic.stamp_ns, "").count(1);
   message.number(static_cast<std::uint8_t>(diagnostic.level));
   message.string(diagnostic.name).string(diagnostic.message).string("");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// The ROS 2 messages of an odometry's answers, in CDR.
+// The messages of an odometry's answers, for ROS 2 or ROS 1.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/messages/message_writer.hpp"
 #include "surefoot/pose.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -24,10 +25,12 @@ struct OdometryMessage {
   Twist twist = Twist::Zero();           ///< in `child_frame` [m/s, rad/s]
 };
 /// nav_msgs/Odometry; the covariance of the twist is not known and zero.
-[[nodiscard]] std::string format_odometry(const OdometryMessage& odometry);
+[[nodiscard]] std::string format_odometry(const OdometryMessage& odometry,
+                                          MessageWriter::Flavour flavour);
 
 /// nav_msgs/Path, stamped with its last pose.
-[[nodiscard]] std::string format_path(const Trajectory& poses, std::string_view frame);
+[[nodiscard]] std::string format_path(const Trajectory& poses, std::string_view frame,
+                                      MessageWriter::Flavour flavour);
 
 struct Transform {
   std::int64_t stamp_ns = 0;
@@ -36,7 +39,8 @@ struct Transform {
   Pose T_parent_child;
 };
 /// tf2_msgs/TFMessage.
-[[nodiscard]] std::string format_transforms(const std::vector<Transform>& transforms);
+[[nodiscard]] std::string format_transforms(const std::vector<Transform>& transforms,
+                                            MessageWriter::Flavour flavour);
 
 /// diagnostic_msgs/DiagnosticArray of one status.
 struct Diagnostic {
@@ -47,6 +51,7 @@ struct Diagnostic {
   std::string message;
   std::vector<std::pair<std::string, std::string>> values;
 };
-[[nodiscard]] std::string format_diagnostic(const Diagnostic& diagnostic);
+[[nodiscard]] std::string format_diagnostic(const Diagnostic& diagnostic,
+                                            MessageWriter::Flavour flavour);
 
 }  // namespace surefoot::io
