@@ -10,6 +10,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "io/bags/message_source.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -191,6 +192,22 @@ std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file) {
   const std::size_t got = FileStream(file).read(begin);
   if (is_zstd(std::span(begin).first(got))) return std::make_unique<ZstdFile>(file);
   return std::make_unique<FileStream>(file);
+}
+
+std::optional<std::span<const std::byte>> CompressedMessages::plain(
+    std::span<const std::byte> message) {
+  if (!is_zstd(message)) return message;
+  any_ = true;
+  MemoryStream frame(message);
+  const std::unique_ptr<ByteStream> content = decompress(Compression::zstd, frame);
+  try {
+    const std::span<const std::byte> plain = read_all(*content, plain_, kMostMessageBytes);
+    if (plain.size() < kMostMessageBytes) return plain;
+    problem_ = "it decompresses to more than 256 MiB";
+  } catch (const ReadError& error) {
+    problem_ = error.what();
+  }
+  return std::nullopt;
 }
 
 std::string compress(Compression compression, std::string_view bytes) {

@@ -6,8 +6,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/bags/byte_stream.hpp"
 
@@ -30,6 +32,23 @@ enum class Compression { none, lz4, zstd, bzip2 };
 /// A file's bytes; those that it holds, where it is compressed as a whole with Zstandard (the
 /// file's first bytes say so). Throws ReadError without the file's name.
 [[nodiscard]] std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file);
+
+/// Messages that rosbag2 compressed one by one, in a database or in MCAP. Nothing in the file says
+/// so: each is a Zstandard frame, which no message in CDR begins as.
+class CompressedMessages {
+ public:
+  /// The message as it was, until the next call; nothing where it is damaged or too large, which
+  /// problem() tells of.
+  [[nodiscard]] std::optional<std::span<const std::byte>> plain(std::span<const std::byte> message);
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// Whether one of them was compressed.
+  [[nodiscard]] bool any() const { return any_; }
+
+ private:
+  std::vector<std::byte> plain_;
+  std::string problem_;
+  bool any_ = false;
+};
 
 /// One frame that holds `bytes`. none, lz4, zstd.
 [[nodiscard]] std::string compress(Compression compression, std::string_view bytes);

@@ -67,7 +67,8 @@ class McapReader final : public MessageSource {
 
   double progress() const override { return ended_ ? 1.0 : file_->progress(); }
   std::string format() const override {
-    return "MCAP, profile " + (profile_.empty() ? "none" : profile_);
+    return "MCAP, profile " + (profile_.empty() ? "none" : profile_) +
+           (compressed_.any() ? ", messages compressed" : "");
   }
 
  private:
@@ -198,7 +199,16 @@ class McapReader final : public MessageSource {
     }
     const auto data = read_bytes(record, record.left(), message_);
     if (!data) return std::nullopt;
-    return Message{&channel->second, logged_ns, *data};
+    return plain_message(channel->second, logged_ns, *data);
+  }
+
+  std::optional<Message> plain_message(const Topic& topic, std::int64_t logged_ns,
+                                       std::span<const std::byte> data) {
+    if (topic.encoding != MessageEncoding::cdr) return Message{&topic, logged_ns, data};
+    const auto plain = compressed_.plain(data);
+    if (plain) return Message{&topic, logged_ns, *plain};
+    note("a message of " + topic.name + " is passed over: " + compressed_.problem());
+    return std::nullopt;
   }
 
   void open_chunk(std::uint64_t length) {
@@ -252,6 +262,7 @@ class McapReader final : public MessageSource {
   std::map<std::uint16_t, Topic> channels_;
   std::vector<std::byte> body_;
   std::vector<std::byte> message_;
+  CompressedMessages compressed_;
   std::size_t chunks_ = 0;
   bool lost_channel_ = false;
   bool ended_ = false;

@@ -103,7 +103,8 @@ class SqliteBagReader final : public MessageSource {
       const auto size = static_cast<std::size_t>(sqlite3_column_bytes(messages_.get(), 2));
       if (blob == nullptr && size > 0) continue;
       const std::span<const std::byte> bytes(static_cast<const std::byte*>(blob), size);
-      if (const auto plain = decompressed(bytes)) return Message{topic, logged_ns, *plain};
+      if (const auto plain = compressed_.plain(bytes)) return Message{topic, logged_ns, *plain};
+      note("message " + std::to_string(rows_read_) + " is passed over: " + compressed_.problem());
     }
     return std::nullopt;
   }
@@ -119,8 +120,7 @@ class SqliteBagReader final : public MessageSource {
                       : std::min(1.0, static_cast<double>(rows_read_) / static_cast<double>(rows_));
   }
   std::string format() const override {
-    return compressed_messages_ ? "ROS 2 bag (sqlite3, messages compressed)"
-                                : "ROS 2 bag (sqlite3)";
+    return compressed_.any() ? "ROS 2 bag (sqlite3, messages compressed)" : "ROS 2 bag (sqlite3)";
   }
 
  private:
@@ -204,30 +204,13 @@ class SqliteBagReader final : public MessageSource {
                      sane_time(sqlite3_column_int64(messages_.get(), 1))};
   }
 
-  std::optional<std::span<const std::byte>> decompressed(std::span<const std::byte> bytes) {
-    if (!is_zstd(bytes)) return bytes;
-    compressed_messages_ = true;
-    MemoryStream frame(bytes);
-    const std::unique_ptr<ByteStream> content = decompress(Compression::zstd, frame);
-    try {
-      const std::span<const std::byte> plain = read_all(*content, plain_, kMostMessageBytes);
-      if (plain.size() < kMostMessageBytes) return plain;
-      note("a message that decompresses to more than 256 MiB is passed over");
-    } catch (const ReadError& error) {
-      note("message " + std::to_string(rows_read_) +
-           " is damaged and passed over: " + error.what());
-    }
-    return std::nullopt;
-  }
-
   std::unique_ptr<TemporaryFile> temporary_;
   Database database_;
   Statement messages_;
   std::map<std::int64_t, Topic> topics_;
-  std::vector<std::byte> plain_;
+  CompressedMessages compressed_;
   std::int64_t rows_ = 0;
   std::int64_t rows_read_ = 0;
-  bool compressed_messages_ = false;
   bool ended_ = false;
 };
 

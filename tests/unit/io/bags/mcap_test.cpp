@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "io/bags/compression.hpp"
 #include "io/bags/mcap_reader.hpp"
 #include "io/bags/mcap_writer.hpp"
 #include "io/recording.hpp"
@@ -188,6 +189,31 @@ TEST(Mcap, LengthsThatLieTakeNoMemory) {
 TEST(Mcap, SomethingElseIsRefused) {
   EXPECT_THROW((void)read("#ROSBAG V2.0\n and so on"), ReadError);
   EXPECT_THROW((void)read(""), ReadError);
+}
+
+// rosbag2 does so, and only its metadata.yaml tells.
+TEST(Mcap, MessagesThatAreCompressedOneByOne) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.mcap";
+  const std::string large(100'000, 'z');
+  const std::string compressed = compress(Compression::zstd, large);
+  std::string damaged = compressed;
+  damaged[6] ^= '\x7f';
+  McapWriter writer(file, {});
+  const std::uint16_t schema = writer.add_schema("pkg/msg/Type", "ros2msg", "int32 a\n");
+  const std::uint16_t cdr = writer.add_channel(schema, "/cdr", "cdr");
+  const std::uint16_t other = writer.add_channel(schema, "/other", "ros1");
+  writer.write(cdr, 0, 1, 1, compressed);
+  writer.write(cdr, 1, 2, 2, damaged);
+  writer.write(cdr, 2, 3, 3, "plain");
+  writer.write(other, 3, 4, 4, compressed);
+  writer.finish();
+  const Outcome outcome = read(test::content_of(file));
+  ASSERT_EQ(outcome.messages.size(), 3U);
+  EXPECT_EQ(outcome.messages[0].data, large);
+  EXPECT_EQ(outcome.messages[1].data, "plain");
+  EXPECT_EQ(outcome.messages[2].data, compressed);  // not CDR: it may begin as it likes
+  EXPECT_NE(outcome.notes.find("a message of /cdr is passed over"), std::string::npos);
 }
 
 TEST(Mcap, MessagesOfAChannelWithoutSchemaAndOfNoChannel) {
