@@ -126,12 +126,14 @@ std::optional<TimeReference> find_reference(double least, double greatest,
 
 [[noreturn]] void fail(const TimeExtents& extents, ScalarType type,
                        std::optional<std::int64_t> stamp_ns, const char* what) {
-  throw ReadError("point times: " + seen(extents, type) +
-                  (stamp_ns ? " in a scan stamped " + number(seconds(*stamp_ns)) + " s"
-                            : std::string(" in a scan without a stamp")) +
-                  " fit no " + what +
-                  "; expected a spread of 0.01 to 1 s in s, ms, us or ns, around zero or around "
-                  "the stamp. Give the time unit and reference, or the name of another time field");
+  throw ReadError(
+      "point times: " + seen(extents, type) +
+      (stamp_ns ? " in a scan stamped " + number(seconds(*stamp_ns)) + " s"
+                : std::string(" in a scan without a stamp")) +
+      " fit no " + what +
+      "; expected a spread of 0.01 to 1 s in s, ms, us or ns, around zero or around "
+      "the stamp. Give the time unit and reference, or the name of another time field, or leave "
+      "the times out");
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ class CloudTopic final : public Recording {
     return cloud.stamp_ns == 0 ? message.logged_ns : cloud.stamp_ns;
   }
 
+  [[nodiscard]] bool times_are_left_out() const {
+    return options_.time_direction == TimeDirection::none;
+  }
+
   void find_point_time_rule() {
     std::string first_error;
     bool settled = false;
@@ -80,7 +84,7 @@ class CloudTopic final : public Recording {
         const ScanColumns columns = find_scan_columns(cloud.table, options_);
         stamps_from_bag_ = cloud.stamp_ns == 0;
         look_at_times(cloud, stamp_of(cloud, *message), columns);
-        settled = columns.time == nullptr || (rule_ && rule_->certain);
+        settled = columns.time == nullptr || times_are_left_out() || (rule_ && rule_->certain);
         ++good;
       } catch (const ReadError& error) {
         if (first_error.empty()) first_error = error.what();
@@ -91,7 +95,7 @@ class CloudTopic final : public Recording {
   }
 
   void look_at_times(const CloudMessage& cloud, std::int64_t stamp_ns, const ScanColumns& columns) {
-    if (columns.time == nullptr) return;
+    if (columns.time == nullptr || times_are_left_out()) return;
     const TimeExtents extents = time_extents(cloud.table, columns);
     if (extents.count == 0) return;
     try {

@@ -114,6 +114,26 @@ TEST(BagRecording, StampsOfZeroAreReplacedByTheBags) {
   EXPECT_EQ(open_recording(file)->next()->scan->stamp_ns, kStart);
 }
 
+TEST(BagRecording, TimesThatAreLeftOutNeedFitNoRule) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  const auto bag = make_mcap_bag(file);
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  Scan scan = scan_at(0);
+  for (std::size_t i = 0; i < scan.times_ns.size(); ++i) {
+    scan.times_ns[i] = 100 * static_cast<int>(i);
+  }
+  bag->write(topic, kStart, format_point_cloud2(scan, "lidar", MessageWriter::Flavour::cdr));
+  bag->finish();
+  EXPECT_THROW((void)open_recording(file), ReadError);
+  OpenOptions options;
+  options.time_direction = TimeDirection::none;
+  const auto item = open_recording(file, options)->next();
+  ASSERT_TRUE(item && item->scan);
+  EXPECT_EQ(item->scan->points.size(), scan.points.size());
+  EXPECT_TRUE(item->scan->times_ns.empty());
+}
+
 fs::path two_topics(const test::TemporaryFolder& folder) {
   const fs::path file = folder.path() / "two.mcap";
   const auto bag = make_mcap_bag(file);

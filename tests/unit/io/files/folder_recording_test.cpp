@@ -139,6 +139,32 @@ TEST(FolderRecording, TimesThatFitNoRuleAreAnErrorThatNamesThem) {
   EXPECT_EQ(read_all(folder.path(), options)[0].scan->times_ns[1], 7'000'000);
 }
 
+TEST(FolderRecording, TimesThatAreLeftOutNeedFitNoRule) {
+  const TemporaryFolder folder;
+  folder.write("0.pcd", timed_pcd<std::uint32_t>({0, 7}));
+  folder.write("1.pcd", timed_pcd<float>({0.0F, 5000.0F}));
+  folder.write("times.txt", "10.0\n10.1\n");
+  OpenOptions options;
+  options.time_direction = TimeDirection::none;
+  const auto items = read_all(folder.path(), options);
+  ASSERT_EQ(items.size(), 2U);
+  for (const ScanItem& item : items) {
+    ASSERT_TRUE(item.scan) << item.error;
+    EXPECT_EQ(item.scan->points.size(), 2U);
+    EXPECT_TRUE(item.scan->times_ns.empty());
+  }
+}
+
+TEST(FolderRecording, TimesThatAreLeftOutMayStillGiveTheStamps) {
+  const TemporaryFolder folder;
+  folder.write("0.pcd", timed_pcd<double>({1700000000.25, 1700000000.3125}));
+  OpenOptions options;
+  options.time_direction = TimeDirection::none;
+  const auto items = read_all(folder.path(), options);
+  EXPECT_EQ(items[0].scan->stamp_ns, 1700000000250000000);
+  EXPECT_TRUE(items[0].scan->times_ns.empty());
+}
+
 TEST(FolderRecording, APointFarFromItsStampIsARejectedItem) {
   const TemporaryFolder folder;
   folder.write("0.pcd", timed_pcd<float>({0.0F, 5000.0F}));
