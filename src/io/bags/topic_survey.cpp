@@ -153,7 +153,7 @@ const TopicSurvey& choose_topic(const std::vector<TopicSurvey>& topics, const st
     std::string text = bag + ": " + std::to_string(usable.size()) +
                        " topics that scans can be made of:" + list(usable) + "\ntake one:";
     for (const TopicSurvey& survey : usable) {
-      text += "\n  surefoot run " + bag + " --topic " + printable(survey.topic.name);
+      text += "\n  surefoot run " + shell_word(bag) + " --topic " + shell_word(survey.topic.name);
     }
     throw ReadError(text);
   }

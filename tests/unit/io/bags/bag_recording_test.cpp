@@ -6,6 +6,7 @@
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 #include "io/scan_sink.hpp"
 #include "unit/io/bags/support.hpp"
@@ -149,13 +150,22 @@ fs::path two_topics(const test::TemporaryFolder& folder) {
   return file;
 }
 
+TEST(ShellWord, IsOneWordWhateverItHolds) {
+  EXPECT_EQ(shell_word("/a/b_1.bag"), "/a/b_1.bag");
+  EXPECT_EQ(shell_word("my bag"), "'my bag'");
+  EXPECT_EQ(shell_word("/x$(touch y)`z`"), "'/x$(touch y)`z`'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word("a\x1b\n"), "'a??'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
 TEST(BagRecording, SeveralTopicsAreListedWithTheWayToTakeEach) {
   const test::TemporaryFolder folder;
   const fs::path file = two_topics(folder);
   const std::string message = test::message_of<ReadError>([&] { (void)open_recording(file); });
   for (const char* part :
        {"2 topics", "/front  sensor_msgs/PointCloud2  10.0 Hz  frame f  50 points",
-        "--topic /front", "/rear?lidar"}) {
+        "--topic /front\n", "--topic '/rear?lidar'"}) {
     EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
   }
   OpenOptions options;
