@@ -246,6 +246,14 @@ bool is_bag(const fs::path& path) {
   return fs::is_directory(path, ignored) ? !bag_files(path).empty() : is_bag_file(path);
 }
 
+/// A total station knows no rotations; some of its files have 0 0 0 1 in their place.
+bool never_turns(const Truth& truth) {
+  return truth.poses.size() > 1 &&
+         std::all_of(truth.poses.begin(), truth.poses.end(), [](const StampedPose& pose) {
+           return pose.pose.rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs();
+         });
+}
+
 }  // namespace
 
 double mercator_scale(std::string_view text) {
@@ -286,7 +294,9 @@ Truth parse_truth_table(std::string_view text) {
   }
   if (truth.poses.empty()) throw ReadError("no poses");
   truth.what = std::to_string(columns) + " columns" +
-               (truth.has_rotations ? "" : ", positions without rotations");
+               (!truth.has_rotations ? ", positions without rotations"
+                : never_turns(truth) ? ", and no rotation in any row: are they known?"
+                                     : "");
   return truth;
 }
 

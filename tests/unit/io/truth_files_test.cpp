@@ -55,6 +55,15 @@ TEST(TruthTable, PositionsWithoutAttitude) {
   EXPECT_EQ(prism.poses[0].pose.translation, Eigen::Vector3d(1, 2, 3));
 }
 
+// As FusionPortable's of a total station.
+TEST(TruthTable, RotationsThatNeverTurnAreAskedAbout) {
+  const Truth station = parse_truth_table("1.5 1 2 3 0 0 0 1\n1.6 4 2 3 0 0 0 1\n");
+  EXPECT_TRUE(station.has_rotations);
+  EXPECT_NE(station.what.find("no rotation in any row"), std::string::npos) << station.what;
+  const Truth other = parse_truth_table("1.5 1 2 3 0 0 0 1\n1.6 4 2 3 0 0 1 0\n");
+  EXPECT_EQ(other.what, "8 columns");
+}
+
 TEST(TruthTable, WhatFitsNothingIsRefusedByLine) {
   const auto error = [](const char* text) -> std::string {
     try {
@@ -143,6 +152,12 @@ TEST(Datasets, SayWhatTheOptionsLeaveOpenAndNoMore) {
   options.topic = "/other";
   EXPECT_EQ(with_dataset(options).stamp_at, StampAt::start);
   EXPECT_TRUE(with_dataset(options).likely_topics.empty());
+}
+
+TEST(Datasets, FusionPortablesTotalStationKnowsNoRotations) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("gt.txt", "1.5 1 2 3 0 0 0 1\n1.6 4 2 3 0 0 0 1\n");
+  EXPECT_FALSE(read_truth(file, &dataset_named("fusionportable-legged")).has_rotations);
 }
 
 TEST(Datasets, TheViralPrismHangsBelowTheLidar) {
