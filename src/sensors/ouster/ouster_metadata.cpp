@@ -160,7 +160,13 @@ void read_beams(const Json& root, OusterMetadata& metadata) {
   } else {
     metadata.T_lidar_beam(0, 3) = 0.012163;  // of the first OS1, whose firmware does not say it
   }
-  metadata.T_sensor_lidar = transform(part(root, "lidar_intrinsics"), "lidar_to_sensor_transform");
+  const Json& lidar = part(root, "lidar_intrinsics");
+  if (lidar.contains("lidar_to_sensor_transform")) {
+    metadata.T_sensor_lidar = transform(lidar, "lidar_to_sensor_transform");
+  } else {  // as the maker's SDK does with the short files of the first OS1 and of its viewer
+    metadata.T_sensor_lidar(0, 0) = metadata.T_sensor_lidar(1, 1) = -1.0;
+    metadata.T_sensor_lidar(2, 3) = 0.03618;
+  }
 }
 
 }  // namespace

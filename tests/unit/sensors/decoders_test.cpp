@@ -251,7 +251,9 @@ const OusterCase kOusterCases[] = {{"LEGACY", 12, true, 1},
                                    {"RNG19_RFL8_SIG16_NIR16", 12, false, 1},
                                    {"RNG19_RFL8_SIG16_NIR16_DUAL", 16, false, 1},
                                    {"RNG15_RFL8_NIR8", 4, false, 8},
-                                   {"RNG15_RFL8_NIR8_DUAL", 8, false, 8}};
+                                   {"RNG15_RFL8_WIN8", 4, false, 8},
+                                   {"RNG15_RFL8_NIR8_DUAL", 8, false, 8},
+                                   {"FIVE_WORD_PIXEL", 20, false, 1}};
 
 TEST(Ouster, AReturnInEveryProfile) {
   for (const OusterCase& one : kOusterCases) {
@@ -279,6 +281,21 @@ TEST(Ouster, AReturnInEveryProfile) {
       EXPECT_EQ(firings.points[0].ring, 14);
     }
   }
+}
+
+// The short metadata of early files; the maker's SDK takes 36.18 mm for them.
+TEST(Ouster, MetadataWithoutTheLidarsPlaceOnTheSensor) {
+  auto packet = test::ouster_packet(12, true, 700, 16, 5'000'000'000);
+  test::put(packet, test::ouster_pixel(12, true, 4, 1), std::uint16_t{10'000});
+  DecoderOptions options;
+  options.metadata = test::ouster_json("LEGACY", true);
+  const Firings given = decode(packet, "OS-1-16", options);
+  const std::size_t key = options.metadata.find("lidar_to_sensor_transform");
+  options.metadata.replace(key, 5, "other");
+  const Firings assumed = decode(packet, "OS-1-16", options);
+  ASSERT_EQ(assumed.points.size(), 1U);
+  const Eigen::Vector3f higher = assumed.points[0].position - given.points[0].position;
+  EXPECT_LT((higher - Eigen::Vector3f(0.0F, 0.0F, 0.00018F)).norm(), 2e-6F);
 }
 
 TEST(Ouster, TheStrongerOfTwoReturns) {
