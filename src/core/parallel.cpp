@@ -8,6 +8,9 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#elif defined(SUREFOOT_WITH_STD_THREADS)
+#include <atomic>
+#include <thread>
 #endif
 
 namespace surefoot {
@@ -27,6 +30,25 @@ Workers::Workers(int threads) {
 
 void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
   pool_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
+}
+
+#elif defined(SUREFOOT_WITH_STD_THREADS)
+
+// Begun anew for every loop: slow, but ThreadSanitizer sees into them.
+struct Workers::Pool {};
+
+Workers::Workers(int threads) : threads_(std::max(threads, 1)) {
+  if (threads_ > 1) pool_ = std::make_unique<Pool>();
+}
+
+void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t chunk = next++; chunk < chunks; chunk = next++) run(chunk);
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads_; ++i) others.emplace_back(work);
+  work();
 }
 
 #else
