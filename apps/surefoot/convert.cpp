@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "io/printable.hpp"
 #include "io/scan_sink.hpp"
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
@@ -87,7 +88,7 @@ class Conversion {
 bool Conversion::use(const io::ScanItem& item) {
   if (!item.scan) {
     ++unreadable_;
-    say("left out: " + item.error);
+    say("left out: " + io::printable(item.error));
     return true;
   }
   if (!first_ns_) first_ns_ = item.scan->stamp_ns;
@@ -115,7 +116,7 @@ int Conversion::execute() {
   }
   sink_->finish();
   progress_.finish();
-  for (const std::string& note : recording_->notes()) say("note: " + note);
+  for (const std::string& note : recording_->notes()) say("note: " + io::printable(note));
   if (!sink_->lost().empty()) say("lost: " + sink_->lost());
   if (!options_.quiet) {
     fmt::print("{} scans, {} points: {}\n", scans_, points_, options_.output.string());

@@ -14,6 +14,7 @@
 
 #include "io/bags/bag_files.hpp"
 #include "io/datasets.hpp"
+#include "io/printable.hpp"
 #include "io/robots.hpp"
 #ifdef SUREFOOT_HAS_ROS1
 #include "ros1/topic_publisher.hpp"
@@ -88,7 +89,7 @@ io::OpenOptions prepare_topic(LiveArguments& arguments, std::string name,
 
 std::function<void(const std::string&)> notes_of(const LiveArguments& arguments) {
   return [quiet = arguments.run.quiet](const std::string& text) {
-    if (!quiet) fmt::print(stderr, "note: {}\n", text);
+    if (!quiet) fmt::print(stderr, "note: {}\n", io::printable(text));
   };
 }
 #endif

@@ -54,6 +54,15 @@ int parse(CLI::App& app, int argc, char** argv) {
   return process::kDone;
 }
 
+/// Names of files and topics may hold what a terminal acts on; a list of them has lines.
+std::string shown(std::string text) {
+  const auto acts = [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f;
+  };
+  std::replace_if(text.begin(), text.end(), acts, '?');
+  return text;
+}
+
 }  // namespace
 
 int run_program(CLI::App& app, int argc, char** argv, const int& exit_code) {
@@ -63,11 +72,11 @@ int run_program(CLI::App& app, int argc, char** argv, const int& exit_code) {
     const int parsed = parse(app, argc, argv);
     return parsed != process::kDone ? parsed : exit_code;
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "surefoot: {}\n", text_of(error));
+    fmt::print(stderr, "surefoot: {}\n", shown(text_of(error)));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "surefoot: takes more memory than there is\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "surefoot: {}\n", error.what());
+    fmt::print(stderr, "surefoot: {}\n", shown(error.what()));
   }
   return process::kBadInput;
 }

@@ -20,7 +20,7 @@ std::string html_text(std::string_view text) {
         html += "&gt;";
         break;
       default:
-        html += c;
+        html += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
     }
   }
   return html;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/decimal_time.hpp"
+#include "io/printable.hpp"
 #include "io/scan_selection.hpp"
 #include "io/trajectory_files.hpp"
 #include "process/machine.hpp"
@@ -138,7 +139,7 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   auto second = recording_->next();
   if (!second) return first;
   ++outcome_.partial;
-  own_notes_.push_back(fmt::format("left out: {}: {}", first->name, first->remark));
+  own_notes_.push_back(fmt::format("left out: {}: {}", io::printable(first->name), first->remark));
   listener_.say(own_notes_.back());
   return second;
 }
@@ -160,7 +161,7 @@ void OdometryRun::use_all(std::optional<io::ScanItem> item, RunOutput& output) {
 void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (!item.scan) {
     ++outcome_.unreadable;
-    listener_.say("left out: " + item.error);
+    listener_.say("left out: " + io::printable(item.error));
     return;
   }
   const std::vector<std::int64_t>& resets = options_.reset_before;
@@ -221,7 +222,7 @@ void OdometryRun::count(const Estimate& estimate, const Trajectory& path) {
 void OdometryRun::say_new_notes() {
   const std::vector<std::string>& all = recording_->notes();
   for (; notes_.size() < all.size(); notes_.push_back(all[notes_.size()])) {
-    listener_.say("note: " + all[notes_.size()]);
+    listener_.say("note: " + io::printable(all[notes_.size()]));
   }
 }
 

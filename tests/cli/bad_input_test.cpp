@@ -186,6 +186,28 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
                                                           << result;
 }
 
+// A terminal would act on what such a name holds, or show a line that nobody said.
+TEST(BadInput, NamesAreShownAsWhatATerminalDoesNotActOn) {
+  const ScratchFolder scratch;
+  fs::create_directories(scratch.path() / "scans");
+  const std::string name = "b\x1b[31m\nverdict: fit.pcd";
+  write_content(scratch.path() / "scans" / "a.pcd", good_pcd());
+  write_content(scratch.path() / "scans" / name, "junk");
+  const std::string gone = "scans/none\x1b[2J";
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"info", "scans"},
+                                                    {"check", "scans", "--html", "page.html"},
+                                                    {"run", "scans", "-o", "out", "--no-report"},
+                                                    {"convert", "scans", "a.mcap"},
+                                                    {"info", gone}}) {
+    const ProcessResult result = run_surefoot(arguments, scratch.path());
+    const std::string said = result.output + result.errors;
+    EXPECT_EQ(said.find('\x1b'), std::string::npos) << result;
+    EXPECT_EQ(said.find("\nverdict: fit.pcd"), std::string::npos) << result;
+    EXPECT_NE(said.find("?["), std::string::npos) << result;
+  }
+  EXPECT_EQ(file_content(scratch.path() / "page.html").find('\x1b'), std::string::npos);
+}
+
 TEST(BadInput, MissingPath) {
   const ScratchFolder scratch;
   expect_refused({"run", "nowhere"}, "nowhere", scratch);
