@@ -32,6 +32,7 @@ int compare(const experiments::CompareOptions& options) {
       experiments::parse_variants(options.methods);
   const auto results = experiments::compare_variants(options, variants);
   if (!results) return process::kInterrupted;
+  if (options.part) return process::kDone;
   experiments::write_results(options, *results);
   print_results(options, results->comparison);
   return experiments::exit_code_of(results->comparison);

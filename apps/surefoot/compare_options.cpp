@@ -98,6 +98,13 @@ void add_compare_options(CLI::App& command, experiments::CompareOptions& options
                               fmt::join(methods(), ", ")))
       ->delimiter(',')
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--part",
+          [&options](const std::string& text) { options.part = experiments::parse_part(text); },
+          "Do this share of the runs and make no tables, beside others that do theirs: 3/8; each "
+          "once at a time. The same call without it makes the tables")
+      ->type_name("NUMBER/OF");
   command.add_flag("--no-map", options.no_map, "Do not write map.ply")->group("Runs");
 }
 

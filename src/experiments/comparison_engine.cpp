@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/compare_inputs.hpp"
 #include "experiments/compare_runs.hpp"
@@ -88,6 +90,42 @@ void say_interrupted(const CompareOptions& options, const std::string& what_is_d
 
 }  // namespace
 
+ComparePart parse_part(const std::string& text) {
+  ComparePart part;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%zu/%zu%c", &part.number, &part.of, &rest) == 2 &&
+      text.find_first_not_of("0123456789/") == std::string::npos && part.number >= 1 &&
+      part.number <= part.of) {
+    return part;
+  }
+  throw std::invalid_argument(fmt::format("--part: '{}'; expected NUMBER/OF, such as 3/8", text));
+}
+
+namespace {
+
+std::vector<RunTask> tasks_of(std::vector<RunTask> tasks, const ComparePart& part) {
+  std::vector<RunTask> share;
+  for (std::size_t i = part.number - 1; i < tasks.size(); i += part.of) share.push_back(tasks[i]);
+  return share;
+}
+
+/// Whatever was not done before; false if it was interrupted.
+bool do_runs(const CompareOptions& options, const std::vector<CompareInput>& inputs,
+             const std::vector<MethodVariant>& variants, const std::string& build) {
+  std::vector<RunTask> tasks = make_tasks(options, inputs, variants, build);
+  if (options.part) tasks = tasks_of(std::move(tasks), *options.part);
+  RunQueue queue(std::move(tasks), options.jobs, options.quiet);
+  queue.skip_done(options.retry_failed);
+  say(options, fmt::format("{} runs: {} recordings, {} methods; {} done before", queue.tasks(),
+                           inputs.size(), variants.size(), queue.done()));
+  if (queue.work()) return true;
+  say_interrupted(options,
+                  fmt::format("what was done, {} of {} runs,", queue.done(), queue.tasks()));
+  return false;
+}
+
+}  // namespace
+
 std::optional<CompareResults> compare_variants(const CompareOptions& options,
                                                const std::vector<MethodVariant>& variants) {
   for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
@@ -97,17 +135,10 @@ std::optional<CompareResults> compare_variants(const CompareOptions& options,
   }
   const std::vector<CompareInput> inputs = find_inputs(options);
   const std::string build = build_fingerprint();
-  RunQueue queue(make_tasks(options, inputs, variants, build), options.jobs, options.quiet);
   fs::create_directories(options.output);
-  const process::FolderLock lock(options.output);
-  queue.skip_done(options.retry_failed);
-  say(options, fmt::format("{} runs: {} recordings, {} methods; {} done before", queue.tasks(),
-                           inputs.size(), variants.size(), queue.done()));
-  if (!queue.work()) {
-    say_interrupted(options,
-                    fmt::format("what was done, {} of {} runs,", queue.done(), queue.tasks()));
-    return std::nullopt;
-  }
+  const process::FolderLock lock(options.output, options.part.has_value());
+  if (!do_runs(options, inputs, variants, build)) return std::nullopt;
+  if (options.part) return CompareResults{};
   return collect_results(options, inputs, variants, build);
 }
 

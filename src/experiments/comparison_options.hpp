@@ -4,7 +4,9 @@
 // What a comparison was asked for.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,13 @@ enum class Cover {
   recording   ///< the part between the recording's first and last scan
 };
 
+/// A share of a comparison's runs: every `of`-th, from the `number`-th on.
+struct ComparePart {
+  std::size_t number = 1, of = 1;
+};
+/// "3/8"; throws std::invalid_argument.
+[[nodiscard]] ComparePart parse_part(const std::string& text);
+
 struct CompareOptions {
   std::vector<std::filesystem::path> recordings;
   std::vector<std::filesystem::path> truths;  ///< empty, or one for each of `recordings`
@@ -29,6 +38,7 @@ struct CompareOptions {
 
   int repeats = 1;
   int jobs = 1;
+  std::optional<ComparePart> part;  ///< of the runs, and no tables; none: whatever is left
   std::filesystem::path output = "results/comparison";
   bool figures = true;
   bool retry_failed = false;

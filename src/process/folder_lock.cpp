@@ -11,9 +11,10 @@
 
 namespace surefoot::process {
 
-FolderLock::FolderLock(const std::filesystem::path& folder)
+FolderLock::FolderLock(const std::filesystem::path& folder, bool shared)
     : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (folder_ < 0 || flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  const int how = (shared ? LOCK_SH : LOCK_EX) | LOCK_NB;
+  if (folder_ < 0 || flock(folder_, how) == 0 || errno != EWOULDBLOCK) return;
   close(folder_);
   throw std::runtime_error(folder.string() +
                            ": another process is writing to it; choose another folder, or wait");

@@ -90,6 +90,33 @@ json errors_of(const json& results) {
   return errors;
 }
 
+TEST_F(Compare, PartsGiveWhatTheWholeGives) {
+  const std::vector<std::string> all = {"left", "right", "--methods", "paper,icp", "--no-figures"};
+  const auto in = [&](const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = all;
+    arguments.insert(arguments.end(), {"-o", folder});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return compare(arguments);
+  };
+  ASSERT_EQ(in("whole", {}).exit_code, 0);
+  const ProcessResult second = in("parts", {"--part", "2/3"});
+  EXPECT_EQ(second.exit_code, 0) << second;
+  EXPECT_TRUE(second.output.empty()) << second;
+  EXPECT_TRUE(fs::exists(scratch_.path() / "parts/runs/left/icp"));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "parts/runs/left/paper"));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "parts/compare.json"));
+  EXPECT_EQ(in("parts", {"--part", "3/3"}).exit_code, 0);
+  EXPECT_EQ(in("parts", {"--part", "1/3"}).exit_code, 0);
+  const ProcessResult end = in("parts", {});
+  EXPECT_NE(end.errors.find("2 methods; 4 done before"), std::string::npos) << end;
+  EXPECT_EQ(errors_of(results("parts")), errors_of(results("whole")));
+  for (const char* part : {"0/3", "4/3", "3", "1/3x", "-1/3", "/"}) {
+    const ProcessResult refused = in("parts", {std::string("--part=") + part});
+    EXPECT_EQ(refused.exit_code, 2) << refused;
+    EXPECT_NE(refused.errors.find("expected NUMBER/OF"), std::string::npos) << refused;
+  }
+}
+
 TEST_F(Compare, TablesFilesAndFiguresOfTwoByTwo) {
   const ProcessResult printed =
       compare({"left", "right", "--methods", "paper,paper+deskew.mode=none", "-o", "out"});
