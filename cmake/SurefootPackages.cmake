@@ -63,6 +63,7 @@ function(surefoot_package component name section description)
   install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz DESTINATION ${doc}/${name}
     COMPONENT ${component})
 endfunction()
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS snakemake)  # of surefoot_fleet
 surefoot_package(tools surefoot science "the program\n Recordings or a sensor's packets in, trajectory and map out.")
 set(development libeigen3-dev)
 if(SUREFOOT_TBB)
