@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -60,6 +61,10 @@ live::CommandAnswer execute(const std::string& command, live::LiveRecording& rec
     return {true, command == "pause" ? "scans are left out" : "scans are used"};
   }
   if (command == "save_map") return {true, std::filesystem::absolute(run.save_map()).string()};
+  if (command == "localize" || command.starts_with("localize ")) {
+    run.localize(command.substr(std::min<std::size_t>(command.size(), 9)));
+    return {true, "its place in the map is searched for"};
+  }
   if (command != "reset") return {false, command + " is not known"};
   recording.log().reset();
   run.reset();
@@ -75,12 +80,17 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   live::CommandQueue commands;
   Ends ends = ends_of(arguments, commands);
   std::function<void()> work = [] {};
-  arguments.live.idle = [&] { work(); };
-  live::LiveRecording recording(std::move(ends.stream), arguments.live);
   std::optional<LivePublisher> publisher;
+  std::function<void()> tell_health = [] {};
+  arguments.live.idle = [&] {
+    work();
+    tell_health();
+  };
+  live::LiveRecording recording(std::move(ends.stream), arguments.live);
   if (ends.messages) {
     (void)runs::add_run_topics(*ends.messages);
     publisher.emplace(ends.messages);
+    tell_health = [&] { publisher->tell(recording.figures()); };
   }
   std::function<void(const std::string&, const Estimate&, const Odometry&)> answered;
 #ifdef SUREFOOT_HAS_LIVE_PAGE
@@ -105,7 +115,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     if (viewers) viewers->used(latency_ms);
 #endif
     work();
-    if (publisher) publisher->tell(recording.figures());
+    tell_health();
     constexpr auto kPeriod = std::chrono::seconds(10);
     if (quiet || Clock::now() - told < kPeriod) return;
     told = Clock::now();

@@ -28,7 +28,7 @@
 namespace surefoot::app {
 namespace {
 
-const std::vector<std::string> kCommands = {"reset", "pause", "resume", "save_map"};
+const std::vector<std::string> kCommands = {"reset", "pause", "resume", "save_map", "localize"};
 
 /// An Ouster's packets are not understood without what it says about itself.
 std::string metadata_of(const LiveArguments& arguments) {

@@ -22,6 +22,23 @@ std::string latency_text(const live::LiveFigures& figures) {
                      *std::max_element(latencies.begin(), latencies.end()));
 }
 
+constexpr double kLongestSilence = 1.0;  // [s]: ten revolutions of most sensors
+
+/// Health: a sensor that says nothing is an error, what was lost to others a warning.
+void judge(const live::LiveFigures& figures, io::Diagnostic& diagnostic) {
+  using Level = io::Diagnostic::Level;
+  if (figures.silent_s > kLongestSilence) {
+    diagnostic.level = Level::error;
+    diagnostic.message = fmt::format("no scan for {:.0f} s; ", figures.silent_s);
+  } else if (figures.is_paused) {
+    diagnostic.level = Level::warn;
+    diagnostic.message = "paused; ";
+  } else if (figures.dropped > 0) {
+    diagnostic.level = Level::warn;
+  }
+  diagnostic.message += state_text(figures);
+}
+
 /// How a live run keeps up, as a diagnosis of its own.
 io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
   io::Diagnostic diagnostic;
@@ -29,8 +46,7 @@ io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
                             std::chrono::system_clock::now().time_since_epoch())
                             .count();
   diagnostic.name = "surefoot: live";
-  diagnostic.level = figures.dropped > 0 ? io::Diagnostic::Level::warn : io::Diagnostic::Level::ok;
-  diagnostic.message = state_text(figures);
+  judge(figures, diagnostic);
   const auto add = [&](const char* key, auto value) {
     diagnostic.values.emplace_back(key, fmt::format("{}", value));
   };

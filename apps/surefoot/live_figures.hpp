@@ -17,7 +17,7 @@ namespace surefoot::app {
 /// "90 scans, 0 dropped; from last packet to pose 7.7 ms median, ...".
 [[nodiscard]] std::string state_text(const live::LiveFigures& figures);
 
-/// Beside a run's own messages, once a second.
+/// Beside a run's own messages, once a second, also while nothing comes.
 class LivePublisher {
  public:
   explicit LivePublisher(std::shared_ptr<io::BagWriter> messages);

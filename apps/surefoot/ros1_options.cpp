@@ -21,7 +21,7 @@ void add_ros1_options(CLI::App& command, Ros1Arguments& arguments) {
       ->group(kRos1Group);
   command
       .add_flag("--ros1-commands", arguments.commands,
-                "do what others ask by service: /surefoot/reset, pause, resume, save_map")
+                "do what others ask by service: /surefoot/reset, pause, resume, save_map, localize")
       ->group(kRos1Group);
   command
       .add_option("--ros1-master", arguments.node.master,

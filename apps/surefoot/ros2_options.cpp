@@ -30,7 +30,7 @@ void add_ros2_options(CLI::App& command, Ros2Arguments& arguments) {
   command
       .add_flag("--ros2-commands", arguments.commands,
                 "do what others of the domain ask by service: /surefoot/reset, pause, resume, "
-                "save_map")
+                "save_map, localize")
       ->group(kRos2Group);
   command.add_option("--ros2-domain", arguments.participant.domain, "domain of both")
       ->envname("ROS_DOMAIN_ID")

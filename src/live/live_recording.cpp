@@ -80,6 +80,7 @@ void LiveRecording::enqueue(LiveScan scan) {
     if (figures_.unreadable++ == 0) notes_.push_back("left out: " + scan.item.error);
     return;
   }
+  last_scan_ = Clock::now();
   if (paused_) {
     log_.paused(scan.item.scan->stamp_ns, scan.item.name);
     ++figures_.paused;
@@ -160,6 +161,7 @@ LiveFigures LiveRecording::figures() const {
   figures.lost = state_.lost;
   figures.packets = state_.packets;
   figures.is_paused = paused_;
+  figures.silent_s = milliseconds(Clock::now() - last_scan_) / 1e3;
   return figures;
 }
 

@@ -43,6 +43,7 @@ struct LiveFigures {
   std::size_t dropped = 0;  ///< scans that waited for too long
   std::size_t paused = 0;   ///< scans that came during a pause
   bool is_paused = false;
+  double silent_s = 0.0;             ///< since a scan came, or it began
   std::size_t unreadable = 0;        ///< messages that no scan could be made of
   std::vector<double> latencies_ms;  ///< from a used scan's last packet to done(); the last 100,000
 };
@@ -93,6 +94,7 @@ class LiveRecording final : public io::Recording {
   StreamState state_;
   std::deque<LiveScan> queue_;
   LiveFigures figures_;
+  std::chrono::steady_clock::time_point last_scan_ = std::chrono::steady_clock::now();
   std::size_t next_latency_ = 0;
   std::vector<std::string> notes_;
   std::size_t stream_notes_ = 0;  ///< of the stream's, that are among them

@@ -97,8 +97,9 @@ void CommandServer::obey(const std::vector<std::byte>& message) const {
   try {
     io::MessageReader reader(io::MessageEncoding::cdr, message);
     const std::string command(reader.string("command"));
+    const std::string name = command.substr(0, command.find(' '));  // a map's may follow
     const bool known = std::any_of(services_.begin(), services_.end(),
-                                   [&](const Service& one) { return one.command == command; });
+                                   [&](const Service& one) { return one.command == name; });
     if (known) (void)handler_(command);
   } catch (const io::ReadError&) {
   }

@@ -4,19 +4,25 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
-#include "runs/saved_map.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot::runs {
 
-LocalizationRun::LocalizationRun(const std::filesystem::path& map, const Pose& T_lidar_written)
-    : localizer_(read_saved_map(map), {}),
+LocalizationRun::LocalizationRun(mapping::SavedMap map, const Pose& T_lidar_written)
+    : localizer_(std::move(map), {}),
       T_lidar_written_(T_lidar_written),
       csv_("stamp,found,x_m,y_m,z_m,message\n") {}
+
+void LocalizationRun::begin_anew(mapping::SavedMap map) {
+  localizer_ = mapping::MapLocalizer(std::move(map), {});
+  poses_.clear();
+}
 
 void LocalizationRun::add(const Estimate& estimate, const DeskewedScan& scan) {
   if (outcome_.scans++ == 0) first_stamp_ns_ = estimate.stamp_ns;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "mapping/map_localizer.hpp"
@@ -18,9 +19,13 @@ namespace surefoot::runs {
 
 class LocalizationRun {
  public:
-  /// @param T_lidar_written as for the run's other trajectories. Throws io::ReadError for a map
-  /// that cannot be read.
-  LocalizationRun(const std::filesystem::path& map, const Pose& T_lidar_written);
+  /// @param T_lidar_written as for the run's other trajectories.
+  LocalizationRun(mapping::SavedMap map, const Pose& T_lidar_written);
+
+  /// From an unknown place again, in this map: poses in another one's frame are not kept.
+  void begin_anew(mapping::SavedMap map);
+  /// From the run's world to the map; none: not found yet, or lost.
+  [[nodiscard]] const std::optional<Pose>& T_map_world() const { return localizer_.T_map_world(); }
 
   /// Every scan; one whose pose was not measured has no place in the map.
   void add(const Estimate& estimate, const DeskewedScan& scan);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "io/decimal_time.hpp"
 #include "io/printable.hpp"
@@ -21,6 +23,7 @@
 #include "runs/run_files.hpp"
 #include "runs/run_output.hpp"
 #include "runs/run_truth.hpp"
+#include "runs/saved_map.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -56,6 +59,7 @@ class OdometryRun final : public RunControl {
   [[nodiscard]] RunOutcome execute();
   void reset() override;
   std::filesystem::path save_map() override;
+  void localize(const std::filesystem::path& map) override;
 
  private:
   void observe() {
@@ -86,6 +90,7 @@ class OdometryRun final : public RunControl {
   std::vector<RunBag> bags_;
   std::optional<MapRun> map_run_;
   std::optional<LocalizationRun> localization_;
+  std::filesystem::path localized_in_;  ///< the map that was asked for last
   RunOutcome outcome_;
   std::vector<std::string> notes_;      ///< the recording's that were said
   std::vector<std::string> own_notes_;  ///< the run's
@@ -104,7 +109,7 @@ RunOutcome OdometryRun::execute() {
   check_bags();
   check_log();
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
-  if (!options_.localize.empty()) localization_.emplace(options_.localize, T_lidar_written_);
+  if (!options_.localize.empty()) localize(options_.localize);
   RunOutput output(options_);
   outcome_.folder = output.folder().path();
   if (output.folder().replaced()) {
@@ -173,7 +178,11 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (!options_.no_report) output.add_sample(*item.scan, estimate);
-  for (RunBag& bag : bags_) bag.add(item.name, estimate, odometry_);
+  if (localization_) localization_->add(estimate, odometry_.deskewed_scan());
+  for (RunBag& bag : bags_) {
+    if (localization_) bag.place(localization_->T_map_world());
+    bag.add(item.name, estimate, odometry_);
+  }
   if (listener_.answered) listener_.answered(item.name, estimate, odometry_);
   if (estimate.trusted() && !options_.no_map) {
     const double time = seconds(estimate.stamp_ns - first_stamp_ns_);
@@ -181,7 +190,6 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
     map_.add(odometry_.deskewed_scan(), estimate.T_world_lidar, time);
   }
   if (map_run_ && estimate.trusted()) map_run_->add(estimate, odometry_.deskewed_scan());
-  if (localization_) localization_->add(estimate, odometry_.deskewed_scan());
   tell(item, estimate);
   count(estimate, output.trajectory());
 }
@@ -198,6 +206,20 @@ void OdometryRun::reset() {
 std::filesystem::path OdometryRun::save_map() {
   write_map(outcome_.folder, map_);
   return outcome_.folder / kMapFile;
+}
+
+void OdometryRun::localize(const std::filesystem::path& map) {
+  const std::filesystem::path wanted = map.empty() ? localized_in_ : map;
+  if (wanted.empty()) {
+    throw std::invalid_argument("there is no map: --localize MAP, or name it: localize MAP");
+  }
+  mapping::SavedMap saved = read_saved_map(wanted);
+  if (localization_) {
+    localization_->begin_anew(std::move(saved));
+  } else {
+    localization_.emplace(std::move(saved), T_lidar_written_);
+  }
+  localized_in_ = wanted;
 }
 
 /// Each trouble once, when it begins.

@@ -45,6 +45,9 @@ class RunControl {
   virtual void reset() = 0;
   /// Writes map.ply as it is now. Throws io::WriteError.
   virtual std::filesystem::path save_map() = 0;
+  /// Searches for its place in a saved map from now on, anew if it did before. Empty: in the map
+  /// that it has. Throws io::ReadError, std::invalid_argument where it has none.
+  virtual void localize(const std::filesystem::path& map) = 0;
 };
 
 /// Who is told what goes on while it runs.

@@ -81,10 +81,22 @@ void RunBag::add(const std::string& name, const Estimate& estimate, const Odomet
   if (path_.size() > path_written_ + path_written_ / share) write_path();
 }
 
+void RunBag::place(const std::optional<Pose>& T_map_world) {
+  const bool moved =
+      T_map_world && (!T_map_world_ || !(T_map_world_->matrix() == T_map_world->matrix()));
+  is_placed_ = true;
+  T_map_world_ = T_map_world;
+  if (moved) fixed_written_ = false;
+}
+
 void RunBag::write_fixed_transforms(std::int64_t stamp_ns) {
   fixed_written_ = true;
-  std::vector<io::Transform> transforms = {{stamp_ns, kMap, kWorld, Pose{}}};
+  std::vector<io::Transform> transforms;
+  if (T_map_world_ || !is_placed_) {
+    transforms.push_back({stamp_ns, kMap, kWorld, T_map_world_.value_or(Pose{})});
+  }
   if (of_base_) transforms.push_back({stamp_ns, kBase, kLidar, T_lidar_written_.inverse()});
+  if (transforms.empty()) return;
   const std::size_t topic = bag_->add_topic("/tf_static", io::transforms_definition());
   bag_->write(topic, stamp_ns, io::format_transforms(transforms, bag_->flavour()));
 }

@@ -30,6 +30,9 @@ class RunBag {
   /// `T_lidar_base`: where the base sits, if its poses are to be written; else the LiDAR's.
   RunBag(std::shared_ptr<io::BagWriter> bag, const std::optional<Pose>& T_lidar_base);
 
+  /// Where "odom" lies in "map", for listeners: told again whenever it moves, and not at all until
+  /// it is known.
+  void place(const std::optional<Pose>& T_map_world);
   /// A scan's answer; `odometry` has just given it. Throws io::WriteError.
   void add(const std::string& name, const Estimate& estimate, const Odometry& odometry);
   /// Ends the bag; `run_yaml` goes with it where the format has room. Throws io::WriteError.
@@ -46,6 +49,8 @@ class RunBag {
   Pose T_lidar_written_;
   bool of_base_;
   bool fixed_written_ = false;
+  bool is_placed_ = false;  ///< in a saved map
+  std::optional<Pose> T_map_world_;
   std::string frame_;  ///< whose poses are written
   RunTopics topics_;
   Trajectory path_;

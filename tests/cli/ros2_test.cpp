@@ -247,6 +247,7 @@ TEST_F(Ros2Test, WhatItPublishesIsUnderstoodByOthers) {
     fixed = late.take("rt/tf_static");
     std::this_thread::sleep_for(milliseconds(10));
   }
+  std::this_thread::sleep_for(milliseconds(2200));  // in which nothing comes
   process.send(SIGTERM);
   const ProcessResult result = process.wait();
   ASSERT_EQ(result.exit_code, 0) << result;
@@ -279,7 +280,11 @@ TEST_F(Ros2Test, WhatItPublishesIsUnderstoodByOthers) {
   EXPECT_EQ(peer.take("rt/surefoot/scan").size(), scans.size());
   EXPECT_EQ(peer.take("rt/tf").size(), scans.size());
   EXPECT_FALSE(peer.take("rt/surefoot/path").empty());
-  EXPECT_GE(peer.take("rt/diagnostics").size(), scans.size());
+  const std::vector<std::string> health = peer.take("rt/diagnostics");
+  EXPECT_GE(health.size(), scans.size());
+  EXPECT_TRUE(std::any_of(health.begin(), health.end(), [](const std::string& message) {
+    return message.find("no scan for 2 s; 6 scans, 0 dropped") != std::string::npos;
+  }));
   const std::vector<std::string> nodes = peer.take("ros_discovery_info");
   ASSERT_FALSE(nodes.empty());
   EXPECT_NE(nodes.back().find("walker"), std::string::npos);
@@ -361,7 +366,7 @@ TEST_F(Ros2Test, CommandsAreDoneAndRepeated) {
   FastDdsPeer peer(own_domain());
   peer.add_writer("rt/points", kCloudType);
   peer.add_writer("rt/surefoot/command", "std_msgs::msg::dds_::String_");
-  for (const char* command : {"save_map", "pause", "resume"}) {
+  for (const char* command : {"save_map", "pause", "resume", "localize"}) {
     const std::string name = std::string("/surefoot/") + command;
     peer.add_writer("rq" + name + "Request", "std_srvs::srv::dds_::Trigger_Request_");
     peer.add_reader("rr" + name + "Reply", "std_srvs::srv::dds_::Trigger_Response_");
@@ -383,6 +388,7 @@ TEST_F(Ros2Test, CommandsAreDoneAndRepeated) {
   const std::string map = called(peer, "save_map");
   EXPECT_EQ(map, fs::absolute(scratch_.path() / "live" / "map.ply").string());
   EXPECT_GT(content("live/map.ply").size(), 1000U);
+  EXPECT_EQ(called(peer, "localize"), "!there is no map: --localize MAP, or name it: localize MAP");
   EXPECT_EQ(called(peer, "pause"), "scans are left out");
   send(3, 4);
   ASSERT_TRUE(wait_for_lines("live/live.log", 1 + 4));
@@ -400,6 +406,48 @@ TEST_F(Ros2Test, CommandsAreDoneAndRepeated) {
   EXPECT_NE(content("live/trajectory.tum").find("# segment 1"), std::string::npos);
   EXPECT_TRUE(fs::exists(scratch_.path() / "live" / "trajectory_segment_1.tum"));
   expect_repeated("live");
+}
+
+TEST_F(Ros2Test, APlaceInAMapIsSearchedForOnDemand) {
+  const std::vector<Scan> scans = stamped_scans(9);
+  offline(scans);
+  const ProcessResult map = run_surefoot(
+      {"map", "scans.mcap", "-o", "map", "--no-report", "--no-picture", "-q"}, scratch_.path());
+  ASSERT_EQ(map.exit_code, 0) << map;
+  FastDdsPeer peer(own_domain());
+  peer.add_writer("rt/points", kCloudType);
+  peer.add_writer("rt/surefoot/command", "std_msgs::msg::dds_::String_");
+  const std::string name = "/surefoot/localize";
+  peer.add_writer("rq" + name + "Request", "std_srvs::srv::dds_::Trigger_Request_");
+  peer.add_reader("rr" + name + "Reply", "std_srvs::srv::dds_::Trigger_Response_");
+  const Process process(live({"--ros2-topic", "/points", "--ros2-qos", "reliable",
+                              "--ros2-commands", "--queue", "100", "-o", "live"}),
+                        scratch_.path());
+  ASSERT_TRUE(peer.wait_for_readers("rt/points"));
+  ASSERT_TRUE(peer.wait_for_readers("rt/surefoot/command"));
+  ASSERT_TRUE(peer.wait_for_readers("rq" + name + "Request"));
+  const auto send = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      peer.write("rt/points", cloud_by_fast_cdr(scans[i], ""));
+    }
+    return wait_for_lines("live/live.log", 1 + to);
+  };
+  ASSERT_TRUE(send(0, 4));
+  const std::string command = "localize map";
+  const auto size = static_cast<std::uint32_t>(command.size() + 1);
+  std::string message("\0\1\0\0", 4);
+  message.append(reinterpret_cast<const char*>(&size), 4);
+  peer.write("rt/surefoot/command", message + command + '\0');
+  std::string again;
+  for (int i = 0; i < 100 && !again.starts_with("its place"); ++i) again = called(peer, "localize");
+  EXPECT_EQ(again, "its place in the map is searched for");
+  ASSERT_TRUE(send(4, 9));
+  process.send(SIGTERM);
+  const ProcessResult result = process.wait();
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(lines_of(scratch_.path() / "live" / "localization.csv"), 1U + 5U);
+  EXPECT_TRUE(fs::exists(scratch_.path() / "live" / "trajectory_map.tum"));
+  expect_same("offline", "live");
 }
 
 TEST_F(Ros2Test, WhatIsMissingIsNamed) {

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/run_bag.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot::runs {
+namespace {
+
+/// What listeners hear, by topic.
+class Listeners final : public io::BagWriter {
+ public:
+  std::size_t add_topic(const std::string& name, const io::MessageDefinition&) override {
+    names_.push_back(name);
+    return names_.size() - 1;
+  }
+  void write(std::size_t topic, std::int64_t, std::string_view message) override {
+    heard[names_.at(topic)].emplace_back(message);
+  }
+  void finish() override {}
+  bool is_latched() const override { return true; }
+
+  std::map<std::string, std::vector<std::string>> heard;
+
+ private:
+  std::vector<std::string> names_;
+};
+
+class RunBagTest : public testing::Test {
+ protected:
+  /// How often the frames' places in each other were told until after one more scan.
+  std::size_t told() {
+    Estimate estimate;
+    estimate.status = Status::ok;
+    bag_.add("scan", estimate, odometry_);
+    return listeners_->heard["/tf_static"].size();
+  }
+
+  std::shared_ptr<Listeners> listeners_ = std::make_shared<Listeners>();
+  RunBag bag_{listeners_, std::nullopt};
+  Odometry odometry_;
+};
+
+TEST_F(RunBagTest, OdomIsTheMapWhereThereIsNoOther) {
+  EXPECT_EQ(told(), 1U);
+  EXPECT_EQ(told(), 1U);
+}
+
+TEST_F(RunBagTest, OdomInAMapIsToldWhenItIsKnownAndWhenItMoves) {
+  bag_.place(std::nullopt);
+  EXPECT_EQ(told(), 0U);
+  Pose there;
+  there.translation.x() = 3.0;
+  bag_.place(there);
+  EXPECT_EQ(told(), 1U);
+  bag_.place(there);
+  EXPECT_EQ(told(), 1U);
+  there.translation.x() = 3.1;
+  bag_.place(there);
+  EXPECT_EQ(told(), 2U);
+  bag_.place(std::nullopt);  // lost: the last one stands
+  EXPECT_EQ(told(), 2U);
+}
+
+}  // namespace
+}  // namespace surefoot::runs
