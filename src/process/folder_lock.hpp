@@ -6,8 +6,9 @@
 
 namespace surefoot::process {
 
-/// Keeps a folder for one process at a time while it lives, or for several that agree to share it. The system lets go of it however the
-/// process ends, and no file is left behind. Where a file system knows no locks there is none.
+/// Keeps a folder for one process at a time while it lives, or for several that agree to share it.
+/// The system lets go of it however the process ends, and no file is left behind. Where a file
+/// system knows no locks there is none.
 class FolderLock {
  public:
   /// Throws std::runtime_error naming the folder if another process holds it.

@@ -5,7 +5,8 @@
 
     sbom_test.py surefoot.spdx.json [spdx-schema.json]
 
-With SPDX's own schema (github.com/spdx/spdx-spec, schemas/spdx-schema.json; python3-jsonschema) also by that.
+With SPDX's own schema (github.com/spdx/spdx-spec, schemas/spdx-schema.json) also by that: Debian,
+python3-jsonschema.
 """
 import json
 import pathlib
