@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runs/joined_names.hpp"
 #include "surefoot/quantile.hpp"
 
 namespace surefoot::app {
@@ -25,14 +26,6 @@ live_page::PageFigures page_figures(const live::LiveFigures& figures) {
   shown.latency_p99_ms = quantile(latencies, 0.99);
   shown.latency_max_ms = *std::max_element(latencies.begin(), latencies.end());
   return shown;
-}
-
-std::string weak_text(const Estimate& estimate) {
-  std::string text;
-  for (const DegenerateDirection& direction : estimate.degenerate) {
-    text += (text.empty() ? "" : " ") + direction.name;
-  }
-  return text;
 }
 
 live_page::PageOptions options_of(std::uint16_t port, const std::string& title,
@@ -76,7 +69,7 @@ void LiveViewers::answered(const std::string& name, const Estimate& estimate,
   scan_->segment = estimate.segment;
   scan_->T_world_lidar = estimate.T_world_lidar;
   scan_->wrong_probability = estimate.wrong_probability;
-  scan_->weak = weak_text(estimate);
+  scan_->weak = runs::joined_names(estimate.degenerate);
   cloud_.reset();
   if (!estimate.trusted() || !server_.wants_cloud()) return;
   cloud_ = {odometry.deskewed_scan().points, estimate.T_world_lidar, estimate.segment};

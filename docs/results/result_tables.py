@@ -205,7 +205,7 @@ def wall_time(threads, which):
     """[ms] of the default method over whole scans: 0 least, 1 median, 2 99th percentile."""
     for row in Kept("whole_run").rows[1:]:
         if row[:2] == ["surefoot", str(threads)]:
-            return f"{float(row[2].split(' / ')[which]):.1f}"
+            return float(row[2].split(" / ")[which])
     raise KeyError(threads)
 
 
@@ -236,9 +236,10 @@ def tuning_campus():
 TABLES = {
     "tuning": tuning,
     "tuning-campus": tuning_campus,
-    "time-median": lambda: wall_time(1, 1),
-    "time-p99": lambda: wall_time(1, 2),
-    "time-two": lambda: wall_time(2, 1),
+    "time-median": lambda: f"{wall_time(1, 1):.1f}",
+    "time-p99": lambda: f"{wall_time(1, 2):.1f}",
+    "time-two": lambda: f"{wall_time(2, 1):.1f}",
+    "thread-ratio": lambda: f"{wall_time(1, 1) / wall_time(2, 1):.2f}",
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),
     "reporting-4": lambda: reporting("reporting-4"),

@@ -7,17 +7,15 @@
 #include <span>
 #include <utility>
 
+#include "core/voxel_key.hpp"
 #include "report/base64.hpp"
 #include "report/map_json.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::live_page {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  return 1e-9 * static_cast<double>(to_ns - from_ns);
-}
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -46,14 +44,12 @@ Json pose_json(const Pose& pose) {
   return {{"position", {t.x(), t.y(), t.z()}}, {"quaternion", {q.x(), q.y(), q.z(), q.w()}}};
 }
 
-/// 21 bits a coordinate; nothing for what lies further out than they reach.
+/// Nothing for what lies further out than keys reach.
 std::optional<std::uint64_t> cube_of(const Eigen::Vector3f& point, double cube) {
   constexpr double kReach = 1 << 20;
-  const Eigen::Array3d at = (point.cast<double>().array() / cube).floor();
-  if (!(at.abs() < kReach).all()) return std::nullopt;
-  const Eigen::Array3d shifted = at + kReach;
-  return static_cast<std::uint64_t>(shifted.x()) << 42 |
-         static_cast<std::uint64_t>(shifted.y()) << 21 | static_cast<std::uint64_t>(shifted.z());
+  const Eigen::Vector3d place = point.cast<double>();
+  if (!((place / cube).array().abs() < kReach).all()) return std::nullopt;
+  return voxel_key(voxel_index(place, 1.0 / cube));
 }
 
 }  // namespace
@@ -125,7 +121,7 @@ Json PageHistory::path_news(Told& told) const {
     statuses.push_back(scan.status);
     weak.push_back(scan.weak);
   }
-  const auto time = [&](const PageScan& s) { return seconds_between(first_stamp_ns_, s.stamp_ns); };
+  const auto time = [&](const PageScan& s) { return seconds(s.stamp_ns - first_stamp_ns_); };
   return {{"anew", anew},
           {"times", series(scans, time)},
           {"positions", positions(scans)},
@@ -153,7 +149,7 @@ Json PageHistory::news(Told& told) const {
   Json scan = nullptr;
   if (last_) {
     scan = {{"name", last_->name},
-            {"time", seconds_between(first_stamp_ns_, last_->stamp_ns)},
+            {"time", seconds(last_->stamp_ns - first_stamp_ns_)},
             {"stamp_ns", std::to_string(last_->stamp_ns)},
             {"status", last_->status},
             {"message", last_->message},

@@ -15,7 +15,7 @@ namespace surefoot::mapping {
 
 /// What the front-end does not say itself: its covariance is of a pose against its own map, which
 /// drifts. Some of it is a random walk, some is wrong the same way all along (beams that are a
-/// little off, a gait that always sways alike).
+/// little off, a gait that always sways alike). The systematic part is a margin, not measured.
 struct DriftModel {
   double translation = 0.01;  ///< [m] after one metre of way; grows with the square root
   double rotation_deg = 0.012;

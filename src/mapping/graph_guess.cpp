@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
-
 #include "mapping/pose_graph_solver.hpp"
 
 namespace surefoot::mapping {

@@ -15,6 +15,7 @@
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
 #include "runs/csv_table.hpp"
+#include "runs/joined_names.hpp"
 
 namespace surefoot::runs {
 
@@ -48,17 +49,6 @@ std::string quoted(const std::string& text) {
     }
   }
   return result + '"';
-}
-
-/// Of weak directions or stages, between blanks.
-template <typename Named>
-std::string names_of(const Named& all) {
-  std::string names;
-  for (const auto& one : all) {
-    if (!names.empty()) names += ' ';
-    names += one.name;
-  }
-  return names;
 }
 
 Column whole(std::string name, int Estimate::*member) {
@@ -144,10 +134,10 @@ std::vector<Column> make_columns() {
       {"converged", Kind::number,
        [](const ScanRow& row) { return std::string(row.estimate.converged ? "1" : "0"); }}};
   columns.push_back({kStages, Column::Kind::text,
-                     [](const ScanRow& row) { return names_of(row.estimate.stages); }});
+                     [](const ScanRow& row) { return joined_names(row.estimate.stages); }});
   for (std::size_t place = 0; place < StageReports::kMost; ++place) add_stage(place, columns);
   columns.push_back({kDegenerate, Kind::text,
-                     [](const ScanRow& row) { return names_of(row.estimate.degenerate); }});
+                     [](const ScanRow& row) { return joined_names(row.estimate.degenerate); }});
   columns.push_back(real("least_information", [](const Estimate& e) {
     return e.degenerate.empty() ? 1.0 : e.degenerate.front().information;
   }));

@@ -61,7 +61,7 @@ const std::vector<Layer> kLayers = {
     {"evaluation", {"geometry"}},
     {"simulation", {"geometry", "sensors"}},
     {"report", {"geometry"}},
-    {"live_page", {"live", "report"}},
+    {"live_page", {"core", "live", "report"}},
     {"process", {}},
     {"runs", {"geometry", "io", "mapping", "evaluation", "report", "process"}},
     {"checks", {"geometry", "io", "report", "runs"}},
