@@ -18,10 +18,9 @@
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "recordings/recording_maker.hpp"
-#include "simulation/scene_picture.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
 #include "recordings/animation.hpp"
-#include "report/canvas.hpp"
+#include "recordings/scene_drawing.hpp"
 #endif
 
 namespace surefoot::app {
@@ -51,27 +50,17 @@ void list_scenes() {
   fmt::print("{:<12} {}\n", "FILE", "your own mesh or heightfield: .ply, .obj, .asc");
 }
 
-void draw_picture([[maybe_unused]] const SimulateArguments& arguments) {
+/// What is drawn instead of a recording made; false where nothing is asked for.
+bool draw([[maybe_unused]] const SimulateArguments& arguments) {
+  if (arguments.picture.empty() && arguments.animation.empty()) return false;
 #ifdef SUREFOOT_HAS_PICTURES
-  constexpr int kWidth = 480;
-  const simulation::Scene scene = recordings::scene_of(arguments.request);
-  const simulation::RayCaster rays(scene);
-  simulation::SceneImage image = simulation::render_scene(scene, rays, kWidth);
-  report::Canvas canvas(image.width, image.height, report::PageFormat::png);
-  const report::Rect page{0.0, 0.0, static_cast<double>(image.width),
-                          static_cast<double>(image.height)};
-  canvas.image({image.width, image.height, std::move(image.argb)}, page);
-  canvas.save(arguments.picture);
+  if (!arguments.picture.empty()) recordings::draw_scene(arguments.request, arguments.picture);
+  if (!arguments.animation.empty()) {
+    recordings::draw_animation(arguments.request, arguments.animation);
+  }
+  return true;
 #else
-  throw std::runtime_error("--picture: this program was built without pictures");
-#endif
-}
-
-void draw_moving_picture([[maybe_unused]] const SimulateArguments& arguments) {
-#ifdef SUREFOOT_HAS_PICTURES
-  recordings::draw_animation(arguments.request, arguments.animation);
-#else
-  throw std::runtime_error("--animation: this program was built without pictures");
+  throw std::runtime_error("--picture, --animation: this program was built without pictures");
 #endif
 }
 
@@ -203,8 +192,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
     if (arguments->list) return list_scenes();
     if (arguments->request.scene.empty()) throw CLI::RequiredError("SCENE (or --list)");
     complete_request(*arguments);
-    if (!arguments->picture.empty()) return draw_picture(*arguments);
-    if (!arguments->animation.empty()) return draw_moving_picture(*arguments);
+    if (draw(*arguments)) return;
     if (arguments->output.empty()) throw CLI::RequiredError("-o OUT");
     simulate(*arguments, exit_code);
   });

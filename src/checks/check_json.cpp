@@ -62,7 +62,49 @@ Json json_of(const MotionCheck& motion) {
   return json;
 }
 
+/// File names may hold any bytes.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
+
+std::string to_json(const io::RecordingSummary& summary) {
+  Json json;
+  json["description"] = summary.description;
+  json["notes"] = summary.notes;
+  json["fields"] = summary.layouts;
+  json["scans"] = summary.scans;
+  json["unreadable"] = summary.unreadable;
+  json["points_per_scan"] = json_of(summary.points);
+  // As text: a JSON number is a double, which does not hold an epoch time to the nanosecond.
+  json["first_stamp"] = io::format_seconds(summary.first_stamp_ns);
+  json["last_stamp"] = io::format_seconds(summary.last_stamp_ns);
+  json["rate_hz"] = summary.rate_hz();
+  json["interval_s"] = json_of(summary.interval_s);
+  json["scan_duration_s"] = json_of(summary.duration_s);
+  json["range_m"] = json_of(summary.range_m);
+  if (summary.has_intensities) {
+    json["intensity"] = json_of(summary.intensity);
+  }
+  json["rings"] = summary.rings;
+  const io::CaptureCounts& counts = summary.capture;
+  if (counts.packets > 0) {
+    json["packets"] = {{"all", counts.packets},
+                       {"data", counts.data_packets},
+                       {"position", counts.position_packets},
+                       {"truncated", counts.truncated},
+                       {"other", counts.other},
+                       {"fragments", counts.fragments},
+                       {"lost", counts.lost}};
+  }
+  json["odd"] = Json::array();
+  for (const io::Oddity& oddity : summary.oddities) {
+    json["odd"].push_back(
+        {{"what", oddity.what}, {"scans", oddity.scans}, {"first", oddity.first}});
+  }
+  return text_of(json);
+}
 
 std::string to_json(const RecordingCheck& check) {
   Json json;
@@ -83,8 +125,7 @@ std::string to_json(const RecordingCheck& check) {
                                 {"scans", finding.scans},
                                 {"first", finding.first}});
   }
-  // File names may hold any bytes.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return text_of(json);
 }
 
 }  // namespace surefoot::checks

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/trajectory_inputs.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "io/bags/bag_files.hpp"
+#include "io/trajectory_files.hpp"
+#include "runs/run_files.hpp"
+
+namespace surefoot::runs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTruthFile = "gt.tum";
+
+/// The trajectory in a run's folder, the truth in a recording's; any other path as it is.
+fs::path trajectory_file(const fs::path& path) {
+  for (const char* name : {kTrajectoryFile, kTruthFile}) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored) && fs::exists(path / name, ignored)) return path / name;
+  }
+  return path;
+}
+
+/// What an estimate is called: its file without extension, or the run's folder.
+std::string name_of(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return path.stem().string();
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+/// The first line that is no comment, or of names; empty where there is none.
+std::string first_row(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return {};  // its reader says what it is
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    const bool comment = begin != std::string::npos && line[begin] == '#';
+    const bool names =
+        begin != std::string::npos && std::isalpha(static_cast<unsigned char>(line[begin]));
+    if (begin != std::string::npos && !comment && !names) return line;
+  }
+  return {};
+}
+
+std::size_t columns_of(const fs::path& file) {
+  std::string row = first_row(file);
+  std::replace(row.begin(), row.end(), ',', ' ');
+  std::istringstream words(row);
+  std::size_t count = 0;
+  for (std::string word; words >> word;) ++count;
+  return count;
+}
+
+bool has_commas(const fs::path& file) { return first_row(file).find(',') != std::string::npos; }
+
+/// By the number of values in the first row: TUM has 8, KITTI 12.
+TrajectoryFormat format_of(const fs::path& file) {
+  return columns_of(file) == 12 ? TrajectoryFormat::kitti : TrajectoryFormat::tum;
+}
+
+/// Whether the reference is a bag, or a table that is neither TUM's nor KITTI's.
+bool is_table(const fs::path& file, bool find_format) {
+  std::error_code ignored;
+  if (!find_format || !fs::exists(file, ignored)) return false;
+  if (io::is_bag_file(file) || fs::is_directory(file, ignored)) return true;
+  const std::size_t columns = columns_of(file);
+  return columns == 4 || columns == 9 || columns == 13 || has_commas(file);
+}
+
+Trajectory read_trajectory(const fs::path& file, TrajectoryFormat format) {
+  if (format == TrajectoryFormat::tum) return io::read_tum(file);
+  Trajectory trajectory;
+  for (const Pose& pose : io::read_kitti_poses(file)) {
+    trajectory.push_back({static_cast<std::int64_t>(trajectory.size()), pose});
+  }
+  return trajectory;
+}
+
+}  // namespace
+
+Reference read_reference(const ReferenceRequest& request) {
+  const io::Dataset* set = request.dataset.empty() ? nullptr : &io::dataset_named(request.dataset);
+  const bool of_records = set != nullptr && set->truth == io::TruthOf::oxts;  // a folder of them
+  const bool find_format = request.format == TrajectoryFormat::automatic;
+  Reference reference;
+  reference.file = of_records ? request.path : trajectory_file(request.path);
+  reference.is_foreign = set != nullptr || is_table(reference.file, find_format);
+  if (reference.is_foreign) {
+    reference.truth = io::read_truth(reference.file, set, request.topic);
+    reference.format = reference.truth.has_stamps ? TrajectoryFormat::tum : TrajectoryFormat::kitti;
+  } else {
+    reference.format = find_format ? format_of(reference.file) : request.format;
+    reference.truth.poses = read_trajectory(reference.file, reference.format);
+  }
+  return reference;
+}
+
+Trajectory read_estimate(const fs::path& path, const Reference& reference) {
+  Trajectory estimate = read_trajectory(trajectory_file(path), reference.format);
+  if (reference.is_foreign) {
+    for (StampedPose& pose : estimate) pose.pose = pose.pose * reference.truth.T_lidar_truth;
+  }
+  return estimate;
+}
+
+std::vector<std::string> estimate_names(const std::vector<fs::path>& files) {
+  std::map<std::string, int> uses;
+  for (const fs::path& file : files) ++uses[name_of(file)];
+  std::vector<std::string> names;
+  for (const fs::path& file : files) {
+    const std::string name = name_of(file);
+    names.push_back(uses[name] == 1 ? name : file.string());
+  }
+  return names;
+}
+
+}  // namespace surefoot::runs

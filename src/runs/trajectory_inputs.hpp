@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Trajectories to compare, as a person names them: a file of any format, a run's folder, a
+// recording with its truth, a data set's reference.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/truth_files.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::runs {
+
+/// How a trajectory is written; automatic: found out.
+enum class TrajectoryFormat { automatic, tum, kitti };
+
+struct ReferenceRequest {
+  std::filesystem::path path;  ///< a file, a bag, a recording with a gt.tum, a run's folder
+  std::string dataset;         ///< whose reference it is; empty: of none
+  std::string topic;           ///< where it is a bag
+  TrajectoryFormat format = TrajectoryFormat::automatic;
+};
+
+/// What estimates are compared with.
+struct Reference {
+  std::filesystem::path file;  ///< that was read
+  io::Truth truth;
+  /// Of the estimates: TUM where there are stamps to pair by, else KITTI.
+  TrajectoryFormat format = TrajectoryFormat::tum;
+  bool is_foreign = false;  ///< neither TUM's nor KITTI's: `truth.what` says what it is
+};
+
+/// Throws io::ReadError.
+[[nodiscard]] Reference read_reference(const ReferenceRequest& request);
+
+/// An estimate (a file, or a run's folder) as the reference has it: its poses are those of what the
+/// reference tells of. KITTI's poses have no stamps; they get their row's number, which is never
+/// compared. Throws io::ReadError.
+[[nodiscard]] Trajectory read_estimate(const std::filesystem::path& path,
+                                       const Reference& reference);
+
+/// What estimates are called: the file without extension, or the run's folder; whole paths where
+/// these are not unique.
+[[nodiscard]] std::vector<std::string> estimate_names(
+    const std::vector<std::filesystem::path>& paths);
+
+}  // namespace surefoot::runs
