@@ -48,8 +48,7 @@ function(surefoot_precompile target)
 endfunction()
 
 # Several sources of a component compiled as one: they parse the same headers, which is most of the
-# time. The dev preset builds without, so that a source that leans on another one's includes is seen,
-# and so does who takes the library into a project of its own.
+# time. The dev preset builds without, so that a source that leans on another one's includes is seen.
 function(surefoot_unity target)
   if(SUREFOOT_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)

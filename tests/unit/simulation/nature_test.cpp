@@ -4,10 +4,10 @@
 // What is no wall: leaves that a foot sinks through, panes, rain and dust, people that come along.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <map>
 #include <utility>
 
+#include "geometry/decompositions.hpp"
 #include "simulation/companions.hpp"
 #include "simulation/walk_plan.hpp"
 #include "support.hpp"
@@ -173,9 +173,9 @@ double planar_share(const SimulatedScan& scan) {
     }
     if (count < kFewest) continue;
     const auto n = static_cast<double>(count);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-        scatter / n - sum * sum.transpose() / (n * n), Eigen::EigenvaluesOnly);
-    planar += solver.eigenvalues()(0) < 0.05 * 0.05 ? 1.0 : 0.0;
+    const SymmetricEigen<3> eigen =
+        symmetric_eigen<3>(scatter / n - sum * sum.transpose() / (n * n));
+    planar += eigen.values[0] < 0.05 * 0.05 ? 1.0 : 0.0;
   }
   return planar / asked;
 }

@@ -6,11 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
+#include "support/dense_algebra.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -70,8 +69,8 @@ TEST(BandedSystem, StepAndCovarianceEqualTheDenseOnes) {
   for (std::size_t poses = 1; poses <= 20; ++poses) {
     Chain chain = random_chain(random, poses);
     ASSERT_TRUE(chain.system.factorise()) << poses << " poses";
-    const Eigen::VectorXd expected = chain.H.llt().solve(-chain.g);
-    const Eigen::MatrixXd inverse = chain.H.inverse();
+    const Eigen::VectorXd expected = test::solve(chain.H, -chain.g);
+    const Eigen::MatrixXd inverse = test::inverse(chain.H);
     const auto step = chain.system.solve();
     const auto covariance = chain.system.covariance();
     ASSERT_EQ(step.size(), poses);
@@ -93,7 +92,7 @@ TEST(BandedSystem, ChainsAddUp) {
   BandedSystem sum = a.system;
   sum.add(b.system, 0.7);
   ASSERT_TRUE(sum.factorise());
-  const Eigen::VectorXd expected = (a.H + 0.7 * b.H).llt().solve(-(a.g + 0.7 * b.g));
+  const Eigen::VectorXd expected = test::solve(a.H + 0.7 * b.H, -(a.g + 0.7 * b.g));
   const auto step = sum.solve();
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_LT((step[i] - expected.segment<6>(6 * i)).norm(), 1e-9 * expected.norm());

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/dense_algebra.hpp"
 #include "support/random.hpp"
 #include "support/synthetic_run.hpp"
 #include "unit/methods/knots/swaying_scan.hpp"
@@ -240,7 +240,7 @@ Settled settle() {
 TEST(KnotRegistration, ItsCovarianceIsTheInverseOfTheDenseNormalEquations) {
   const auto [found, dense] = settle();
   ASSERT_TRUE(found.converged);
-  const Eigen::MatrixXd C = dense.H.inverse();
+  const Eigen::MatrixXd C = test::inverse(dense.H);
   const std::size_t knots = found.window.knots.size();
   for (std::size_t i = 0; i < knots; ++i) {
     for (std::size_t j = i; j < std::min(i + 3, knots); ++j) {
@@ -250,7 +250,7 @@ TEST(KnotRegistration, ItsCovarianceIsTheInverseOfTheDenseNormalEquations) {
           << i << ' ' << j;
     }
   }
-  const Eigen::Matrix<double, 12, 12> last = C.bottomRightCorner<12, 12>().inverse();
+  const Eigen::Matrix<double, 12, 12> last = test::inverse(C.bottomRightCorner<12, 12>());
   EXPECT_LT((found.last_two - last).norm(), 1e-5 * last.norm());
   EXPECT_LT((found.rigid.H - dense.rigid).norm(), 1e-5 * dense.rigid.norm());
   EXPECT_EQ(found.rigid.count, dense.residuals);
@@ -273,8 +273,8 @@ InFull in_full() {
   const Eigen::MatrixXd others = dense.H - surfels.H;
   // Where nothing moves any more, the surfels' gradient and the others' cancel.
   const Eigen::VectorXd g = (1.0 / c - 1.0) * surfels.g;
-  return {std::move(found), -(others + surfels.H / c).ldlt().solve(g),
-          (others + surfels.worth / c).inverse()};
+  return {std::move(found), -test::solve(others + surfels.H / c, g),
+          test::inverse(others + surfels.worth / c)};
 }
 
 TEST(KnotRegistration, HeldBackIsTheStepWithAllResidualsInFull) {
@@ -305,7 +305,7 @@ TEST(KnotRegistration, DependenceIsOfTheSumsOverNeighbours) {
   const double variance = dense.weighted_squares / dense.residuals;
   constexpr double kClusters = 3.0 * kSegments;
   const double expected = kClusters / (kClusters - 6.0) *
-                          (dense.rigid.inverse() * dense.clusters).trace() / (6.0 * variance);
+                          (test::inverse(dense.rigid) * dense.clusters).trace() / (6.0 * variance);
   EXPECT_NEAR(found.dependence, expected, 1e-4 * expected);
   EXPECT_GT(std::abs(expected - 1.0), 0.1);  // or it would tell nothing
   std::printf("dependence: %.2f\n", expected);

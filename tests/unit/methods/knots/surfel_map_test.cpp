@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "geometry/decompositions.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -84,12 +84,12 @@ TEST(SurfelMap, APlanesMeanNormalAndVarianceAreItsPoints) {
       for (const auto& point : points) mean += point / 60.0;
       Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
       for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / 60.0;
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-      const Eigen::Vector3d normal = noise > 0.0 ? eigen.eigenvectors().col(0) : axes.col(2);
+      const SymmetricEigen<3> eigen = symmetric_eigen<3>(covariance);
+      const Eigen::Vector3d normal = noise > 0.0 ? eigen.vectors.col(0) : axes.col(2);
       EXPECT_LT((surfel->mean - mean).norm(), 1e-12);
       EXPECT_NEAR(surfel->across[0].norm(), 1.0, 1e-12);
       EXPECT_LT(surfel->across[0].cross(normal).norm(), 1e-7);
-      EXPECT_NEAR(surfel->variance[0], eigen.eigenvalues()[0], 1e-12);
+      EXPECT_NEAR(surfel->variance[0], eigen.values[0], 1e-12);
     }
   }
 }

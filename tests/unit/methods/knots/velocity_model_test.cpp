@@ -4,12 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 
+#include "support/dense_algebra.hpp"
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -139,8 +138,8 @@ Deviation deviation(const VelocityModel& model, const KnotWindow& window,
   const auto size = numerical.J.cols();
   const Eigen::MatrixXd H =
       numerical.J.transpose() * numerical.J + 1e4 * Eigen::MatrixXd::Identity(size, size);
-  const Eigen::VectorXd step = H.llt().solve(-numerical.J.transpose() * numerical.e);
-  const Eigen::MatrixXd inverse = H.inverse();
+  const Eigen::VectorXd step = test::solve(H, -numerical.J.transpose() * numerical.e);
+  const Eigen::MatrixXd inverse = test::inverse(H);
   BandedSystem system(window.knots.size());
   model.add_to(system, window, rotation);
   for (std::size_t k = 0; k < window.knots.size(); ++k) {

@@ -4,9 +4,9 @@
 // Normals, eqs. (21)-(22), against Eigen on explicitly gathered neighbourhoods.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "geometry/decompositions.hpp"
 #include "registration_fixture.hpp"
 
 namespace surefoot {
@@ -35,9 +35,8 @@ Expected eigen_of(const std::vector<Eigen::Vector3d>& neighbours) {
   for (const Eigen::Vector3d& p : neighbours) mean += p / static_cast<double>(neighbours.size());
   Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& p : neighbours) C += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      C / static_cast<double>(neighbours.size()));
-  return {eigen.eigenvalues(), eigen.eigenvectors().col(0)};
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(C / static_cast<double>(neighbours.size()));
+  return {eigen.values, eigen.vectors.col(0)};
 }
 
 void expect_surfaces(double size, const Eigen::Vector3d& shift, double tolerance) {
