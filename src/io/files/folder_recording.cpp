@@ -94,16 +94,22 @@ class FolderRecording final : public Recording {
     return once;
   }
 
+  // One scan whose times fit nothing does not refuse the others.
   void find_point_time_rule() {
+    std::string first_error;
     for (const std::size_t index : scans_to_look_at()) {
       try {
         if (look_at_times(index)) break;
+      } catch (const ReadError& error) {
+        if (first_error.empty()) first_error = error.what();
       } catch (const std::bad_alloc&) {
         continue;  // said again when it is its turn
       }
     }
     if (rule_) {
       notes_.push_back(rule_text_);
+    } else if (!first_error.empty()) {
+      throw ReadError(first_error);
     }
   }
 

@@ -139,6 +139,32 @@ TEST(FolderRecording, TimesThatFitNoRuleAreAnErrorThatNamesThem) {
   EXPECT_EQ(read_all(folder.path(), options)[0].scan->times_ns[1], 7'000'000);
 }
 
+TEST(FolderRecording, OneScanOfOddTimesDoesNotRefuseTheOthers) {
+  const TemporaryFolder folder;
+  for (const char* name : {"0.pcd", "1.pcd", "2.pcd"}) {
+    folder.write(name, timed_pcd<float>({0.0F, 0.0625F}));
+  }
+  folder.write("1.pcd", timed_pcd<float>({0.0F, 5000.0F}));
+  const auto items = read_all(folder.path());
+  ASSERT_EQ(items.size(), 3U);
+  EXPECT_EQ(items[0].scan->times_ns[1], 62'500'000);
+  EXPECT_FALSE(items[1].scan);
+  EXPECT_EQ(items[2].scan->times_ns[1], 62'500'000);
+}
+
+// As drivers leave them that overwrite what they still fill.
+TEST(FolderRecording, AFewStrayTimesDoNotMoveTheScan) {
+  const TemporaryFolder folder;
+  std::vector<float> times(1000);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    times[i] = i % 30 == 0 ? 1.7F : 0.0001F * static_cast<float>(i);
+  }
+  folder.write("0.pcd", timed_pcd<float>(times));
+  const auto items = read_all(folder.path());
+  EXPECT_EQ(items[0].dropped_points, 34U);
+  EXPECT_LT(items[0].scan->times_ns.back(), 100'000'000);
+}
+
 TEST(FolderRecording, TimesThatAreLeftOutNeedFitNoRule) {
   const TemporaryFolder folder;
   folder.write("0.pcd", timed_pcd<std::uint32_t>({0, 7}));
