@@ -233,7 +233,30 @@ def tuning_campus():
     return made_by(markdown(["change", *kept.recordings], rows), kept)
 
 
+def independence():
+    """What three of ten residuals are worth over one of ten."""
+    kept = Results("independence")
+    before, now = kept.methods
+    rows = [[one, *(kept.text(one, method, figure) for figure in (APE, RELATIVE)
+                    for method in (before, now))] for one in kept.recordings]
+    head = ["recording", "0.1: APE [m]", "0.3", "0.1: over 10 m [%]", "0.3"]
+    return made_by(markdown(head, rows), kept)
+
+
+def independence_ratio(part):
+    """Geometric mean of what an APE became by it, over the recordings with such a name."""
+    kept = Results("independence")
+    before, now = kept.methods
+    ratios = [kept.value(one, now) / kept.value(one, before)
+              for one in kept.recordings if part in one]
+    return f"{statistics.geometric_mean(ratios):.2f}"
+
+
 TABLES = {
+    "independence": independence,
+    "independence-ape": lambda: independence_ratio(""),
+    "independence-stairs": lambda: independence_ratio("stairwell-trot"),
+    "independence-hilltop": lambda: independence_ratio("hilltop"),
     "tuning": tuning,
     "tuning-campus": tuning_campus,
     "time-median": lambda: f"{wall_time(1, 1):.1f}",
