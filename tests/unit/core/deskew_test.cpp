@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "core/segment_motion.hpp"
 #include "support/matrix_exponential.hpp"
 #include "support/random.hpp"
 
@@ -99,6 +100,21 @@ TEST(Deskew, EveryPointEqualsBruteForcePoseAlgebra) {
       const Eigen::Vector4d expected = T_mid.inverse() * T_tau * point;
       ASSERT_LT((deskewed[i].cast<double>() - expected.head<3>()).norm(), kFloatRounding)
           << "K " << K << " tau " << tau;
+    }
+  }
+}
+
+// The series for small angles and the library's sine and cosine, and where they meet.
+TEST(SegmentMotion, IsTheExponentialAtEveryAngle) {
+  Random random(5);
+  for (const double angle : {0.0, 1e-8, 0.01, 0.2499, 0.2501, 3.0}) {
+    const Pose start = se3_exp(random.twist(5.0, 1.0));
+    Twist twist;
+    twist << random.vector(1.0), angle * random.unit_vector();
+    const SegmentMotion motion(start, twist);
+    const Eigen::Vector3d point = random.vector(100.0);
+    for (const double u : {0.3, 1.0}) {
+      EXPECT_LT((motion(u, point) - start * se3_exp(u * twist) * point).norm(), 1e-10) << angle;
     }
   }
 }
