@@ -10,111 +10,25 @@
 #include <utility>
 
 #include "core/segment_motion.hpp"
+#include "methods/knots/segment_rows.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
 
 namespace {
 
-/// The lower triangle of a symmetric 6 x 6 matrix, column by column, each from an even row on: all
-/// of it comes in pairs, which a processor multiplies at once.
-using Triangle = Eigen::Matrix<double, 24, 1>;
-
-constexpr int even(int row) { return row & ~1; }
-
-Matrix6 matrix_of(const Triangle& triangle) {
-  Matrix6 M;
-  int at = 0;
-  for (int column = 0; column < 6; ++column) {
-    for (int row = even(column); row < 6; ++row, ++at) {
-      if (row >= column) M(row, column) = M(column, row) = triangle[at];
-    }
-  }
-  return M;
-}
-
-/// Adds a b^T, which is symmetric.
-void add_product(const Twist& a, const Twist& b, Triangle& sum) {
-  int at = 0;
-  for (int column = 0; column < 6; ++column) {
-    for (int row = even(column); row < 6; row += 2, at += 2) {
-      sum.segment<2>(at) += a[column] * b.segment<2>(row);
-    }
-  }
-}
-
-/// Sums over the residuals of one point.
-struct PointSum {
-  Triangle H = Triangle::Zero();         // sum w J^T J
-  Triangle doubtful = Triangle::Zero();  // of H, what a cloud is not worth
-  Twist g = Twist::Zero();               // sum w r J
-
-  void add(const Twist& J, double w, const Twist& gradient) {
-    const Twist wJ = w * J;
-    add_product(wJ, J, H);
-    g += gradient;
-  }
-};
-
-/// H of a segment's points, as blocks of its two knots.
-struct SegmentBlocks {
-  Triangle first = Triangle::Zero();    // sum (1 - u)^2 H
-  Triangle between = Triangle::Zero();  // sum u (1 - u) H
-  Triangle last = Triangle::Zero();     // sum u^2 H
-
-  void add(const Triangle& H, double u) {
-    first += (1.0 - u) * (1.0 - u) * H;  // [K3]
-    between += u * (1.0 - u) * H;
-    last += u * u * H;
-  }
-  void add_to(BandedSystem& system, std::size_t segment) const {
-    system.add(segment + 1, segment + 1, matrix_of(first));
-    system.add(segment + 2, segment + 1, matrix_of(between));
-    system.add(segment + 2, segment + 2, matrix_of(last));
-  }
-  /// Both knots moved as one.
-  [[nodiscard]] Matrix6 rigid() const { return matrix_of(first + 2.0 * between + last); }
-};
-
-/// Sums over one segment's points, whose pose is (1 - u) of one knot's and u of the next one's.
+/// Sums over one segment's points.
 struct SegmentSum {
-  SegmentBlocks H;
-  SegmentBlocks doubtful;  // of H, what clouds are not worth
-  Twist first_gradient = Twist::Zero();
-  Twist last_gradient = Twist::Zero();
-  double weight = 0.0;
-  double weighted_squares = 0.0;
-  double squared_distance = 0.0;
-  double misfit = 0.0;  // sum over points, each 0 to 1
-  int matches = 0;      // points
-  int residuals = 0;    // of them; a pole has two, a cloud three
-  // Gradients of neighbours: of the segment's surfels that face along x, y and z.
-  std::array<Twist, 3> neighbours = {Twist::Zero(), Twist::Zero(), Twist::Zero()};
-
-  void add(const PointSum& point, double u) {
-    H.add(point.H, u);
-    first_gradient += (1.0 - u) * point.g;
-    last_gradient += u * point.g;
-    ++matches;
-  }
-
-  void count(const Twist& J, double residual, double w, const Twist& gradient) {
-    weight += w;
-    weighted_squares += w * residual * residual;
-    ++residuals;
-    int axis = 0;
-    J.head<3>().cwiseAbs().maxCoeff(&axis);
-    neighbours[static_cast<std::size_t>(axis)] += gradient;
-  }
+  SegmentSums surfels;
+  SegmentSums doubtful;  // of these what clouds are not worth, of a look that may be the last one
+  int matches = 0;       // points
+  int unseen = 0;        // likewise, where the map has no surfel
 };
 
 // While the kernel is wider than twice what it ends at, so many points will do, or a third of all:
 // a wide kernel blurs more than fewer points do.
 constexpr double kWide = 2.0;
 constexpr std::size_t kEnough = 700, kMostStride = 3;
-
-// Scale of the Geman-McClure kernel in standard deviations of a residual: the usual three.
-constexpr double kKernelSigmas = 3.0;
 
 // No robot moves so far in one step of the solver: what does is a singular system's rounding.
 constexpr double kImpossible = 1e3;  // [m, rad]
@@ -124,31 +38,28 @@ struct Look {
   double inflation;    // of the noise variance
   int finest;          // grid of the map
   std::size_t stride;  // every so many-th point, for so many
+  bool last;           // it may be: what a registration tells in the end is summed up, too
 };
 
-/// A residual [m] across a surfel, under the Geman-McClure kernel at three standard deviations.
-struct Kernel {
-  double weight;
-  double misfit;  // 0 at a residual of zero, 1 far away
-};
-
-/// `independence`: neighbouring points share the error of their surfel and of their instant, so
-/// that many count as few; within a cloud, fewer yet.
-Kernel kernel_of(double residual, const Surfel& surfel, int direction, const Look& look,
-                 const Config::Knots& config) {
-  const double variance =
-      look.inflation * (config.noise * config.noise + surfel.variance[direction]);
-  // [K4]
-  const double cauchy =
-      1.0 / (1.0 + residual * residual / (kKernelSigmas * kKernelSigmas * variance));
-  const double weight = static_cast<double>(look.stride) * config.independence *
-                        (surfel.cloud() ? config.cloud_weight : 1.0);
-  return {weight * cauchy * cauchy / variance, 1.0 - cauchy};
+/// The residual of a point [m] across one of the directions of a surfel. Neighbouring points share
+/// the error of their surfel and of their instant, so that many count as few; within a cloud, fewer
+/// yet.
+SurfelResidual residual_of(const Eigen::Vector3d& place, const Surfel& surfel, int direction,
+                           const Look& look, const Config::Knots& config) {
+  SurfelResidual residual;
+  residual.normal = surfel.across[direction];
+  residual.value = residual.normal.dot(place - surfel.mean);  // [K2]
+  residual.variance = look.inflation * (config.noise * config.noise + surfel.variance[direction]);
+  residual.weight = static_cast<double>(look.stride) * config.independence *
+                    (surfel.cloud() ? config.cloud_weight : 1.0);
+  residual.part = 1.0 / surfel.directions;
+  return residual;
 }
 
 SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProblem& problem,
                        const KnotWindow& window, const Look& look) {
   SegmentSum sum;
+  SegmentRows rows(look.last), doubtful(false);
   const Pose& T_first = window.knots[segment + 1];
   const Pose& T_last = window.knots[segment + 2];
   const SegmentMotion motion(T_first, se3_log(T_first.inverse() * T_last));  // [K1]
@@ -160,30 +71,27 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
         T_first.translation + u * (T_last.translation - T_first.translation);
     const Eigen::Vector3d s = place - sensor;
     const Surfel* const surfel = problem.map.find(place, s, look.finest, point.place);
-    if (surfel == nullptr) {
-      sum.misfit += 1.0;
-      continue;
+    ++(surfel == nullptr ? sum.unseen : sum.matches);
+    for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+      SurfelResidual residual = residual_of(place, *surfel, d, look, problem.config);
+      residual.arm = s;
+      residual.u = u;
+      rows.add(residual);
+      if (!look.last || surfel->worth[d] >= 1.0) continue;
+      residual.weight *= 1.0 - surfel->worth[d];
+      doubtful.add(residual);
     }
-    PointSum of_point;
-    const double squared_distance = s.squaredNorm();
-    for (int d = 0; d < surfel->directions; ++d) {
-      const Eigen::Vector3d& n = surfel->across[d];
-      const double residual = n.dot(place - surfel->mean);  // [K2]
-      Twist J;
-      J << n, s.cross(n);
-      const Kernel kernel = kernel_of(residual, *surfel, d, look, problem.config);
-      const Twist gradient = kernel.weight * residual * J;
-      of_point.add(J, kernel.weight, gradient);
-      sum.count(J, residual, kernel.weight, gradient);
-      const double doubt = kernel.weight * (1.0 - surfel->worth[d]);
-      if (doubt > 0.0 && look.inflation <= 1.0) add_product(doubt * J, J, of_point.doubtful);
-      sum.squared_distance += kernel.weight * squared_distance;
-      sum.misfit += kernel.misfit / surfel->directions;
-    }
-    sum.add(of_point, u);
-    if (surfel->cloud() && look.inflation <= 1.0) sum.doubtful.add(of_point.doubtful, u);
   }
+  sum.surfels = rows.sums();
+  sum.doubtful = doubtful.sums();
   return sum;
+}
+
+/// Adds a segment's H.
+void add_blocks(BandedSystem& system, std::size_t segment, const SegmentSums& sums) {
+  system.add(segment + 1, segment + 1, sums.first);
+  system.add(segment + 2, segment + 1, sums.between);
+  system.add(segment + 2, segment + 2, sums.last);
 }
 
 void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
@@ -194,18 +102,18 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
   result.doubtful.setZero();
   result.squared_distance = 0.0;
   for (std::size_t s = 0; s < sums.size(); ++s) {
-    const SegmentSum& sum = sums[s];
-    sum.H.add_to(system, s);
+    const SegmentSums& sum = sums[s].surfels;
+    add_blocks(system, s, sum);
     system.add(s + 1, sum.first_gradient);
     system.add(s + 2, sum.last_gradient);
-    result.matches += sum.matches;
-    result.misfit += sum.misfit;
-    result.rigid.H += sum.H.rigid();
-    result.doubtful += sum.doubtful.rigid();
+    result.matches += sums[s].matches;
+    result.misfit += sum.misfit + sums[s].unseen;
+    result.rigid.H += sum.rigid();
+    result.doubtful += sums[s].doubtful.rigid();
     result.rigid.g += sum.first_gradient + sum.last_gradient;
     result.rigid.weight += sum.weight;
     result.rigid.weighted_squares += sum.weighted_squares;
-    result.rigid.count += sum.residuals;
+    result.rigid.count += sum.count;
     result.squared_distance += sum.squared_distance;
   }
 }
@@ -216,7 +124,7 @@ double dependence_of(const std::vector<SegmentSum>& sums, const NormalEquations<
                      double independence) {
   Matrix6 B = Matrix6::Zero();
   for (const SegmentSum& sum : sums) {
-    for (const Twist& gradient : sum.neighbours) B += gradient * gradient.transpose();
+    for (const Twist& gradient : sum.surfels.neighbours) B += gradient * gradient.transpose();
   }
   const double variance = rigid.weighted_squares / std::max(rigid.count, 1);
   const Eigen::LDLT<Matrix6> solver(rigid.H);
@@ -260,7 +168,7 @@ bool count_in_full(const BandedSystem& assumed, const BandedSystem& surfels,
   BandedSystem full = assumed;
   full.add(surfels, 1.0 / independence - 1.0);
   BandedSystem doubtful(steps.size());
-  for (std::size_t s = 0; s < sums.size(); ++s) sums[s].doubtful.add_to(doubtful, s);
+  for (std::size_t s = 0; s < sums.size(); ++s) add_blocks(doubtful, s, sums[s].doubtful);
   BandedSystem worth = full;
   worth.add(doubtful, -1.0 / independence);
   if (!full.factorise() || !worth.factorise()) return false;
@@ -316,7 +224,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     const double ratio = std::max(kernel / config.kernel_end, 1.0);  // [K11]
     const bool wide = ratio > kWide && t < annealing.max_iterations;
     const Look look{ratio * ratio, ratio > 1.0 ? problem.map.level_of(kernel) : 0,
-                    wide ? wide_stride : 1};
+                    wide ? wide_stride : 1, ratio <= 1.0 || t == annealing.max_iterations};
     problem.workers.for_each(sums.size(), [&](std::size_t s) {
       sums[s] = sum_segment(points, s, problem, result.window, look);
     });
