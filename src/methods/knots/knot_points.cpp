@@ -16,6 +16,10 @@ namespace {
 // With so many times the points wanted, the scan is thinned again at once.
 constexpr double kFarTooMany = 2.0;
 
+// More than so many times the points wanted are too many even if the cubes are the coarsest: of a
+// dense sensor's scan, whose points say the same again.
+constexpr double kMost = 4.0;
+
 }  // namespace
 
 std::vector<std::uint32_t> PointChoice::thin(const std::vector<Eigen::Vector3f>& places,
@@ -24,8 +28,9 @@ std::vector<std::uint32_t> PointChoice::thin(const std::vector<Eigen::Vector3f>&
   for (int attempt = 1;; ++attempt) {
     std::vector<std::uint32_t> thinned = downsample_indices(places, voxel_, workers);
     const double excess = static_cast<double>(thinned.size()) / points_;
+    const double coarsest = std::max(cubes_.coarsest, voxel_ * std::sqrt(excess / kMost));
     const double used =
-        std::exchange(voxel_, std::clamp(voxel_ * std::sqrt(excess), finest, cubes_.coarsest));
+        std::exchange(voxel_, std::clamp(voxel_ * std::sqrt(excess), finest, coarsest));
     if (attempt == 2 || excess <= kFarTooMany || voxel_ <= used) return thinned;
   }
 }

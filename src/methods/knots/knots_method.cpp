@@ -20,7 +20,7 @@ const ConfigField kFields[] = {
      "points to be registered, about; the cubes they are thinned to follow the scene", kMethod},
     {"knots.map_points", SLOT(knots.map_points), "3000", "", 100, 1e6,
      "points of a scan that enter the map, about: one per cube, and the cubes follow the scene, up "
-     "to half the finest voxel",
+     "to half the finest voxel, or farther where more than four times as many were left",
      kMethod},
     {"knots.map_voxel", SLOT(knots.map_voxel), "0.1", "m", 0.01, 10.0, "finest of those cubes",
      kMethod},

@@ -40,7 +40,20 @@ TEST(PointChoice, CubesStayWithinTheirBounds) {
     few = modest.choose(scan, Workers(1)).size();
   }
   EXPECT_NEAR(static_cast<double>(many), 8100.0, 200.0);  // cubes of 0.1 m
-  EXPECT_LE(few, 16U);                                    // of 3 m
+  EXPECT_LE(few, 16U);                                    // of 3 m, or larger
+}
+
+TEST(PointChoice, OfADenseScanTheCoarsestCubesAreLargerIfFourTimesTooManyWereLeft) {
+  const PointChoice::Cubes cubes{0.1, 0.2, 0.2};
+  const PreparedScan scan = floor_of(9.0, 0.05);  // 2,025 cubes of 0.2 m
+  PointChoice enough(600, cubes), dense(300, cubes);
+  std::size_t all = 0, fewer = 0;
+  for (int i = 0; i < 8; ++i) {
+    all = enough.choose(scan, Workers(1)).size();
+    fewer = dense.choose(scan, Workers(1)).size();
+  }
+  EXPECT_NEAR(static_cast<double>(all), 2025.0, 100.0);
+  EXPECT_NEAR(static_cast<double>(fewer), 1200.0, 120.0);
 }
 
 TEST(PointChoice, AmongCandidatesItNamesTheScansPoints) {
