@@ -354,13 +354,15 @@ View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_
   const Pose middle = trajectory.at(0.5);
   to_deskew_ = {&scan, trajectory};
   const Deskewing deskewing(trajectory);
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(thinned.size());
-  for (const std::uint32_t i : thinned) {
-    const Eigen::Vector3f& point = scan.points[i];
-    points.push_back(middle *
-                     (scan.taus.empty() ? point : deskewing(point, scan.taus[i])).cast<double>());
-  }
+  std::vector<Eigen::Vector3d> points(thinned.size());
+  session_.workers.for_chunks(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t at = begin; at < end; ++at) {
+      const std::uint32_t i = thinned[at];
+      const Eigen::Vector3f& point = scan.points[i];
+      points[at] =
+          middle * (scan.taus.empty() ? point : deskewing(point, scan.taus[i])).cast<double>();
+    }
+  });
   return {middle.translation, std::move(points)};
 }
 
