@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/gaussian_grid.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,6 +15,8 @@ namespace {
 constexpr std::size_t kLeastPoints = 4;
 constexpr double kThin = 0.15;  // standard deviation across, in cubes' sides
 constexpr double kCloudWeight = 0.1;
+constexpr double kTilt = 0.02;  // submaps may lie askew by so much [rad]
+constexpr double kNormalSigmas = 3.0;
 constexpr double kLevelNormal = 0.85;  // z of a lying plane's normal
 
 struct Moments {
@@ -35,6 +38,9 @@ Gaussian fit(const Moments& moments, double size) {
   const double weight = values[0] < thin ? 1.0 : std::sqrt(kCloudWeight);
   for (int i = 0; i < 3; ++i) result.across[static_cast<std::size_t>(i)] = weight * axes.col(i);
   result.counted = values[0] >= thin ? 3 : values[1] < thin ? 2 : 1;
+  // A floor is seen from a dog's height at a few degrees, some metres away: a constant that is safe
+  // for a plane of four points would tell the sides of hardly any floor.
+  result.grazing = kTilt + kNormalSigmas * std::sqrt(std::max(values[0], 0.0) / (n * values[1]));
   result.level = values[0] < thin && values[1] >= thin && std::abs(axes(2, 0)) > kLevelNormal;
   return result;
 }

@@ -25,17 +25,18 @@ struct Gaussian {
   std::array<Eigen::Vector3d, 3> across;
   int counted = 1;
   Eigen::Vector3d
-      facing;          ///< the mean of unit vectors from its points to where they were seen from
-  bool level = false;  ///< a plane that lies: ground, ceiling
+      facing;            ///< the mean of unit vectors from its points to where they were seen from
+  bool level = false;    ///< a plane that lies: ground, ceiling
+  double grazing = 1.0;  ///< cosine of directions that lie so near to a plane, as well as its
+                         ///< normal is known, that its side is not told
 
   /// Whether it is a plane of which something that was seen in this direction (to the eye, unit) is
   /// the other side: a slab from above and from below, a wall from two rooms.
   [[nodiscard]] bool other_side(const Eigen::Vector3d& to_eye) const {
-    constexpr double kGrazing = 0.1;  // a cosine: seen edge-on, a side is not told
     const double one = across[0].dot(facing);
     const double other = across[0].dot(to_eye);
-    return counted == 1 && one * other < 0.0 && std::abs(one) > kGrazing &&
-           std::abs(other) > kGrazing;
+    return counted == 1 && one * other < 0.0 && std::abs(one) > grazing &&
+           std::abs(other) > grazing;
   }
   /// [m^2] of a place from what the points lie on.
   [[nodiscard]] double distance2(const Eigen::Vector3d& place) const {

@@ -148,8 +148,13 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   for (const Pose& start : starts) inverse.push_back(start.inverse());
   const std::vector<SubmapAlignment> backward = align_all(source, target, inverse);
   check.overlap = std::min(forward.front().matched, backward.front().matched);
+  check.level = std::min(forward.front().level, backward.front().level);
   check.started = static_cast<int>(forward.size() + backward.size());
   if (check.overlap < limits.overlap) return check;
+  // What stands looks alike on all storeys; what lies does not, seen through a ramp. It alone holds
+  // the height.
+  const bool both_lie = !target.lying().empty() && !source.lying().empty();
+  if (both_lie && check.level < limits.overlap) return check;
 
   check.verdict = LoopVerdict::starts_disagree;
   const auto agrees = [&](const Pose& pose) {

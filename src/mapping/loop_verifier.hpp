@@ -36,7 +36,7 @@ class VerifiableSubmap {
 enum class LoopVerdict {
   taken,
   little_to_see,    ///< too few points stand upright
-  no_overlap,       ///< too few of them lie on something of the other
+  no_overlap,       ///< too few of them lie on something of the other, or of floors and ceilings
   starts_disagree,  ///< registration ended elsewhere from another start, or the other way round
   bent,             ///< the odometry was not sure of its own way within one of them
   free_space,       ///< something stands where the other one saw that there is nothing
@@ -53,7 +53,8 @@ enum class LoopVerdict {
 
 struct LoopLimits {
   std::size_t standing = 300;  ///< points, at least
-  double overlap = 0.4;  ///< share of the standing points that lie on the other one's surfaces
+  double overlap = 0.4;  ///< share of the standing points that lie on the other one's surfaces,
+                         ///< and of those of floors and ceilings
   double contradicted = 0.03;  ///< of those that the other one can tell about, at most
   double gap_metres = 0.1;     ///< between registrations
   double gap_degrees = 1.0;
@@ -65,6 +66,7 @@ struct LoopCheck {
   LoopVerdict verdict = LoopVerdict::little_to_see;
   SubmapAlignment alignment;  ///< of the query in the place's frame
   double overlap = 0.0;       ///< the smaller one of both directions
+  double level = 0.0;         ///< the same of what lies
   double contradicted = 0.0;  ///< the larger one
   double bend = 0.0;          ///< the larger one: standard deviation, kLever away [m]
   int agreeing = 0;           ///< registrations that ended at the same pose

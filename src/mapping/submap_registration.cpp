@@ -134,6 +134,7 @@ RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
   }
   standing_count_ = standing.size();
   pick(standing, kMostStanding, standing_);
+  pick(lying, kMostStanding, lying_);
   pick(standing, kMostPoints / 2, points_);
   pick(lying, kMostPoints - points_.size(), points_);
 }
@@ -176,22 +177,33 @@ std::vector<SubmapPoint> some_of(const std::vector<SubmapPoint>& points) {
   return result;
 }
 
-/// How much of what stands in the source lies on something of the target.
-void measure_overlap(const GaussianGrid& grid, const std::vector<SubmapPoint>& standing,
-                     SubmapAlignment& alignment) {
+/// How many of the points lie on something of the target, and how far off.
+struct Overlap {
+  double share = 0.0;
+  double misfit = 0.0;  // [m] RMS
+};
+Overlap measure_overlap(const GaussianGrid& grid, const std::vector<SubmapPoint>& points,
+                        const Pose& pose) {
   double squares = 0.0;
   std::size_t matched = 0;
-  const Partners partners = find_partners(grid, standing, alignment.T_target_source);
-  for (std::size_t i = 0; i < standing.size(); ++i) {
+  const Partners partners = find_partners(grid, points, pose);
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (partners[i] == nullptr) continue;
-    const double squared = partners[i]->distance2(alignment.T_target_source * standing[i].at);
+    const double squared = partners[i]->distance2(pose * points[i].at);
     if (squared > kOnIt * kOnIt) continue;
     ++matched;
     squares += squared;
   }
-  alignment.matched =
-      static_cast<double>(matched) / static_cast<double>(std::max<std::size_t>(standing.size(), 1));
-  alignment.misfit = matched > 0 ? std::sqrt(squares / static_cast<double>(matched)) : 0.0;
+  const auto n = static_cast<double>(std::max<std::size_t>(points.size(), 1));
+  const auto m = static_cast<double>(std::max<std::size_t>(matched, 1));
+  return {static_cast<double>(matched) / n, std::sqrt(squares / m)};
+}
+
+void measure_standing(const GaussianGrid& grid, const std::vector<SubmapPoint>& standing,
+                      SubmapAlignment& alignment) {
+  const Overlap overlap = measure_overlap(grid, standing, alignment.T_target_source);
+  alignment.matched = overlap.share;
+  alignment.misfit = overlap.misfit;
 }
 
 }  // namespace
@@ -202,7 +214,7 @@ SubmapAlignment align_roughly(const RegistrationSubmap& target, const Registrati
   result.T_target_source = start;
   if (descend(target.grid(0), some_of(source.points()), result.T_target_source,
               kRoughlyConverged)) {
-    measure_overlap(target.grid(0), some_of(source.standing()), result);
+    measure_standing(target.grid(0), some_of(source.standing()), result);
   }
   return result;
 }
@@ -221,7 +233,8 @@ SubmapAlignment align_submaps(const RegistrationSubmap& target, const Registrati
   assess(linearise(find_partners(finest, source.points(), pose), source.points(), pose,
                    kKernel * finest.size()),
          result);
-  measure_overlap(finest, source.standing(), result);
+  measure_standing(finest, source.standing(), result);
+  result.level = measure_overlap(finest, source.lying(), pose).share;
   return result;
 }
 

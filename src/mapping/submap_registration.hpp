@@ -32,21 +32,26 @@ class RegistrationSubmap {
   /// Of the points that do not lie on ground or ceiling, which tell one place from another: some
   /// thousands, evenly picked.
   [[nodiscard]] const std::vector<SubmapPoint>& standing() const { return standing_; }
-  /// How many of them there are.
+  /// Of those that do: floors and ceilings hold the height.
+  [[nodiscard]] const std::vector<SubmapPoint>& lying() const { return lying_; }
+  /// How many points stand.
   [[nodiscard]] std::size_t standing_count() const { return standing_count_; }
 
  private:
   std::vector<GaussianGrid> grids_;
   std::vector<SubmapPoint> points_;
   std::vector<SubmapPoint> standing_;
+  std::vector<SubmapPoint> lying_;
   std::size_t standing_count_ = 0;
 };
 
 /// What a registration ended with.
 struct SubmapAlignment {
   Pose T_target_source;
-  double matched = 0.0;  ///< share of the source's points that lie on something of the target
-  double misfit = 0.0;   ///< [m] of these, RMS
+  double matched =
+      0.0;  ///< share of the source's standing points that lie on something of the target
+  double misfit = 0.0;  ///< [m] of these, RMS
+  double level = 0.0;   ///< share of those that lie likewise; of align_submaps alone
   /// Of small motions in the source's frame; what nothing holds has none.
   Matrix6 information = Matrix6::Zero();
   /// Unit columns, the first `held` of them hold: motions in the source's frame whose rotations are

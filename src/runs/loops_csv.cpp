@@ -12,7 +12,8 @@ namespace surefoot::runs {
 
 std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth) {
   std::string text =
-      "stamp,place_stamp,way_m,place_way_m,verdict,likeness,overlap,contradicted,bend_m,agreeing,"
+      "stamp,place_stamp,way_m,place_way_m,verdict,likeness,overlap,level_overlap,contradicted,"
+      "bend_m,agreeing,"
       "started,held,drift_chi2,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,true_gap_m,true_gap_deg,"
       "why\n";
   const std::vector<mapping::Piece>& pieces = mapper.pieces();
@@ -22,12 +23,13 @@ std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth) {
     const Pose& pose = check.alignment.T_target_source;
     const Eigen::Vector3d angles = roll_pitch_yaw(pose.rotation) * 180.0 / std::numbers::pi;
     const Eigen::Vector3d& t = pose.translation;
-    text += fmt::format("{},{},{:.2f},{:.2f},{},{:.3f},{:.3f},{:.4f},{:.3f},{},{},{},{:.2f},",
-                        io::format_seconds(pieces[loop.query].stamp_ns),
-                        io::format_seconds(pieces[loop.place].stamp_ns), pieces[loop.query].way,
-                        pieces[loop.place].way, mapping::to_string(check.verdict), loop.likeness,
-                        check.overlap, check.contradicted, check.bend, check.agreeing,
-                        check.started, check.alignment.held, loop.drift_chi2);
+    text +=
+        fmt::format("{},{},{:.2f},{:.2f},{},{:.3f},{:.3f},{:.3f},{:.4f},{:.3f},{},{},{},{:.2f},",
+                    io::format_seconds(pieces[loop.query].stamp_ns),
+                    io::format_seconds(pieces[loop.place].stamp_ns), pieces[loop.query].way,
+                    pieces[loop.place].way, mapping::to_string(check.verdict), loop.likeness,
+                    check.overlap, check.level, check.contradicted, check.bend, check.agreeing,
+                    check.started, check.alignment.held, loop.drift_chi2);
     text += fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},", t.x(), t.y(), t.z(),
                         angles.x(), angles.y(), angles.z());
     text += truth == nullptr

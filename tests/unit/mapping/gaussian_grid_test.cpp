@@ -23,12 +23,32 @@ TEST(GaussianGrid, KnowsTheSideThatAPlaneWasSeenFrom) {
   EXPECT_NEAR(floor->distance2({0.1, 0.9, 0.8}), 0.09, 1e-6);
   EXPECT_FALSE(floor->other_side({0.6, 0.0, 0.8}));
   EXPECT_TRUE(floor->other_side({0.6, 0.0, -0.8}));
-  EXPECT_FALSE(floor->other_side({0.999, 0.0, -0.045}));  // edge-on: not told
+  EXPECT_TRUE(floor->other_side({0.999, 0.0, -0.045}));   // from a dog's height, ten metres away
+  EXPECT_FALSE(floor->other_side({0.9999, 0.0, -0.01}));  // edge-on: not told
 
   std::vector<Eigen::Vector3f> both = above;
   for (std::size_t i = 0; i < both.size(); i += 2) both[i].z() = -0.5F;
   const GaussianGrid thin(points, both, 1.0);
   EXPECT_FALSE(thin.inside({0.5, 0.5, 0.5})->other_side({0.6, 0.0, -0.8}));
+}
+
+/// A plane whose normal is hardly known tells its sides only where it is seen steeply.
+TEST(GaussianGrid, ARoughPlaneTellsItsSidesLessWell) {
+  std::vector<Eigen::Vector3f> points, above;
+  for (int i = 0; i < 6; ++i) {
+    const float x = 0.2F + 0.3F * static_cast<float>(i % 3);
+    points.emplace_back(x, i < 3 ? 0.2F : 0.8F, i % 2 == 0 ? 0.44F : 0.56F);
+    above.emplace_back(0.5F, 0.5F, 2.5F);
+  }
+  const GaussianGrid grid(points, above, 1.0);
+  const Gaussian* floor = grid.inside({0.5, 0.5, 0.5});
+  ASSERT_NE(floor, nullptr);
+  ASSERT_EQ(floor->counted, 1);
+  const Eigen::Vector3d normal =
+      floor->across[0].normalized() * (floor->across[0].z() < 0 ? -1 : 1);
+  const Eigen::Vector3d along = normal.unitOrthogonal();
+  EXPECT_FALSE(floor->other_side(0.995 * along - 0.1 * normal));
+  EXPECT_TRUE(floor->other_side(0.4 * along - 0.916 * normal));
 }
 
 }  // namespace
