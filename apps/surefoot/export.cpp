@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "io/file_writer.hpp"
+#include "io/files/las_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "mapping/grid_map.hpp"
@@ -22,16 +23,17 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExportOptions {
-  fs::path map, pcd, ply, grid, elevation;
+  fs::path map, pcd, ply, las, grid, elevation;
   mapping::GridOptions occupancy;
   double elevation_cell = 0.2;
 };
 
-std::vector<Eigen::Vector3f> points_of(const mapping::SavedMap& map) {
-  std::vector<Eigen::Vector3f> points;
+template <typename T>
+std::vector<Eigen::Vector3<T>> points_of(const mapping::SavedMap& map) {
+  std::vector<Eigen::Vector3<T>> points;
   for (const mapping::Piece& piece : map.pieces) {
     for (const Eigen::Vector3f& point : piece.points) {
-      points.emplace_back((piece.T_world_piece * point.cast<double>()).cast<float>());
+      points.emplace_back((piece.T_world_piece * point.cast<double>()).cast<T>());
     }
   }
   return points;
@@ -43,17 +45,19 @@ fs::path beside(const fs::path& file, const std::string& ending) {
 }
 
 void export_map(const ExportOptions& options) {
-  if (options.pcd.empty() && options.ply.empty() && options.grid.empty() &&
+  if (options.pcd.empty() && options.ply.empty() && options.las.empty() && options.grid.empty() &&
       options.elevation.empty()) {
-    throw std::invalid_argument("nothing to write: expected --pcd, --ply, --grid or --elevation");
+    throw std::invalid_argument(
+        "nothing to write: expected --pcd, --ply, --las, --grid or --elevation");
   }
   const mapping::SavedMap map = runs::read_saved_map(options.map);
-  if (!options.ply.empty()) io::write_ply(options.ply, points_of(map));
+  if (!options.ply.empty()) io::write_ply(options.ply, points_of<float>(map));
   if (!options.pcd.empty()) {
     Scan points;
-    points.points = points_of(map);
+    points.points = points_of<float>(map);
     io::write_pcd(options.pcd, points);
   }
+  if (!options.las.empty()) io::write_las(options.las, points_of<double>(map));
   if (!options.grid.empty()) {
     const mapping::OccupancyGrid grid = mapping::draw_occupancy(map.pieces, options.occupancy);
     const fs::path image = beside(options.grid, ".pgm");
@@ -84,6 +88,7 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
       ->required();
   command->add_option("--pcd", options->pcd, "points, to this PCD file");
   command->add_option("--ply", options->ply, "points, to this PLY file");
+  command->add_option("--las", options->las, "points, to this LAS 1.4 file, in millimetres");
   command->add_option("--grid", options->grid,
                       "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
   command->add_option("--cell", options->occupancy.cell, "of the occupancy grid [m]")

@@ -58,8 +58,9 @@ TEST_F(MapCommand, LeavesTheMapBesideAnOdometryThatIsLeftAlone) {
 }
 
 TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
-  const ProcessResult result = surefoot({"export", "map", "--pcd", "all.pcd", "--ply", "all.ply",
-                                         "--grid", "grid.pgm", "--elevation", "ground.asc"});
+  const ProcessResult result =
+      surefoot({"export", "map", "--pcd", "all.pcd", "--ply", "all.ply", "--las", "all.las",
+                "--grid", "grid.pgm", "--elevation", "ground.asc"});
   ASSERT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(file_content(path("grid.pgm")).substr(0, 3), "P5\n");
   EXPECT_NE(file_content(path("grid.yaml")).find("image: grid.pgm"), std::string::npos);
@@ -67,6 +68,8 @@ TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   EXPECT_TRUE(fs::exists(path("ground_variance.asc")));
   EXPECT_GT(fs::file_size(path("all.pcd")), 100'000U);
   EXPECT_EQ(file_content(path("all.ply")).substr(0, 3), "ply");
+  EXPECT_EQ(file_content(path("all.las")).substr(0, 4), "LASF");
+  EXPECT_GT(fs::file_size(path("all.las")), 100'000U);
   expect_refused({"export", "map"}, "nothing to write");
 }
 

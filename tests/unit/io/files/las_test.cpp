@@ -6,10 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 
+#include "io/files/las_writer.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -51,6 +55,13 @@ std::string las(int minor, unsigned format, double offset_x = 100.0) {
     if (timed) put(bytes, at + (format < 6 ? 20 : 22), 0.25 * static_cast<double>(i));
   }
   return bytes;
+}
+
+template <typename T>
+T get(const std::string& bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof(value));
+  return value;
 }
 
 std::span<const std::byte> bytes_of(const std::string& text) {
@@ -124,6 +135,50 @@ TEST(Las, WhatIsNotSoIsRefusedWithAWord) {
   for (std::size_t size = 0; size < file.size(); size += 7) {
     EXPECT_NE(error_of(file.substr(0, size)), "taken") << size;
   }
+}
+
+TEST(Las, WhatIsWrittenIsReadBackToTheMillimetre) {
+  const std::vector<Eigen::Vector3d> points = {
+      {1.0004, -2.5, 0.25}, {-30.7, 4000.1236, 12.0}, {8.0, 0.0, -3.0}};
+  const std::string file = format_las(points);
+  const PointTable table = parse_las(bytes_of(file));
+  ASSERT_EQ(table.size, 3U);
+  EXPECT_EQ(file.size(), 375U + 3 * 20U);
+  EXPECT_EQ(table.format, "LAS 1.4, point format 0");
+  const std::array<const char*, 3> names = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double> found = values(table, names[static_cast<std::size_t>(axis)]);
+    double high = -1e9, low = 1e9;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(found[i], points[i][axis], 0.000501);
+      high = std::max(high, points[i][axis]);
+      low = std::min(low, points[i][axis]);
+    }
+    const std::size_t at = 179 + 16 * static_cast<std::size_t>(axis);
+    EXPECT_EQ(get<double>(file, at), high);
+    EXPECT_EQ(get<double>(file, at + 8), low);
+  }
+  EXPECT_EQ(get<std::uint64_t>(file, 247), 3U);
+  EXPECT_EQ(get<std::uint64_t>(file, 255), 3U);               // first returns
+  EXPECT_EQ(static_cast<unsigned char>(file[375 + 14]), 9U);  // the first of one
+}
+
+/// A world with UTM coordinates keeps its digits; the reader leaves such an offset out.
+TEST(Las, AMapFarFromItsOriginKeepsItsDigits) {
+  const std::vector<Eigen::Vector3d> points = {{448'262.125, 5'412'040.25, 310.5},
+                                               {448'263.375, 5'412'041.5, 311.0}};
+  const std::string file = format_las(points);
+  EXPECT_EQ(get<double>(file, 155), 448'262.0);
+  EXPECT_EQ(get<double>(file, 163), 5'412'040.0);
+  EXPECT_EQ(values(parse_las(bytes_of(file)), "x"), (std::vector<double>{0.125, 1.375}));
+}
+
+TEST(Las, WhatTheFormatCannotHoldIsNotWritten) {
+  EXPECT_EQ(parse_las(bytes_of(format_las({}))).size, 0U);
+  const std::vector<Eigen::Vector3d> nowhere = {{0.0, std::nan(""), 0.0}};
+  EXPECT_THROW((void)format_las(nowhere), std::invalid_argument);
+  const std::vector<Eigen::Vector3d> apart = {{0.0, 0.0, 0.0}, {3e6, 0.0, 0.0}};
+  EXPECT_THROW((void)format_las(apart), std::invalid_argument);
 }
 
 }  // namespace
