@@ -262,6 +262,7 @@ TABLES = {
     "time-median": lambda: f"{wall_time(1, 1):.1f}",
     "time-p99": lambda: f"{wall_time(1, 2):.1f}",
     "time-two": lambda: f"{wall_time(2, 1):.1f}",
+    "time-machine": lambda: Kept("whole_run").about["machine"].split(",")[0],
     "thread-ratio": lambda: f"{wall_time(1, 1) / wall_time(2, 1):.2f}",
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),

@@ -88,6 +88,22 @@ void say_interrupted(const CompareOptions& options, const std::string& what_is_d
                            what_is_done, options.output.string()));
 }
 
+std::vector<RunTask> share_of(std::vector<RunTask> tasks, const ComparePart& part) {
+  std::vector<RunTask> share;
+  for (std::size_t i = part.number - 1; i < tasks.size(); i += part.of) share.push_back(tasks[i]);
+  return share;
+}
+
+/// Whatever was not done before; false if it was interrupted.
+bool work_through(const CompareOptions& options, RunQueue& queue, const std::string& what) {
+  queue.skip_done(options.retry_failed);
+  say(options, fmt::format("{} runs: {}; {} done before", queue.tasks(), what, queue.done()));
+  if (queue.work()) return true;
+  say_interrupted(options,
+                  fmt::format("what was done, {} of {} runs,", queue.done(), queue.tasks()));
+  return false;
+}
+
 }  // namespace
 
 ComparePart parse_part(const std::string& text) {
@@ -101,31 +117,6 @@ ComparePart parse_part(const std::string& text) {
   throw std::invalid_argument(fmt::format("--part: '{}'; expected NUMBER/OF, such as 3/8", text));
 }
 
-namespace {
-
-std::vector<RunTask> tasks_of(std::vector<RunTask> tasks, const ComparePart& part) {
-  std::vector<RunTask> share;
-  for (std::size_t i = part.number - 1; i < tasks.size(); i += part.of) share.push_back(tasks[i]);
-  return share;
-}
-
-/// Whatever was not done before; false if it was interrupted.
-bool do_runs(const CompareOptions& options, const std::vector<CompareInput>& inputs,
-             const std::vector<MethodVariant>& variants, const std::string& build) {
-  std::vector<RunTask> tasks = make_tasks(options, inputs, variants, build);
-  if (options.part) tasks = tasks_of(std::move(tasks), *options.part);
-  RunQueue queue(std::move(tasks), options.jobs, options.quiet);
-  queue.skip_done(options.retry_failed);
-  say(options, fmt::format("{} runs: {} recordings, {} methods; {} done before", queue.tasks(),
-                           inputs.size(), variants.size(), queue.done()));
-  if (queue.work()) return true;
-  say_interrupted(options,
-                  fmt::format("what was done, {} of {} runs,", queue.done(), queue.tasks()));
-  return false;
-}
-
-}  // namespace
-
 std::optional<CompareResults> compare_variants(const CompareOptions& options,
                                                const std::vector<MethodVariant>& variants) {
   for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
@@ -135,9 +126,14 @@ std::optional<CompareResults> compare_variants(const CompareOptions& options,
   }
   const std::vector<CompareInput> inputs = find_inputs(options);
   const std::string build = build_fingerprint();
+  // Before there is a folder: a recording without truth is told here.
+  RunQueue queue(
+      share_of(make_tasks(options, inputs, variants, build), options.part.value_or(ComparePart{})),
+      options.jobs, options.quiet);
   fs::create_directories(options.output);
   const process::FolderLock lock(options.output, options.part.has_value());
-  if (!do_runs(options, inputs, variants, build)) return std::nullopt;
+  const std::string what = fmt::format("{} recordings, {} methods", inputs.size(), variants.size());
+  if (!work_through(options, queue, what)) return std::nullopt;
   if (options.part) return CompareResults{};
   return collect_results(options, inputs, variants, build);
 }

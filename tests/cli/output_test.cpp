@@ -91,7 +91,7 @@ TEST_F(OutputFolder, AFullDiskLeavesNoHalfDescription) {
   write_pcd_recording(path("in"), hall_scans(1));
   const ProcessResult result =
       run_surefoot({"run", "in", "-o", "out", "--no-map", "--no-picture", "--no-report"},
-                   scratch_.path(), {.most_file_bytes = 1200});
+                   scratch_.path(), {.program = {}, .most_file_bytes = 1200});
   EXPECT_EQ(result.exit_code, 2) << result;
   EXPECT_NE(result.errors.find("run.yaml"), std::string::npos) << result;
   EXPECT_FALSE(fs::exists(path("out/run.yaml")));

@@ -155,7 +155,7 @@ TEST(ShellWord, IsOneWordWhateverItHolds) {
   EXPECT_EQ(shell_word("my bag"), "'my bag'");
   EXPECT_EQ(shell_word("/x$(touch y)`z`"), "'/x$(touch y)`z`'");
   EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
-  EXPECT_EQ(shell_word("a\x1b\n"), "'a??'");
+  EXPECT_EQ(shell_word("a\x1b\n"), "'a?\?'");
   EXPECT_EQ(shell_word(""), "''");
 }
 
