@@ -18,6 +18,7 @@
 #include "capture.hpp"
 #include "datagram_sender.hpp"
 #include "process.hpp"
+#include "same_files.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -48,10 +49,7 @@ class LiveTest : public testing::Test {
   }
   void expect_same(const std::string& a, const std::string& b,
                    const std::vector<std::string>& files) const {
-    for (const std::string& file : files) {
-      EXPECT_FALSE(content(a + "/" + file).empty()) << a << "/" << file;
-      EXPECT_EQ(content(a + "/" + file), content(b + "/" + file)) << file;
-    }
+    expect_same_files(scratch_.path() / a, scratch_.path() / b, files);
   }
   /// What run.yaml of a live run repeats.
   void expect_repeated(const std::string& folder) const {

@@ -21,6 +21,7 @@
 #include "io/scan_sink.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
+#include "same_files.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -128,10 +129,8 @@ class Ros1Test : public testing::Test {
     return file_content(scratch_.path() / file);
   }
   void expect_same(const std::string& a, const std::string& b) const {
-    for (const char* file : {"trajectory.tum", "trajectory_kitti.txt", "map.ply"}) {
-      EXPECT_FALSE(content(a + "/" + file).empty()) << a << "/" << file;
-      EXPECT_EQ(content(a + "/" + file), content(b + "/" + file)) << file;
-    }
+    expect_same_files(scratch_.path() / a, scratch_.path() / b,
+                      {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
   }
   [[nodiscard]] bool wait_for_lines(const std::string& file, std::size_t lines) const {
     for (int i = 0; i < 1500; ++i) {

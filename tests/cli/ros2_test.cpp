@@ -21,6 +21,7 @@
 #include "io/scan_sink.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
+#include "same_files.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -63,10 +64,8 @@ class Ros2Test : public testing::Test {
     return file_content(scratch_.path() / file);
   }
   void expect_same(const std::string& a, const std::string& b) const {
-    for (const char* file : {"trajectory.tum", "trajectory_kitti.txt", "map.ply"}) {
-      EXPECT_FALSE(content(a + "/" + file).empty()) << a << "/" << file;
-      EXPECT_EQ(content(a + "/" + file), content(b + "/" + file)) << file;
-    }
+    expect_same_files(scratch_.path() / a, scratch_.path() / b,
+                      {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
   }
   /// What a live run's run.yaml repeats.
   void expect_repeated(const std::string& folder) const {
