@@ -141,7 +141,8 @@ void emit_parameters(YAML::Emitter& out,
   const std::vector<ParameterInfo>& known = parameters();
   out << YAML::BeginMap;
   std::string open_group;
-  for (const auto& [name, value] : values) {
+  for (const auto& [key, value] : values) {
+    const std::string& name = key;  // clang takes no structured binding into a lambda
     const std::size_t dot = name.find('.');
     const std::string group = name.substr(0, dot);
     if (group != open_group) {
