@@ -146,6 +146,26 @@ const Column* times_in_curvature(const PointTable& table, ScanColumns columns) {
   return extents.greatest - extents.least >= kLeastMilliseconds ? columns.time : nullptr;
 }
 
+// Coordinates of a byte each are none, and those that share their bytes neither: either would
+// become many times as large here.
+void check_coordinates(const ScanColumns& columns) {
+  const std::array<const Column*, 3> axes = {columns.x, columns.y, columns.z};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Column& one = *axes[i];
+    if (size_of(one.type) < 2) {
+      throw ReadError("field '" + one.name + "' is " + name_of(one.type) +
+                      "; expected coordinates of 2, 4 or 8 bytes");
+    }
+    const Column& other = *axes[(i + 1) % axes.size()];
+    const std::byte* const begin = std::min(one.first, other.first);
+    const Column& former = begin == one.first ? one : other;
+    const std::byte* const next = std::max(one.first, other.first);
+    if (begin != nullptr && next < begin + size_of(former.type)) {
+      throw ReadError("fields '" + one.name + "' and '" + other.name + "' share bytes");
+    }
+  }
+}
+
 // What has to be taken from the field's times so that they count from the stamp.
 std::int64_t origin_of(const FieldTimes& times, TimeReference reference, std::int64_t stamp_ns,
                        StampAt stamp_at) {
@@ -218,6 +238,7 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   if (columns.x == nullptr || columns.y == nullptr || columns.z == nullptr) {
     throw ReadError("fields are '" + table.layout() + "'; expected x, y and z among them");
   }
+  check_coordinates(columns);
   columns.intensity = find_one_of(table, kIntensityNames);
   columns.ring = find_one_of(table, kRingNames);
   if (options.time_field.empty()) {

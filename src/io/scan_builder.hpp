@@ -22,7 +22,8 @@ struct ScanColumns {
 };
 
 /// Finds the columns by the names that drivers use, in any case and also behind CloudCompare's
-/// "scalar_". Throws ReadError where x, y or z, or a time field named in the options, is missing.
+/// "scalar_". Throws ReadError where x, y or z, or a time field named in the options, is missing,
+/// and where coordinates have one byte each or share some.
 [[nodiscard]] ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& options);
 
 /// Smallest and largest time value over the points that are returns (finite, not zero); values far

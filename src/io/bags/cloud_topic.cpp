@@ -89,6 +89,9 @@ class CloudTopic final : public Recording {
       } catch (const ReadError& error) {
         if (first_error.empty()) first_error = error.what();
         ++damaged;
+      } catch (const std::bad_alloc&) {
+        if (first_error.empty()) first_error = "a message takes more memory than there is";
+        ++damaged;
       }
     }
     if (good == 0) throw ReadError(where() + ": " + first_error);

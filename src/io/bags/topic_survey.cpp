@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
 
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/message_reader.hpp"
@@ -54,6 +55,8 @@ void look_into(const Message& message, const OpenOptions& options, const std::st
     }
   } catch (const ReadError& error) {
     survey.content = error.what();
+  } catch (const std::bad_alloc&) {
+    survey.content = "takes more memory than there is";
   }
 }
 

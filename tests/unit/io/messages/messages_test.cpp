@@ -105,6 +105,21 @@ TEST(PointCloud2, RowsArePutTogetherWithoutTheirPadding) {
   expect_two_points(read(Encoding::cdr, cdr), 6);
 }
 
+// Twelve bytes would be made of each of them.
+TEST(PointCloud2, CoordinatesOfAByteOrThatShareBytesAreRefused) {
+  const std::string good = ros1_cloud();
+  const std::size_t y = good.find("\1\0\0\0y", 0, 5) + 5;
+  for (const auto& [bytes, message] :
+       {std::pair{u32(4) + '\2', "field 'y' is u8; expected coordinates of 2, 4 or 8 bytes"},
+        std::pair{u32(2) + '\7', "fields 'x' and 'y' share bytes"}}) {
+    std::string bad = good;
+    bad.replace(y, 5, bytes);
+    const CloudMessage cloud = read(Encoding::ros1, bad);
+    EXPECT_EQ(test::message_of<ReadError>([&] { (void)find_scan_columns(cloud.table, {}); }),
+              message);
+  }
+}
+
 TEST(PointCloud2, BigEndianPointsAreRefused) {
   const std::string cdr = cdr_cloud(1);
   const std::string message = test::message_of<ReadError>([&] { (void)read(Encoding::cdr, cdr); });
