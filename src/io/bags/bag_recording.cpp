@@ -23,6 +23,18 @@ std::string likely_topic(const std::vector<TopicSurvey>& topics,
   return {};
 }
 
+// Where no topic can be taken, what reading met may be why.
+Topic choose_with_notes(const std::vector<TopicSurvey>& topics, const std::string& asked,
+                        const TopicRecordingParts& parts) {
+  try {
+    return choose_topic(topics, asked, parts.bag).topic;
+  } catch (const ReadError& error) {
+    std::string text = error.what();
+    for (const std::string& note : parts.messages.notes()) text += "\nnote: " + note;
+    throw ReadError(text);
+  }
+}
+
 }  // namespace
 
 BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
@@ -30,7 +42,7 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
   BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
-  Topic topic = choose_topic(survey.topics, asked, parts.bag).topic;
+  Topic topic = choose_with_notes(survey.topics, asked, parts);
   if (survey.topics.size() > 1) {
     parts.notes.push_back("topic: " + topic.name + ", one of " +
                           std::to_string(survey.topics.size()) + " in the bag");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <stdexcept>
 
 #include "io/bags/message_source.hpp"
@@ -181,6 +182,11 @@ std::unique_ptr<ByteStream> decompress(Compression compression, ByteStream& comp
   throw std::invalid_argument("nothing to decompress");
 }
 
+bool is_too_dense(std::uint64_t plain, std::uint64_t compressed) {
+  constexpr std::uint64_t kSmall = 64 << 20, kLargestRatio = 32;
+  return plain > kSmall && plain / kLargestRatio > compressed;
+}
+
 bool is_zstd(std::span<const std::byte> bytes) {
   constexpr std::array<std::byte, 4> kMagic = {std::byte{0x28}, std::byte{0xb5}, std::byte{0x2f},
                                                std::byte{0xfd}};
@@ -202,8 +208,12 @@ std::optional<std::span<const std::byte>> CompressedMessages::plain(
   const std::unique_ptr<ByteStream> content = decompress(Compression::zstd, frame);
   try {
     const std::span<const std::byte> plain = read_all(*content, plain_, kMostMessageBytes);
-    if (plain.size() < kMostMessageBytes) return plain;
-    problem_ = "it decompresses to more than 256 MiB";
+    const bool dense = is_too_dense(plain.size(), message.size());
+    if (!dense && plain.size() < kMostMessageBytes) return plain;
+    problem_ = dense ? kTooDense : "it decompresses to more than 256 MiB";
+    plain_ = {};
+  } catch (const std::bad_alloc&) {
+    problem_ = "it takes more memory than there is";
   } catch (const ReadError& error) {
     problem_ = error.what();
   }

@@ -4,6 +4,7 @@
 // LZ4 frames, Zstandard frames and bzip2, as bags have them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,12 @@ enum class Compression { none, lz4, zstd, bzip2 };
 /// then is there. Not for none. `compressed` must outlive the stream.
 [[nodiscard]] std::unique_ptr<ByteStream> decompress(Compression compression,
                                                      ByteStream& compressed);
+
+/// True where so many bytes cannot honestly be a message's that were so few compressed ones: of
+/// sweeps, 32 times as many come of those that are nearly all NaN. Small ones may be.
+[[nodiscard]] bool is_too_dense(std::uint64_t plain, std::uint64_t compressed);
+inline constexpr std::string_view kTooDense =
+    "it is more than 32 times as large as what it is compressed into";
 
 /// True where the bytes begin as a Zstandard frame does.
 [[nodiscard]] bool is_zstd(std::span<const std::byte> bytes);

@@ -40,6 +40,10 @@ struct OpenChunk {
   std::uint64_t size = 0;
   std::uint32_t crc = 0;
   std::size_t number = 0;
+
+  // Both lengths promise more where the file ended before.
+  [[nodiscard]] bool is_cut() const { return compressed->left() > 0 && record.left() > 0; }
+  [[nodiscard]] std::uint64_t compressed_left() const { return compressed->left(); }
 };
 
 class McapReader final : public MessageSource {
@@ -108,6 +112,7 @@ class McapReader final : public MessageSource {
         return std::nullopt;
       case Opcode::data_end:
         if (const auto body = read_body(record)) check_data(*body, crc);
+        pass_summary();
         ended_ = true;
         return std::nullopt;
       case Opcode::footer:
@@ -130,7 +135,26 @@ class McapReader final : public MessageSource {
     LimitedStream record(content, head->length);
     std::optional<Message> message = read_data_record(*head, record);
     record.skip(record.left());
+    if (record.left() > 0 && !chunk_->is_cut()) {
+      throw ReadError(std::string(head->opcode == Opcode::message ? "a message" : "a record") +
+                      " of " + std::to_string(head->length) + " bytes ends " +
+                      std::to_string(record.left()) + " bytes early");
+    }
     return message;
+  }
+
+  // Nothing in the summary is needed; behind it the file ends.
+  void pass_summary() {
+    while (const std::optional<RecordHead> head = read_head(*file_)) {
+      LimitedStream record(*file_, head->length);
+      record.skip(record.left());
+      if (head->opcode != Opcode::footer) continue;
+      std::array<std::byte, mcap::kMagic.size() + 1> end{};
+      if (file_->read(end) == end.size()) {
+        note("the file goes on after its end, with another recording perhaps: it is not read");
+      }
+      return;
+    }
   }
 
   // A schema, a channel or a message, which may be in a chunk or not.
@@ -193,12 +217,17 @@ class McapReader final : public MessageSource {
       return std::nullopt;
     }
     if (!is_wanted(channel->second)) return std::nullopt;
-    if (record.left() > kMostMessageBytes) {
-      note("a message of " + std::to_string(record.left()) + " bytes is passed over");
+    const std::uint64_t compressed = chunk_ ? chunk_->compressed_left() : 0;
+    const auto data = read_message_bytes(channel->second, record, message_);
+    if (!data) return std::nullopt;
+    constexpr std::uint64_t kReadAhead = 1 << 16;
+    const bool inflated = chunk_ && chunk_->inside;
+    if (inflated &&
+        is_too_dense(data->size(), compressed - chunk_->compressed_left() + kReadAhead)) {
+      note_lost(channel->second, kTooDense);
+      message_ = {};
       return std::nullopt;
     }
-    const auto data = read_bytes(record, record.left(), message_);
-    if (!data) return std::nullopt;
     return plain_message(channel->second, logged_ns, *data);
   }
 
@@ -207,7 +236,7 @@ class McapReader final : public MessageSource {
     if (topic.encoding != MessageEncoding::cdr) return Message{&topic, logged_ns, data};
     const auto plain = compressed_.plain(data);
     if (plain) return Message{&topic, logged_ns, *plain};
-    note("a message of " + topic.name + " is passed over: " + compressed_.problem());
+    note_lost(topic, compressed_.problem());
     return std::nullopt;
   }
 
@@ -239,10 +268,15 @@ class McapReader final : public MessageSource {
 
   // A chunk that is cut with the file has no checksum to be compared.
   void finish_chunk() {
-    const bool whole = chunk_->compressed->left() == 0;
-    if (whole && chunk_->crc != 0 && chunk_->content->crc() != chunk_->crc) {
-      note("the checksum of chunk " + std::to_string(chunk_->number) +
-           " differs: its messages may be damaged");
+    const std::uint64_t size = chunk_->content->size();
+    const std::string name = "chunk " + std::to_string(chunk_->number);
+    if (chunk_->is_cut()) {
+      // The end of the file is noted once it is met.
+    } else if (size != chunk_->size) {
+      note(name + " holds " + std::to_string(size) + " bytes where " +
+           std::to_string(chunk_->size) + " were announced: messages are lost");
+    } else if (chunk_->crc != 0 && chunk_->content->crc() != chunk_->crc) {
+      note("the checksum of " + name + " differs: its messages may be damaged");
     }
     leave_chunk();
   }

@@ -3,12 +3,36 @@
 #include "io/bags/message_source.hpp"
 
 #include <algorithm>
+#include <new>
+
+#include "io/printable.hpp"
 
 namespace surefoot::io {
 
 void MessageSource::note(std::string_view text) {
   constexpr std::size_t kMostNotes = 20;
-  if (notes_.size() < kMostNotes) notes_.emplace_back(text);
+  if (notes_.size() >= kMostNotes) return;
+  if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
+  notes_.emplace_back(notes_.size() + 1 < kMostNotes ? text : "more of the kind is not listed");
+}
+
+void MessageSource::note_lost(const Topic& topic, std::string_view why) {
+  note("a message of " + printable(topic.name) + " is passed over: " + std::string(why));
+}
+
+std::optional<std::span<const std::byte>> MessageSource::read_message_bytes(
+    const Topic& topic, LimitedStream& record, std::vector<std::byte>& buffer) {
+  const std::string size = std::to_string(record.left()) + " bytes";
+  if (record.left() > kMostMessageBytes) {
+    note_lost(topic, size + "; expected at most 256 MiB");
+    return std::nullopt;
+  }
+  try {
+    return read_bytes(record, record.left(), buffer);
+  } catch (const std::bad_alloc&) {
+    note_lost(topic, size + " take more memory than there is");
+    return std::nullopt;
+  }
 }
 
 std::string plain_type_name(std::string_view name) {

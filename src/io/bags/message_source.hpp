@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bags/byte_stream.hpp"
+
 namespace surefoot::io {
 
 /// Longer names of topics and types are cut: no bag has any.
@@ -54,8 +56,14 @@ class MessageSource {
   [[nodiscard]] bool is_wanted(const Topic& topic) const {
     return wanted_.empty() || topic.name == wanted_;
   }
-  /// Adds a note, unless there are too many already.
+  /// Adds a note, once, and unless there are too many already.
   void note(std::string_view text);
+  /// A message's bytes; nothing where it is too large, or ends early, as `record` then shows. The
+  /// former is noted.
+  [[nodiscard]] std::optional<std::span<const std::byte>> read_message_bytes(
+      const Topic& topic, LimitedStream& record, std::vector<std::byte>& buffer);
+  /// Notes why a message is passed over.
+  void note_lost(const Topic& topic, std::string_view why);
 
  private:
   std::string wanted_;

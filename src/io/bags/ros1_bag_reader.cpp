@@ -62,6 +62,8 @@ struct OpenRos1Chunk {
 
   LimitedStream record;
   std::unique_ptr<ByteStream> inside;
+  std::optional<std::uint64_t> announced;  ///< bytes of content, as the chunk's head says
+  std::uint64_t passed = 0;                ///< of them in records so far
   std::size_t number = 0;
 };
 
@@ -108,9 +110,22 @@ class Ros1BagReader final : public MessageSource {
   }
 
   void end_of(bool between_records) {
-    if (chunk_) return leave_chunk();
+    if (chunk_) return finish_chunk(between_records);
     ended_ = true;
     if (!between_records) note("the file is cut short; what is whole was read");
+  }
+
+  // Where the file ends within the chunk, that is noted once its end is met.
+  void finish_chunk(bool between_records) {
+    const bool is_cut = chunk_->record.left() > 0;
+    const std::string name = "chunk " + std::to_string(chunk_->number);
+    if (!is_cut && chunk_->announced && chunk_->passed != *chunk_->announced) {
+      note(name + " holds " + std::to_string(chunk_->passed) + " bytes in whole records where " +
+           std::to_string(*chunk_->announced) + " were announced: messages are lost");
+    } else if (!is_cut && !between_records) {
+      note(name + " ends within a record");
+    }
+    leave_chunk();
   }
 
   static std::optional<std::uint32_t> read_length(ByteStream& stream, bool& at_end) {
@@ -149,7 +164,17 @@ class Ros1BagReader final : public MessageSource {
     if (op == RecordKind::connection) read_connection(fields, data);
     if (op == RecordKind::message) message = read_message(fields, data);
     data.skip(data.left());
+    if (chunk_) pass_record(*header_bytes, *data_bytes, data.left());
     return message;
+  }
+
+  void pass_record(std::uint64_t header_bytes, std::uint64_t data_bytes, std::uint64_t missing) {
+    constexpr std::uint64_t kTwoLengths = 8;
+    chunk_->passed += kTwoLengths + header_bytes + data_bytes;
+    if (missing > 0 && chunk_->record.left() == 0) {
+      throw ReadError("a record of " + std::to_string(data_bytes) + " bytes ends " +
+                      std::to_string(missing) + " bytes early");
+    }
   }
 
   void open_chunk(const RecordFields& fields, std::uint32_t size) {
@@ -157,6 +182,7 @@ class Ros1BagReader final : public MessageSource {
     const std::optional<Compression> compression = compression_named(name);
     chunk_.emplace(*file_, size, compression.value_or(Compression::none));
     chunk_->number = chunks_++;
+    if (!fields.find("size").empty()) chunk_->announced = fields.number<std::uint32_t>("size");
     if (!compression) throw ReadError("its compression is '" + name + "'; expected bz2 or lz4");
   }
 
@@ -183,16 +209,20 @@ class Ros1BagReader final : public MessageSource {
       return std::nullopt;
     }
     if (!is_wanted(topic->second)) return std::nullopt;
-    if (data.left() > kMostMessageBytes) {
-      note("a message of " + std::to_string(data.left()) + " bytes is passed over");
-      return std::nullopt;
-    }
     const auto time = fields.number<std::uint64_t>("time");  // seconds, nanoseconds
     constexpr std::int64_t kSecond = 1'000'000'000;
     const std::int64_t logged_ns = static_cast<std::int64_t>(time & 0xffff'ffffU) * kSecond +
                                    static_cast<std::int64_t>(time >> 32);
-    const auto bytes = read_bytes(data, data.left(), data_);
+    const std::uint64_t compressed = chunk_ ? chunk_->record.left() : 0;
+    const auto bytes = read_message_bytes(topic->second, data, data_);
     if (!bytes) return std::nullopt;
+    constexpr std::uint64_t kReadAhead = 1 << 20;  // a block of bzip2's among it
+    const bool inflated = chunk_ && chunk_->inside;
+    if (inflated && is_too_dense(bytes->size(), compressed - chunk_->record.left() + kReadAhead)) {
+      note_lost(topic->second, kTooDense);
+      data_ = {};
+      return std::nullopt;
+    }
     return Message{&topic->second, logged_ns, *bytes};
   }
 

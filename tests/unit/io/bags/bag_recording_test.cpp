@@ -269,6 +269,16 @@ TEST(BagRecording, DamagedPacketMessageIsNamed) {
   EXPECT_GE(scans, 3U);
 }
 
+TEST(BagRecording, RefusalTellsWhatReadingMet) {
+  const test::TemporaryFolder folder;
+  const fs::path file = write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 1);
+  const std::string cut = test::content_of(file).substr(0, 300);
+  const fs::path half = folder.write("half.mcap", cut);
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(half); });
+  EXPECT_NE(message.find("holds no message\nnote: the file is cut short"), std::string::npos)
+      << message;
+}
+
 TEST(BagRecording, BagsWithoutScansAreRefused) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.mcap";

@@ -160,6 +160,63 @@ TEST(Mcap, DamagedChunkIsNotedAndTheNextOneRead) {
   }
 }
 
+// A length within a chunk that promises more than the chunk holds, where no checksum tells.
+TEST(Mcap, MessageThatClaimsMoreThanItsChunkHoldsIsNoted) {
+  for (const std::string topic : {"", "/even", "/odd"}) {
+    std::string bytes = file_with(small_chunks(Compression::none));
+    const std::size_t chunk = chunk_at(bytes, 1);
+    bytes.replace(chunk + 9 + 24, 4, little(0U));  // no checksum
+    const std::size_t content = chunk + 9 + 8 + 8 + 8 + 4 + 4 + 8;
+    ASSERT_EQ(bytes[content], '\x05');
+    bytes.replace(content + 1, 8, little(std::uint64_t{100'000'000}));
+    const Outcome outcome = read(bytes, topic);
+    EXPECT_NE(outcome.notes.find("chunk 1 is damaged, read as far as it goes: a message of "
+                                 "100000000 bytes"),
+              std::string::npos)
+        << outcome.notes;
+  }
+}
+
+TEST(Mcap, ChunkThatHoldsLessThanItSaysIsNoted) {
+  for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
+    std::string bytes = file_with(small_chunks(compression));
+    const std::size_t size = chunk_at(bytes, 1) + 9 + 16;
+    bytes.replace(size, 8, little(std::uint64_t{12'345}));
+    const std::string notes = read(bytes).notes;
+    EXPECT_NE(notes.find("where 12345 were announced"), std::string::npos) << notes;
+  }
+}
+
+TEST(Mcap, AnotherFileBehindTheEndIsNoted) {
+  const std::string bytes = file_with(small_chunks(Compression::zstd));
+  const Outcome outcome = read(bytes + bytes);
+  EXPECT_EQ(outcome.messages.size(), kMessages);
+  EXPECT_NE(outcome.notes.find("goes on after its end"), std::string::npos) << outcome.notes;
+}
+
+// 100 MB of zeros, which Zstandard makes 10 kB of.
+TEST(Mcap, MessageThatIsAllCompressionIsPassedOverByName) {
+  const test::TemporaryFolder folder;
+  const std::string zeros(100'000'000, '\0');
+  for (const bool one_by_one : {false, true}) {
+    const std::filesystem::path file = folder.path() / (one_by_one ? "a.mcap" : "b.mcap");
+    McapOptions options;
+    options.compression = one_by_one ? Compression::none : Compression::zstd;
+    McapWriter writer(file, options);
+    const std::uint16_t schema = writer.add_schema("pkg/msg/Type", "ros2msg", "int32 a\n");
+    const std::uint16_t channel = writer.add_channel(schema, "/zeros", "cdr");
+    writer.write(channel, 0, 1, 1, one_by_one ? compress(Compression::zstd, zeros) : zeros);
+    writer.write(channel, 1, 2, 2, "good");
+    writer.finish();
+    const Outcome outcome = read(test::content_of(file));
+    ASSERT_EQ(outcome.messages.size(), 1U);
+    EXPECT_EQ(outcome.messages[0].data, "good");
+    EXPECT_NE(outcome.notes.find("a message of /zeros is passed over: it is more than 32 times"),
+              std::string::npos)
+        << outcome.notes;
+  }
+}
+
 TEST(Mcap, ChecksumOfTheData) {
   McapOptions options;
   options.chunks = false;

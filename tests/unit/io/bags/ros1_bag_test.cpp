@@ -127,6 +127,32 @@ TEST(Ros1Bag, DamagedChunkIsNotedAndTheNextOneRead) {
   EXPECT_NE(outcome.notes.find("chunk 0 is damaged"), std::string::npos) << outcome.notes;
 }
 
+TEST(Ros1Bag, MessageThatClaimsMoreThanItsChunkHoldsIsNoted) {
+  for (const char* name : {"none", "bz2", "lz4"}) {
+    std::string inside = content(0);
+    const std::size_t data = inside.find(std::string(50, 'b'));
+    inside.replace(data - 4, 4, u32(100'000'000));
+    const auto packed = name[0] == 'b'   ? bzip2(inside)
+                        : name[0] == 'l' ? compress(Compression::lz4, inside)
+                                         : inside;
+    const Outcome outcome = read(file_header() + chunk(name, inside, packed));
+    EXPECT_EQ(outcome.messages.size(), 1U);
+    EXPECT_NE(outcome.notes.find("chunk 0 is damaged, read as far as it goes: a record of "
+                                 "100000000 bytes"),
+              std::string::npos)
+        << outcome.notes;
+  }
+}
+
+TEST(Ros1Bag, ChunkThatHoldsLessThanItSaysIsNoted) {
+  const std::string inside = content(0);
+  const std::string half = inside.substr(0, connection(0, "/a", "pkg/A").size());
+  const std::string notes =
+      read(file_header() + chunk("lz4", inside, compress(Compression::lz4, half))).notes;
+  EXPECT_NE(notes.find(std::to_string(inside.size()) + " were announced"), std::string::npos)
+      << notes;
+}
+
 TEST(Ros1Bag, AnotherCompressionIsNamed) {
   EXPECT_NE(read(bag("rar")).notes.find("'rar'"), std::string::npos);
 }
