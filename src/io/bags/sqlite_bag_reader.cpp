@@ -89,30 +89,45 @@ class SqliteBagReader final : public MessageSource {
   explicit SqliteBagReader(const fs::path& file) {
     require_regular_file(file);
     const fs::path database = unpack(file);
-    open(database);
+    open(database, State::whole);
+    if (is_malformed()) {
+      open(database, State::malformed);
+      note("the file is cut short or damaged; what can be reached is read");
+    }
     read_topics();
     count_rows();
-    messages_ = prepare("SELECT topic_id, timestamp, data FROM messages ORDER BY rowid");
+    in_order_ = prepare("SELECT topic_id, timestamp, data, rowid FROM messages ORDER BY rowid");
+    by_number_ = prepare("SELECT topic_id, timestamp, data FROM messages WHERE rowid = ?");
   }
 
   std::optional<Message> next() override {
-    while (const std::optional<std::pair<const Topic*, std::int64_t>> row = next_row()) {
-      const auto [topic, logged_ns] = *row;
-      if (topic == nullptr || !is_wanted(*topic)) continue;
-      const void* const blob = sqlite3_column_blob(messages_.get(), 2);
-      const auto size = static_cast<std::size_t>(sqlite3_column_bytes(messages_.get(), 2));
-      if (blob == nullptr && size > 0) continue;
+    while (sqlite3_stmt* const row = next_row()) {
+      ++rows_read_;
+      const auto topic = topics_.find(sqlite3_column_int64(row, 0));
+      if (topic == topics_.end()) {
+        note("messages of a topic that is not in the table of topics are passed over");
+        continue;
+      }
+      if (!is_wanted(topic->second)) continue;
+      const void* const blob = sqlite3_column_blob(row, 2);
+      const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row, 2));
+      if (blob == nullptr && size > 0) {
+        note_lost(topic->second, "it cannot be read");
+        continue;
+      }
       const std::span<const std::byte> bytes(static_cast<const std::byte*>(blob), size);
-      if (const auto plain = compressed_.plain(bytes)) return Message{topic, logged_ns, *plain};
-      note("message " + std::to_string(rows_read_) + " is passed over: " + compressed_.problem());
+      const auto plain = compressed_.plain(bytes);
+      if (plain) return Message{&topic->second, sane_time(sqlite3_column_int64(row, 1)), *plain};
+      note_lost(topic->second, compressed_.problem());
     }
     return std::nullopt;
   }
 
   bool rewind() override {
-    sqlite3_reset(messages_.get());
-    rows_read_ = 0;
-    ended_ = false;
+    sqlite3_reset(in_order_.get());
+    sqlite3_reset(by_number_.get());
+    rows_read_ = row_number_ = lost_ = 0;
+    is_searching_ = ended_ = false;
     return true;
   }
   double progress() const override {
@@ -134,7 +149,9 @@ class SqliteBagReader final : public MessageSource {
     return temporary_->path();
   }
 
-  void open(const fs::path& file) {
+  enum class State { whole, malformed };
+
+  void open(const fs::path& file, State state) {
     // A bag whose recorder was stopped short has its last messages in a log beside it.
     std::error_code ignored;
     const bool has_log = fs::exists(file.string() + "-wal", ignored);
@@ -145,10 +162,18 @@ class SqliteBagReader final : public MessageSource {
     database_.reset(handle);
     if (result != SQLITE_OK) throw ReadError(std::string("sqlite3: ") + sqlite3_errmsg(handle));
     // What a file says must not run on: no views, no functions of a schema, no oversized rows.
-    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    // A file that is shorter than it says opens only where its schema may be mended.
+    const bool malformed = state == State::malformed;
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, malformed ? 0 : 1, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_WRITABLE_SCHEMA, malformed ? 1 : 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, static_cast<int>(kMostMessageBytes));
+  }
+
+  [[nodiscard]] bool is_malformed() const {
+    constexpr const char* kQuery = "SELECT count(*) FROM sqlite_schema";
+    return sqlite3_exec(database_.get(), kQuery, nullptr, nullptr, nullptr) == SQLITE_CORRUPT;
   }
 
   Statement prepare(const char* query) {
@@ -186,31 +211,58 @@ class SqliteBagReader final : public MessageSource {
     if (sqlite3_step(row.get()) == SQLITE_ROW) rows_ = sqlite3_column_int64(row.get(), 0);
   }
 
-  // The next row's topic, null where it is not known, and time.
-  std::optional<std::pair<const Topic*, std::int64_t>> next_row() {
-    if (ended_) return std::nullopt;
-    const int result = sqlite3_step(messages_.get());
-    ended_ = result != SQLITE_ROW;
-    if (ended_) {
-      if (result != SQLITE_DONE) {
-        note("reading ends early after " + std::to_string(rows_read_) +
-             " messages: sqlite3: " + sqlite3_errmsg(database_.get()));
-      }
-      return std::nullopt;
+  // Null at the end.
+  sqlite3_stmt* next_row() {
+    if (ended_) return nullptr;
+    sqlite3_stmt* const row = is_searching_ ? row_by_number() : row_in_order();
+    return row != nullptr || ended_ ? row : next_row();
+  }
+
+  // Null at the end, and where the table's tree is damaged; then rows are searched one by one.
+  sqlite3_stmt* row_in_order() {
+    sqlite3_stmt* const row = in_order_.get();
+    const int result = sqlite3_step(row);
+    if (result == SQLITE_ROW && (rows_read_ == 0 || sqlite3_column_int64(row, 3) > row_number_)) {
+      row_number_ = sqlite3_column_int64(row, 3);
+      return row;
     }
-    ++rows_read_;
-    const auto topic = topics_.find(sqlite3_column_int64(messages_.get(), 0));
-    return std::pair{topic == topics_.end() ? nullptr : &topic->second,
-                     sane_time(sqlite3_column_int64(messages_.get(), 1))};
+    ended_ = result == SQLITE_DONE;
+    if (ended_) return nullptr;
+    note("the database is damaged after message " + std::to_string(row_number_) +
+         "; what can be reached is read: sqlite3: " + sqlite3_errmsg(database_.get()));
+    is_searching_ = true;
+    return nullptr;
+  }
+
+  sqlite3_stmt* row_by_number() {
+    // Of a tree's inner page that is lost; nothing says how many rows a damaged file holds.
+    constexpr std::int64_t kMostMissed = 50'000;
+    sqlite3_stmt* const row = by_number_.get();
+    for (std::int64_t missed = 0; missed < kMostMissed && row_number_ != rows_; ++missed) {
+      sqlite3_reset(row);
+      sqlite3_bind_int64(row, 1, ++row_number_);
+      const int result = sqlite3_step(row);
+      if (result == SQLITE_ROW) return row;
+      lost_ += result == SQLITE_DONE ? 0 : 1;
+    }
+    ended_ = true;
+    if (rows_ > 0 && lost_ > 0) {
+      note(std::to_string(lost_) + " messages of the database's damaged part are lost");
+    }
+    return nullptr;
   }
 
   std::unique_ptr<TemporaryFile> temporary_;
   Database database_;
-  Statement messages_;
+  Statement in_order_;
+  Statement by_number_;
   std::map<std::int64_t, Topic> topics_;
   CompressedMessages compressed_;
-  std::int64_t rows_ = 0;
+  std::int64_t rows_ = -1;  ///< greatest row number; -1: not known
   std::int64_t rows_read_ = 0;
+  std::int64_t row_number_ = 0;
+  std::int64_t lost_ = 0;
+  bool is_searching_ = false;
   bool ended_ = false;
 };
 

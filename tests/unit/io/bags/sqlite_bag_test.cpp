@@ -125,6 +125,53 @@ TEST(SqliteBag, CutFilesGiveWhatCanBeRead) {
   EXPECT_GT(most, 0U);
 }
 
+// As sqlite3 itself does not: its own reader stops at the first page that is damaged.
+TEST(SqliteBag, RowsBehindDamageAreReadByTheirNumbers) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  std::vector<std::string> blobs;
+  for (char c = 'a'; c < 'u'; ++c) blobs.emplace_back(20'000, c);
+  make_bag(file, kTopics[1], blobs);
+  std::string bytes = test::content_of(file);
+  constexpr std::size_t kPage = 4096;
+  const std::size_t overflow = bytes.find(std::string(4000, 'h')) / kPage * kPage;
+  bytes.replace(overflow, 4, "\x7f\xff\xff\xff");  // where the message goes on
+  const auto source = read_sqlite_bag(folder.write("b.db3", bytes));
+  std::vector<ReadMessage> messages = test::read_all_messages(*source);
+  ASSERT_EQ(messages.size(), 19U);
+  EXPECT_EQ(messages[6], expected(6, blobs[6]));
+  EXPECT_EQ(messages[7], expected(8, blobs[8]));
+  EXPECT_TRUE(source->rewind());
+  EXPECT_EQ(test::read_all_messages(*source), messages);
+  ASSERT_EQ(source->notes().size(), 2U) << test::joined(source->notes());  // each once
+  EXPECT_NE(source->notes()[0].find("damaged after message 7"), std::string::npos);
+  EXPECT_EQ(source->notes()[1], "1 messages of the database's damaged part are lost");
+}
+
+TEST(SqliteBag, CutFileGivesEveryMessageBeforeTheCut) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  make_bag(file, kTopics[1], std::vector<std::string>(20, std::string(20'000, 'x')));
+  const std::string bytes = test::content_of(file);
+  const auto source = read_sqlite_bag(folder.write("b.db3", bytes.substr(0, bytes.size() / 2)));
+  EXPECT_GE(test::read_all_messages(*source).size(), 7U);
+  EXPECT_NE(test::joined(source->notes()).find("cut short"), std::string::npos);
+}
+
+TEST(SqliteBag, MessagesOfNoTopicAreNoted) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  make_bag(file, kTopics[1], {"one"});
+  sqlite3* database = nullptr;
+  sqlite3_open(file.c_str(), &database);
+  sqlite3_exec(database, "INSERT INTO messages(topic_id, timestamp, data) VALUES (6, 1, 'x')",
+               nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  const auto source = read_sqlite_bag(file);
+  EXPECT_EQ(test::read_all_messages(*source).size(), 1U);
+  EXPECT_NE(test::joined(source->notes()).find("not in the table of topics"), std::string::npos);
+}
+
 TEST(SqliteBag, AnotherDatabaseIsRefused) {
   const test::TemporaryFolder folder;
   sqlite3* database = nullptr;
