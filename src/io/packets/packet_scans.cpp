@@ -90,8 +90,7 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
   }
   if (reading->jumped) {
     cutter_->finish();
-    notes_.push_back("the sensor's clock was set during revolution " + std::to_string(next_) +
-                     "; the capture's clock bridges it");
+    note_jump();
     last_number_.reset();
   } else {
     count_lost(reading->since_last_ns);
@@ -102,6 +101,16 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
   }
   cutter_->add(firings_, reading->stamp_ns, reading->since_last_ns);
   return PacketUse::used;
+}
+
+// A clock that is set at every packet has as many of them.
+void PacketScans::note_jump() {
+  constexpr std::size_t kMostNoted = 10;
+  if (++jumps_ > kMostNoted) return;
+  notes_.push_back(
+      "the sensor's clock was set during revolution " + std::to_string(next_) +
+      "; the capture's clock bridges it" +
+      (jumps_ == kMostNoted ? "; where it was set again after that is not listed" : ""));
 }
 
 void PacketScans::begin() {

@@ -65,6 +65,7 @@ class PacketScans {
 
  private:
   void begin();
+  void note_jump();
   void count_lost(std::int64_t since_last_ns);
 
   OpenOptions options_;
@@ -78,6 +79,7 @@ class PacketScans {
   std::int64_t last_period_ns_ = 0;
   std::size_t lost_ = 0;
   std::size_t next_ = 0;
+  std::size_t jumps_ = 0;
   std::string reason_;
   std::vector<std::string> notes_;
 };

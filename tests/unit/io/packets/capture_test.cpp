@@ -165,6 +165,23 @@ TEST(Capture, ACaptureThatIsCutShortGivesWhatItHas) {
 }
 
 // Seconds that do not fit into 64 bits of nanoseconds; pcapng can say them, by its resolution.
+TEST(Capture, AClockThatIsSetAtEveryPacketIsNotNotedWithoutEnd) {
+  const test::TemporaryFolder folder;
+  test::PcapFile file;
+  for (unsigned i = 0; i < 150; ++i) {
+    const std::string packet =
+        test::vlp16_payload(i * 480, 40, i % 2 * 600'000'000U + i * 1327, 0x37, [](auto, auto) {
+          return test::Measured{500, 1};
+        });
+    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(packet, 2368)));
+  }
+  const auto recording = open_recording(folder.write("a.pcap", file.content()));
+  while (recording->next()) {
+  }
+  EXPECT_GT(recording->notes().size(), 5U);
+  EXPECT_LT(recording->notes().size(), 20U);
+}
+
 TEST(Capture, AStampBeyondAllTimesEndsTheCapture) {
   const test::TemporaryFolder folder;
   const std::string frame = test::ethernet_frame(test::ip_packet(payload(75), 2368));
