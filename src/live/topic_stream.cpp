@@ -168,7 +168,7 @@ class TopicStream final : public ScanStream {
     const io::Topic topic = messages_->source().topic();
     const std::string calibration = messages_->source().calibration();
     io::TopicRecordingParts parts{
-        messages_->source().name(), io::TopicMessages(std::move(owned_)), {}};
+        messages_->source().name(), io::TopicMessages(std::move(owned_)), {}, {}};
     std::unique_ptr<io::Recording> scans =
         io::is_packet_type(topic.type)
             ? io::open_packet_topic(std::move(parts), topic, options_, calibration)

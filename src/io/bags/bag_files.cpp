@@ -95,6 +95,9 @@ class BagParts final : public MessageSource {
   void take_notes() {
     const std::string where = files_.size() > 1 ? files_[index_].filename().string() + ": " : "";
     for (; noted_ < part_->notes().size(); ++noted_) note(where + part_->notes()[noted_]);
+    for (; announced_ < part_->announced().size(); ++announced_) {
+      announce(part_->announced()[announced_]);
+    }
   }
 
   // False where there is none after this one that can be read.
@@ -103,7 +106,7 @@ class BagParts final : public MessageSource {
       ++index_;
       try {
         part_ = open_part(files_[index_]);
-        noted_ = 0;
+        noted_ = announced_ = 0;
         return true;
       } catch (const ReadError& error) {
         note(std::string("passed over: ") + error.what());
@@ -116,6 +119,7 @@ class BagParts final : public MessageSource {
   std::unique_ptr<MessageSource> part_;
   std::size_t index_ = 0;
   std::size_t noted_ = 0;
+  std::size_t announced_ = 0;
 };
 
 }  // namespace

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "io/bags/bag_recording.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/bags/bag_files.hpp"
 #include "io/bags/topic_recordings.hpp"
 #include "io/bags/topic_survey.hpp"
+#include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
+#include "io/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -38,7 +41,7 @@ Topic choose_with_notes(const std::vector<TopicSurvey>& topics, const std::strin
 }  // namespace
 
 BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
-  TopicRecordingParts parts{path.string(), TopicMessages(bag_files(path)), {}};
+  TopicRecordingParts parts{path.string(), TopicMessages(bag_files(path)), {}, {}};
   BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
@@ -47,7 +50,23 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
     parts.notes.push_back("topic: " + topic.name + ", one of " +
                           std::to_string(survey.topics.size()) + " in the bag");
   }
+  for (TopicSurvey& one : survey.topics) parts.seen.push_back(std::move(one.topic));
   return {std::move(parts), std::move(topic), std::move(survey.calibration)};
+}
+
+void TopicRecordingParts::note_late_topics() {
+  std::string names;
+  for (const Topic& topic : messages.bag().announced()) {
+    const auto is_same = [&](const Topic& one) { return one.name == topic.name; };
+    const bool scans = is_cloud_type(topic.type) || is_packet_type(topic.type);
+    if (!scans || std::any_of(seen.begin(), seen.end(), is_same)) continue;
+    names += (names.empty() ? "" : ", ") + printable(topic.name);
+    seen.push_back(topic);
+  }
+  if (!names.empty()) {
+    notes.push_back("the bag has topics of scans that do not begin in its first seconds: " + names +
+                    " (--topic takes one)");
+  }
 }
 
 std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& path,

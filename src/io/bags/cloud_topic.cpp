@@ -19,9 +19,7 @@ class CloudTopic final : public Recording {
     parts_.messages.begin(topic);
     find_point_time_rule();
     parts_.messages.begin(topic);
-    parts_.notes.emplace_back(stamps_from_bag_
-                                  ? "stamps: the messages' are zero; when they were recorded counts"
-                                  : "stamps: from the messages' headers");
+    note_stamps();
     if (rule_) parts_.notes.push_back(rule_text_);
   }
 
@@ -58,6 +56,7 @@ class CloudTopic final : public Recording {
     const std::optional<Message> message = parts_.messages.next();
     const std::vector<std::string>& notes = parts_.messages.notes();
     for (; bag_notes_ < notes.size(); ++bag_notes_) parts_.notes.push_back(notes[bag_notes_]);
+    if (!message) parts_.note_late_topics();
     return message;
   }
 
@@ -75,14 +74,14 @@ class CloudTopic final : public Recording {
   void find_point_time_rule() {
     std::string first_error;
     bool settled = false;
-    int good = 0;
+    int& good = looked_at_;
     for (int damaged = 0; good < kMostLookedAt && damaged < kMostDamaged && !settled;) {
       const std::optional<Message> message = parts_.messages.next();
       if (!message) break;
       try {
         const CloudMessage cloud = read(*message);
         const ScanColumns columns = find_scan_columns(cloud.table, options_);
-        stamps_from_bag_ = cloud.stamp_ns == 0;
+        zero_stamps_ += cloud.stamp_ns == 0 ? 1 : 0;
         look_at_times(cloud, stamp_of(cloud, *message), columns);
         settled = columns.time == nullptr || times_are_left_out() || (rule_ && rule_->certain);
         ++good;
@@ -95,6 +94,15 @@ class CloudTopic final : public Recording {
       }
     }
     if (good == 0) throw ReadError(where() + ": " + first_error);
+  }
+
+  void note_stamps() {
+    std::string note = "stamps: from the messages' headers";
+    if (zero_stamps_ > 0) {
+      note += "; where these are zero, as in " + std::to_string(zero_stamps_) + " of the first " +
+              std::to_string(looked_at_) + ", when they were recorded counts";
+    }
+    parts_.notes.push_back(std::move(note));
   }
 
   void look_at_times(const CloudMessage& cloud, std::int64_t stamp_ns, const ScanColumns& columns) {
@@ -128,7 +136,8 @@ class CloudTopic final : public Recording {
   std::string rule_text_;
   std::size_t bag_notes_ = 0;
   std::size_t next_ = 0;
-  bool stamps_from_bag_ = false;
+  int looked_at_ = 0;    ///< messages that the point times' meaning was found from
+  int zero_stamps_ = 0;  ///< of them
 };
 
 }  // namespace

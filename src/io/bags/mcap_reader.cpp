@@ -201,6 +201,7 @@ class McapReader final : public MessageSource {
                                           : MessageEncoding::other;
     const auto type = schemas_.find(schema);
     if (type != schemas_.end()) topic.type = type->second;
+    announce(topic);
   }
 
   std::optional<Message> read_message(LimitedStream& record) {

@@ -16,6 +16,15 @@ void MessageSource::note(std::string_view text) {
   notes_.emplace_back(notes_.size() + 1 < kMostNotes ? text : "more of the kind is not listed");
 }
 
+void MessageSource::announce(const Topic& topic) {
+  constexpr std::size_t kMostTopics = 1000;
+  const auto is_same = [&](const Topic& one) {
+    return one.name == topic.name && one.type == topic.type;
+  };
+  if (announced_.size() >= kMostTopics) return;
+  if (std::none_of(announced_.begin(), announced_.end(), is_same)) announced_.push_back(topic);
+}
+
 void MessageSource::note_lost(const Topic& topic, std::string_view why) {
   note("a message of " + printable(topic.name) + " is passed over: " + std::string(why));
 }

@@ -48,6 +48,8 @@ class MessageSource {
   [[nodiscard]] virtual std::string format() const = 0;
   /// What was damaged or passed over, one sentence each. Grows while reading.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// The topics that the bag has said it has, so far, with messages or without.
+  [[nodiscard]] const std::vector<Topic>& announced() const { return announced_; }
   /// From here on messages of one topic alone are needed.
   void want(std::string topic) { wanted_ = std::move(topic); }
 
@@ -58,6 +60,8 @@ class MessageSource {
   }
   /// Adds a note, once, and unless there are too many already.
   void note(std::string_view text);
+  /// Adds a topic, once.
+  void announce(const Topic& topic);
   /// A message's bytes; nothing where it is too large, or ends early, as `record` then shows. The
   /// former is noted.
   [[nodiscard]] std::optional<std::span<const std::byte>> read_message_bytes(
@@ -68,6 +72,7 @@ class MessageSource {
  private:
   std::string wanted_;
   std::vector<std::string> notes_;
+  std::vector<Topic> announced_;
 };
 
 /// Larger messages are passed over: no sweep of a LiDAR is of this size [bytes].

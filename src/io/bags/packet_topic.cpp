@@ -49,7 +49,10 @@ class PacketTopic final : public Recording {
   // False at the end. A message that is damaged becomes an item without scan.
   bool read_message() {
     const std::optional<Message> message = parts_.messages.next();
-    if (!message) return false;
+    if (!message) {
+      parts_.note_late_topics();
+      return false;
+    }
     const std::size_t number = messages_++;
     try {
       for_each_packet(*message, [&](const MessagePacket& packet) { add(packet, *message); });

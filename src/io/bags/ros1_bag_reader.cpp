@@ -196,6 +196,7 @@ class Ros1BagReader final : public MessageSource {
     if (!bytes) return;
     topic.type = plain_type_name(RecordFields(*bytes).find("type").substr(0, kMostNameBytes));
     topic.encoding = MessageEncoding::ros1;
+    announce(topic);
     topics_.emplace(id, std::move(topic));
   }
 

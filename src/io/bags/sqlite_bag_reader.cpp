@@ -201,6 +201,7 @@ class SqliteBagReader final : public MessageSource {
       const std::string encoding = text_of(rows.get(), 3);
       if (encoding == "cdr" || encoding.empty()) topic.encoding = MessageEncoding::cdr;
       if (encoding == "ros1" || encoding == "rosmsg_v2") topic.encoding = MessageEncoding::ros1;
+      announce(topic);
       topics_.insert_or_assign(sqlite3_column_int64(rows.get(), 0), std::move(topic));
     }
   }

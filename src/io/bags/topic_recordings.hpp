@@ -16,6 +16,10 @@ struct TopicRecordingParts {
   std::string bag;  ///< its name as it was given, for messages
   TopicMessages messages;
   std::vector<std::string> notes;  ///< what was found out already
+  std::vector<Topic> seen;         ///< topics that could be chosen from
+
+  /// A note on topics with scans that the bag announced too late to be chosen from, at its end.
+  void note_late_topics();
 };
 
 /// Scans of messages that hold one each. Throws ReadError where none of the first ones can be used.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <new>
+#include <utility>
 
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/message_reader.hpp"
@@ -104,19 +106,23 @@ double TopicSurvey::rate_hz() const {
 BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {
   BagSurvey found;
   std::vector<TopicSurvey>& topics = found.topics;
+  std::map<std::pair<std::string, std::string>, std::size_t> places;  // of names and types
   std::optional<std::int64_t> begin_ns;
   bool any_usable = false;
   while (const std::optional<Message> message = bag.next()) {
     if (!begin_ns) begin_ns = message->logged_ns;
-    auto survey = std::find_if(topics.begin(), topics.end(), [&](const TopicSurvey& one) {
-      return one.topic.name == message->topic->name && one.topic.type == message->topic->type;
-    });
-    if (survey == topics.end()) {
-      if (topics.size() >= kMostTopics) continue;
-      survey = topics.insert(topics.end(), TopicSurvey{});
-      survey->topic = *message->topic;
-      survey->first_ns = message->logged_ns;
+    const auto [place, is_new] =
+        places.try_emplace({message->topic->name, message->topic->type}, topics.size());
+    if (is_new) {
+      if (topics.size() >= kMostTopics) {
+        places.erase(place);
+        continue;
+      }
+      topics.emplace_back();
+      topics.back().topic = *message->topic;
+      topics.back().first_ns = message->logged_ns;
     }
+    TopicSurvey* const survey = &topics[place->second];
     ++survey->messages;
     survey->last_ns = message->logged_ns;
     if (found.calibration.empty()) found.calibration = metadata_in(*message);

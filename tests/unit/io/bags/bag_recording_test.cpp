@@ -197,6 +197,43 @@ TEST(BagRecording, TopicThatIsAskedForMayBeginLate) {
   EXPECT_EQ(item->scan->stamp_ns, scan_at(50).stamp_ns);
 }
 
+TEST(BagRecording, TopicThatBeginsTooLateToBeListedIsNotedAtTheEnd) {
+  const test::TemporaryFolder folder;
+  const auto write = [](BagWriter& bag) {
+    const std::size_t early = bag.add_topic("/early", point_cloud2_definition());
+    for (int i = 0; i < 60; ++i) {
+      const std::size_t topic = i < 50 ? early : bag.add_topic("/late", point_cloud2_definition());
+      bag.write(topic, scan_at(i).stamp_ns,
+                format_point_cloud2(scan_at(i), "lidar", MessageWriter::Flavour::cdr));
+    }
+    bag.finish();
+  };
+  write(*make_mcap_bag(folder.path() / "a.mcap"));
+  const auto recording = open_recording(folder.path() / "a.mcap");
+  while (recording->next()) {
+  }
+  EXPECT_NE(test::joined(recording->notes()).find("first seconds: /late (--topic takes one)"),
+            std::string::npos)
+      << test::joined(recording->notes());
+}
+
+TEST(BagRecording, AStampOfZeroAmongOthersIsSaid) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  const auto bag = make_mcap_bag(file);
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  for (int i = 0; i < 20; ++i) {
+    Scan scan = scan_at(i);
+    if (i == 19) scan.stamp_ns = 0;
+    scan.times_ns.assign(scan.times_ns.size(), 0);
+    bag->write(topic, scan_at(i).stamp_ns,
+               format_point_cloud2(scan, "lidar", MessageWriter::Flavour::cdr));
+  }
+  bag->finish();
+  const std::string notes = test::joined(open_recording(file)->notes());
+  EXPECT_NE(notes.find("as in 1 of the first 20"), std::string::npos) << notes;
+}
+
 // A ROS 1 bag of Ouster's packets, whose metadata are a message of another topic.
 TEST(BagRecording, OusterPacketsWithTheMetadataOfTheBag) {
   const fs::path file = fs::path(SUREFOOT_SHARED_DATA) / "ouster_os1/512x10_raw.bag";
