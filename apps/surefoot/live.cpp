@@ -22,6 +22,7 @@
 #ifdef SUREFOOT_HAS_LIVE_PAGE
 #include "live_viewers.hpp"
 #endif
+#include "map_outcome.hpp"
 #include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
@@ -139,7 +140,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
                                     arguments.run.input.string(), outcome.scans(),
                                     outcome.folder.string()));
   }
-  return process::kDone;
+  return say_if_apart(outcome) ? process::kSomeFailed : process::kDone;
 }
 
 void add_source_options(CLI::App& command, LiveArguments& arguments) {

@@ -18,7 +18,8 @@ void add_map_command(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input,
                       "what surefoot run reads; default: that of --config's run.yaml");
   add_run_options(*command, *options);
-  command->add_flag("--no-loops", options->no_loops, "find loops, but move nothing");
+  command->add_flag("--no-loops", options->no_loops, "find loops, but move nothing")
+      ->excludes("--map");
   command->callback([command, options, &exit_code] {
     options->loop_closure = options->save_map = true;
     exit_code = run_recording(*command, *options);

@@ -3,11 +3,14 @@
 #pragma once
 
 #include "runs/map_outcome.hpp"
+#include "runs/odometry_run.hpp"
 
 namespace surefoot::app {
 
 /// What came of the loops, in a line or two.
 void print_map_outcome(const runs::MapOutcome& outcome);
+/// Says on stderr where a map was to be continued and could not be; whether that is so.
+bool say_if_apart(const runs::RunOutcome& outcome);
 /// Whether the place in the map was found, and when.
 void print_localization(const runs::LocalizationOutcome& outcome);
 

@@ -89,7 +89,9 @@ int run_recording(CLI::App& command, runs::RunOptions& options) {
         "{}: none of {} scans could be used; scans.csv in {} says why for each",
         options.input.string(), outcome.scans() + outcome.unreadable, outcome.folder.string()));
   }
-  return outcome.interrupted ? process::kInterrupted : process::kDone;
+  const bool apart = say_if_apart(outcome);
+  if (outcome.interrupted) return process::kInterrupted;
+  return apart ? process::kSomeFailed : process::kDone;
 }
 
 void add_run_command(CLI::App& app, int& exit_code) {

@@ -64,6 +64,10 @@ void add_run_options(CLI::App& command, runs::RunOptions& options) {
   command.add_option("--localize", options.localize,
                      "a map that surefoot map has written, or its folder: also write where in it "
                      "the robot is (trajectory_map.tum, localization.csv)");
+  command.add_option("--map", options.continued,
+                     "a map that surefoot map has written, or its folder: continue it; this run's "
+                     "map is joined to it, and map.surefoot and trajectory_optimized.tum are in "
+                     "its frame");
   command.add_flag("--no-map", options.no_map, "do not write map.ply");
   command.add_flag("--no-picture", options.no_picture, "do not draw the picture");
   command.add_flag("--no-report", options.no_report, "do not write report.html");

@@ -64,6 +64,16 @@ std::vector<Pose> starts_of(const Pose& by_descriptor, const Pose& by_odometry,
 
 }  // namespace
 
+PoseEdge edge_of(const Loop& loop) {
+  PoseEdge edge;
+  edge.from = loop.place;
+  edge.to = loop.query;
+  edge.T_from_to = loop.check.alignment.T_target_source;
+  edge.information = loop.check.alignment.information;
+  edge.inlier = false;
+  return edge;
+}
+
 void LoopFinder::add(Piece piece) {
   pieces_.push_back(std::move(piece));
   if (pieces_.size() < 2) return;

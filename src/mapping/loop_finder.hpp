@@ -32,6 +32,9 @@ struct Loop {
   LoopCheck check;
 };
 
+/// As a graph takes it; it may still be false.
+[[nodiscard]] PoseEdge edge_of(const Loop& loop);
+
 class LoopFinder {
  public:
   explicit LoopFinder(const LoopOptions& options) : options_(options) {}

@@ -93,6 +93,8 @@ std::string_view to_string(LoopVerdict verdict) {
       return "outvoted";
     case LoopVerdict::strains:
       return "strains";
+    case LoopVerdict::not_joined:
+      return "not_joined";
   }
   return "?";
 }
@@ -123,8 +125,17 @@ std::string_view explain(LoopVerdict verdict) {
       return "more loops agree on something else";
     case LoopVerdict::strains:
       return "the odometry would be bent beyond its bounds";
+    case LoopVerdict::not_joined:
+      return "all together do not tell surely how the maps lie";
   }
   return "?";
+}
+
+double contradiction_between(const VerifiableSubmap& one, const VerifiableSubmap& other,
+                             const Pose& T_one_other) {
+  return std::max(
+      contradicted(one.free_space(), other.registration().standing(), T_one_other),
+      contradicted(other.free_space(), one.registration().standing(), T_one_other.inverse()));
 }
 
 LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& query,
@@ -178,9 +189,7 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
                         bend_of(check.alignment, query.submap().covariance));
   const double turn = limits.gap_degrees * std::numbers::pi / 180.0;
   if (check.bend > std::hypot(limits.gap_metres, kLever * turn)) return check;
-  check.contradicted =
-      std::max(contradicted(place.free_space(), source.standing(), T_place_query),
-               contradicted(query.free_space(), target.standing(), T_place_query.inverse()));
+  check.contradicted = contradiction_between(place, query, T_place_query);
   check.verdict =
       check.contradicted > limits.contradicted ? LoopVerdict::free_space : LoopVerdict::taken;
   return check;

@@ -45,7 +45,8 @@ enum class LoopVerdict {
   ambiguous,        ///< another place fits as well
   alone,            ///< no other loop agrees
   outvoted,         ///< more loops agree on something else
-  strains           ///< the odometry would have to be bent beyond its own bounds
+  strains,          ///< the odometry would have to be bent beyond its own bounds
+  not_joined        ///< between two maps: all loops together do not tell surely how they lie
 };
 [[nodiscard]] std::string_view to_string(LoopVerdict verdict);
 /// A sentence for a user.
@@ -72,6 +73,11 @@ struct LoopCheck {
   int agreeing = 0;           ///< registrations that ended at the same pose
   int started = 0;
 };
+
+/// Share of the standing points of one that stand where the other saw nothing, of those that it can
+/// tell about; the larger one of both directions. 1 where it can tell about none.
+[[nodiscard]] double contradiction_between(const VerifiableSubmap& one,
+                                           const VerifiableSubmap& other, const Pose& T_one_other);
 
 /// `starts`: T_place_query, several; none: the odometry leaves none open.
 [[nodiscard]] LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& query,

@@ -7,28 +7,17 @@
 #include <numbers>
 #include <utility>
 
+#include "mapping/place_search.hpp"
+
 namespace surefoot::mapping {
 
 namespace {
 
 constexpr std::size_t kPieces = 2;  // finished ones that are kept besides the one being walked
-constexpr double kSameArea = 7.0;   // places so near each other are one candidate [m]
 constexpr double kNearest = 8.0;    // a known pose is checked against a place so near [m]
 constexpr double kLeastStep = 0.2;  // smaller steps are no way [m]
-constexpr double kTurn = 6.0 * std::numbers::pi / 180.0;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
-/// The pose, and turned a little both ways.
-std::vector<Pose> turned_both_ways(const Pose& pose) {
-  std::vector<Pose> result;
-  for (const double side : {0.0, -1.0, 1.0}) {
-    result.push_back(
-        pose *
-        se3_exp((Twist() << 0.4 * side, -0.4 * side, 0.0, 0.0, 0.0, side * kTurn).finished()));
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -81,36 +70,15 @@ bool MapLocalizer::agree(const Pose& one, const Pose& other) const {
          turn < options_.agree_degrees;
 }
 
-/// The places that look most alike, one of each area: beside one place its neighbours would leave
-/// no room for its likes.
-std::vector<PlaceIndex::Match> MapLocalizer::distinct_places(const Submap& seen) const {
-  const auto all = index_.search(
-      describe_with_offsets(seen), [](std::size_t) { return true; }, 5 * options_.candidates);
-  std::vector<PlaceIndex::Match> result;
-  for (const PlaceIndex::Match& match : all) {
-    const Eigen::Vector3d& at = map_.pieces[match.place].T_world_piece.translation;
-    const bool known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
-      // Storeys are areas of their own.
-      Eigen::Vector3d apart = map_.pieces[other.place].T_world_piece.translation - at;
-      apart.z() *= 4.0;
-      return apart.norm() < kSameArea;
-    });
-    if (!known) result.push_back(match);
-    if (result.size() == options_.candidates) break;
-  }
-  return result;
-}
-
 /// The one pose that passes every question; none if there is none, or if there are two.
 std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& here) {
   std::optional<Found> best;
   const Pose T_here_world = here.T_world_seen.inverse();
-  for (const PlaceIndex::Match& match : distinct_places(here.seen.submap())) {
+  const auto matches =
+      distinct_places(index_, map_.pieces, here.seen.submap(), options_.candidates);
+  for (const PlaceIndex::Match& match : matches) {
     const VerifiableSubmap place(make_submap(map_.pieces, match.place));
-    Pose rough = match.T_place_query;
-    rough.translation.z() = place.submap().ground - here.seen.submap().ground;
-    const LoopCheck checked =
-        check_places(place, here.seen, turned_both_ways(rough), options_.limits);
+    const LoopCheck checked = check_match(match, place, here.seen, options_.limits);
     if (checked.verdict != LoopVerdict::taken || checked.alignment.held < 6) continue;
     const Found found{
         map_.pieces[match.place].T_world_piece * checked.alignment.T_target_source * T_here_world,

@@ -56,7 +56,6 @@ class MapLocalizer {
   [[nodiscard]] Surroundings surroundings() const;
   void search();
   void check();
-  [[nodiscard]] std::vector<PlaceIndex::Match> distinct_places(const Submap& seen) const;
   [[nodiscard]] std::optional<Found> only_place(const Surroundings& here);
   [[nodiscard]] bool agree(const Pose& one, const Pose& other) const;
 

@@ -20,6 +20,11 @@ struct MapperOptions {
   bool close_loops = true;
 };
 
+/// Corrected from odometry, T_world_odometry, at an instant: smooth between the pieces, whose
+/// corrected poses are given. The pieces stand in the order in which they were walked.
+[[nodiscard]] Pose correction_at(const std::vector<Piece>& pieces,
+                                 const std::vector<Pose>& corrected, std::int64_t stamp_ns);
+
 class Mapper {
  public:
   explicit Mapper(const MapperOptions& options)
@@ -38,14 +43,10 @@ class Mapper {
   [[nodiscard]] std::size_t taken() const;
   /// After finish(): the pieces' corrected poses, the odometry's motions and the loops taken.
   [[nodiscard]] const PoseGraph& graph() const { return graph_; }
-  /// Corrected from odometry, T_world_odometry, at an instant; smooth between the pieces.
+  /// The same with what finish() has found.
   [[nodiscard]] Pose correction(std::int64_t stamp_ns) const;
 
  private:
-  void choose_loops();
-  [[nodiscard]] std::vector<std::size_t> consistent_loops();
-  void solve_without_strain(std::vector<std::size_t>& chosen);
-
   MapperOptions options_;
   PieceBuilder builder_;
   LoopFinder finder_;

@@ -238,6 +238,13 @@ SubmapAlignment align_submaps(const RegistrationSubmap& target, const Registrati
   return result;
 }
 
+double overlap_between(const RegistrationSubmap& one, const RegistrationSubmap& other,
+                       const Pose& T_one_other) {
+  constexpr std::size_t kLast = RegistrationSubmap::kSizes.size() - 1;
+  return std::min(measure_overlap(one.grid(kLast), other.standing(), T_one_other).share,
+                  measure_overlap(other.grid(kLast), one.standing(), T_one_other.inverse()).share);
+}
+
 AlignmentGap gap_between(const SubmapAlignment& alignment, const Pose& other) {
   const Twist s = scale();
   const Twist gap = se3_log(alignment.T_target_source.inverse() * other).cwiseQuotient(s);

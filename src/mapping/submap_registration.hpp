@@ -68,6 +68,11 @@ struct SubmapAlignment {
                                             const RegistrationSubmap& source, const Pose& start,
                                             std::size_t first_level = 0);
 
+/// Share of the standing points of one that lie on something of the other; the smaller one of both
+/// directions.
+[[nodiscard]] double overlap_between(const RegistrationSubmap& one, const RegistrationSubmap& other,
+                                     const Pose& T_one_other);
+
 /// How far two alignments of the same submaps lie apart, in what the first one holds.
 struct AlignmentGap {
   double metres = 0.0;

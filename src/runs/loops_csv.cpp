@@ -10,32 +10,61 @@
 
 namespace surefoot::runs {
 
+namespace {
+
+constexpr const char* kFigureNames =
+    "likeness,overlap,level_overlap,contradicted,bend_m,agreeing,started,held,";
+constexpr const char* kPoseNames = "x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,";
+
+std::string figures_of(const mapping::Loop& loop) {
+  const mapping::LoopCheck& check = loop.check;
+  return fmt::format("{:.3f},{:.3f},{:.3f},{:.4f},{:.3f},{},{},{},", loop.likeness, check.overlap,
+                     check.level, check.contradicted, check.bend, check.agreeing, check.started,
+                     check.alignment.held);
+}
+
+std::string pose_of(const mapping::Loop& loop) {
+  const Pose& pose = loop.check.alignment.T_target_source;
+  const Eigen::Vector3d angles = roll_pitch_yaw(pose.rotation) * 180.0 / std::numbers::pi;
+  const Eigen::Vector3d& t = pose.translation;
+  return fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},", t.x(), t.y(), t.z(), angles.x(),
+                     angles.y(), angles.z());
+}
+
+}  // namespace
+
 std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth) {
-  std::string text =
-      "stamp,place_stamp,way_m,place_way_m,verdict,likeness,overlap,level_overlap,contradicted,"
-      "bend_m,agreeing,"
-      "started,held,drift_chi2,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,true_gap_m,true_gap_deg,"
-      "why\n";
+  std::string text = fmt::format(
+      "stamp,place_stamp,way_m,place_way_m,verdict,{}drift_chi2,{}true_gap_m,true_gap_deg,why\n",
+      kFigureNames, kPoseNames);
   const std::vector<mapping::Piece>& pieces = mapper.pieces();
   for (std::size_t i = 0; i < mapper.loops().size(); ++i) {
     const mapping::Loop& loop = mapper.loops()[i];
-    const mapping::LoopCheck& check = loop.check;
-    const Pose& pose = check.alignment.T_target_source;
-    const Eigen::Vector3d angles = roll_pitch_yaw(pose.rotation) * 180.0 / std::numbers::pi;
-    const Eigen::Vector3d& t = pose.translation;
-    text +=
-        fmt::format("{},{},{:.2f},{:.2f},{},{:.3f},{:.3f},{:.3f},{:.4f},{:.3f},{},{},{},{:.2f},",
-                    io::format_seconds(pieces[loop.query].stamp_ns),
-                    io::format_seconds(pieces[loop.place].stamp_ns), pieces[loop.query].way,
-                    pieces[loop.place].way, mapping::to_string(check.verdict), loop.likeness,
-                    check.overlap, check.level, check.contradicted, check.bend, check.agreeing,
-                    check.started, check.alignment.held, loop.drift_chi2);
-    text += fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},", t.x(), t.y(), t.z(),
-                        angles.x(), angles.y(), angles.z());
+    text += fmt::format("{},{},{:.2f},{:.2f},{},{}{:.2f},{}",
+                        io::format_seconds(pieces[loop.query].stamp_ns),
+                        io::format_seconds(pieces[loop.place].stamp_ns), pieces[loop.query].way,
+                        pieces[loop.place].way, mapping::to_string(loop.check.verdict),
+                        figures_of(loop), loop.drift_chi2, pose_of(loop));
     text += truth == nullptr
                 ? ","
                 : fmt::format("{:.3f},{:.3f}", truth->errors[i].metres, truth->errors[i].degrees);
-    text += fmt::format(",{}\n", mapping::explain(check.verdict));
+    text += fmt::format(",{}\n", mapping::explain(loop.check.verdict));
+  }
+  return text;
+}
+
+std::string join_csv_header() {
+  return fmt::format("map,stamp,place_stamp,verdict,{}{}why\n", kFigureNames, kPoseNames);
+}
+
+std::string join_csv(const mapping::MapJoin& join, std::size_t map) {
+  std::string text;
+  for (const mapping::Loop& loop : join.loops) {
+    text += fmt::format("{},{},{},{},{}{}{}\n", map,
+                        io::format_seconds(join.pieces[loop.query].stamp_ns),
+                        io::format_seconds(join.pieces[loop.place].stamp_ns),
+                        mapping::to_string(loop.check.verdict), figures_of(loop), pose_of(loop),
+                        mapping::explain(loop.check.verdict));
   }
   return text;
 }

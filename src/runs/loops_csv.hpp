@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "mapping/map_merge.hpp"
 #include "mapping/mapper.hpp"
 #include "runs/loop_truth.hpp"
 
@@ -14,6 +15,11 @@ namespace surefoot::runs {
 
 /// The whole file. `truth` may be null; then two columns are empty.
 [[nodiscard]] std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth);
+
+/// The head of a file of places of one map that were compared with another's.
+[[nodiscard]] std::string join_csv_header();
+/// Its lines for a map that was to be joined; `map`: its number.
+[[nodiscard]] std::string join_csv(const mapping::MapJoin& join, std::size_t map);
 
 /// revisits.csv: a line a piece of way, whether it lies where an earlier one does, and whether a
 /// loop found that.

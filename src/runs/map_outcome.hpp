@@ -17,12 +17,23 @@ struct LoopScore {
   std::size_t taken_false = 0;
 };
 
+/// What came of the map that was to be continued.
+struct JoinOutcome {
+  bool joined = false;
+  std::size_t compared = 0;  ///< places
+  std::size_t taken = 0;     ///< loops
+  std::size_t near = 0;      ///< places that both have seen
+  std::size_t pieces = 0;    ///< of the joint map
+  std::string message;       ///< why not
+};
+
 struct MapOutcome {
   std::size_t pieces = 0;
   std::size_t candidates = 0;
   std::size_t taken = 0;
   double moved = 0.0;  ///< [m] the largest correction of a pose
   std::optional<LoopScore> score;
+  std::optional<JoinOutcome> join;
 };
 
 struct LocalizationOutcome {

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "mapping/map_builder.hpp"
+#include "mapping/map_file.hpp"
 #include "mapping/mapper.hpp"
 #include "runs/map_outcome.hpp"
 #include "runs/placed_scans.hpp"
@@ -20,24 +22,40 @@ namespace surefoot::runs {
 class MapRun {
  public:
   /// @param truth of the LiDAR's poses, to judge the loops by; may be empty.
-  MapRun(const mapping::MapperOptions& options, Trajectory truth)
-      : options_(options), mapper_(options), truth_(std::move(truth)) {}
+  /// @param continued a map that this run's is to be joined to; none: it stands by itself.
+  MapRun(const mapping::MapperOptions& options, Trajectory truth,
+         std::optional<mapping::SavedMap> continued = {})
+      : options_(options),
+        mapper_(options),
+        truth_(std::move(truth)),
+        continued_(std::move(continued)) {}
 
   /// A scan whose pose was measured.
   void add(const Estimate& estimate, const DeskewedScan& scan);
   /// Closes the loops and writes trajectory_optimized.tum, loops.csv, pose_graph.g2o and, unless
   /// the map is empty, map_optimized.ply. `measured`: trajectory.tum's poses. `save`: also the map
-  /// to come back to.
+  /// to come back to. Where a map is continued all of that is in its frame; where it cannot be,
+  /// the run's own map is written as map_apart.surefoot. Throws io::WriteError.
   MapOutcome finish(const std::filesystem::path& folder, const Trajectory& measured,
                     mapping::MapBuilder map, bool save);
 
   [[nodiscard]] const mapping::Mapper& mapper() const { return mapper_; }
 
  private:
+  void join(const std::filesystem::path& folder, MapOutcome& outcome);
+  [[nodiscard]] Trajectory corrected(const Trajectory& measured) const;
+  void write_points(const std::filesystem::path& folder, mapping::MapBuilder map) const;
+
   mapping::MapperOptions options_;
   mapping::Mapper mapper_;
   Trajectory truth_;
-  PlacedScans placed_;
+  std::optional<mapping::SavedMap> continued_;
+  // After the loops, in the continued map's frame if it could be:
+  std::vector<Pose> poses_;   // one a piece
+  std::vector<bool> placed_;  // whether anything holds it there
+  mapping::PoseGraph graph_;
+  mapping::SavedMap saved_;
+  PlacedScans scans_;
   std::optional<std::int64_t> first_stamp_ns_;
 };
 

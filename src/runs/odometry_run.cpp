@@ -77,6 +77,7 @@ class OdometryRun final : public RunControl {
   void check_log() const;
   void open_bags();
   void begin_map();
+  void finish_map(const RunOutput& output);
   void write_page(const std::filesystem::path& folder) const;
 
   const RunOptions& options_;
@@ -89,6 +90,7 @@ class OdometryRun final : public RunControl {
   StepTimes times_;
   std::vector<RunBag> bags_;
   std::optional<MapRun> map_run_;
+  std::optional<mapping::SavedMap> continued_;
   std::optional<LocalizationRun> localization_;
   std::filesystem::path localized_in_;  ///< the map that was asked for last
   RunOutcome outcome_;
@@ -110,6 +112,7 @@ RunOutcome OdometryRun::execute() {
   check_log();
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
   if (!options_.localize.empty()) localize(options_.localize);
+  if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   RunOutput output(options_);
   outcome_.folder = output.folder().path();
   if (output.folder().replaced()) {
@@ -122,10 +125,8 @@ RunOutcome OdometryRun::execute() {
   use_all(std::move(item), output);
   say_new_notes();
   map_.drop_forgotten();
+  if (map_run_) finish_map(output);
   const RunDescription run = description(output);
-  if (map_run_) {
-    outcome_.map = map_run_->finish(outcome_.folder, output.measured(), map_, options_.save_map);
-  }
   if (localization_) outcome_.localization = localization_->finish(outcome_.folder);
   output.finish(options_, run, map_);
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
@@ -326,7 +327,7 @@ void OdometryRun::open_bags() {
 /// Where the recording's truth is known, loops are judged by it. A broken file is told, and no
 /// reason to have no map.
 void OdometryRun::begin_map() {
-  if (!options_.loop_closure) return;
+  if (!options_.loop_closure && options_.continued.empty()) return;
   const std::filesystem::path file = truth_beside(options_.input);
   Trajectory truth;
   try {
@@ -336,7 +337,16 @@ void OdometryRun::begin_map() {
   }
   mapping::MapperOptions options;
   options.close_loops = !options_.no_loops;
-  map_run_.emplace(options, std::move(truth));
+  map_run_.emplace(options, std::move(truth), std::move(continued_));
+}
+
+void OdometryRun::finish_map(const RunOutput& output) {
+  const bool save = options_.save_map || !options_.continued.empty();
+  outcome_.map = map_run_->finish(outcome_.folder, output.measured(), map_, save);
+  const std::optional<JoinOutcome>& join = outcome_.map->join;
+  if (!join || join->joined) return;
+  own_notes_.push_back(
+      fmt::format("{} is not continued: {}", options_.continued.string(), join->message));
 }
 
 /// The page is an extra: without it the run is whole all the same.

@@ -98,21 +98,34 @@ fs::path ready_folder(const fs::path& asked, const fs::path& input) {
 }
 
 /// Whether there were any of an earlier run's.
-bool remove_run_files(const fs::path& folder) {
+bool remove_run_files(const fs::path& folder, const fs::path& but) {
   bool removed = false;
   std::vector<fs::path> segments;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().filename().string().starts_with(kSegmentFiles)) segments.push_back(entry);
   }
   for (const fs::path& file : segments) removed |= fs::remove(file);
-  for (const char* name : kRunFiles) removed |= fs::remove(folder / name);
+  for (const char* name : kRunFiles) {
+    std::error_code ignored;
+    if (fs::equivalent(folder / name, but, ignored)) continue;
+    removed |= fs::remove(folder / name);
+  }
   return removed;
 }
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool overwrite)
+OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool overwrite,
+                           const fs::path& continued)
     : path_(ready_folder(asked, input)), lock_(path_) {
+  std::error_code ignored;
+  if (!overwrite && !continued.empty() &&
+      fs::equivalent(path_, fs::absolute(continued).parent_path(), ignored)) {
+    throw std::runtime_error(
+        fmt::format("{}: holds the map that is to be continued; choose another folder, or "
+                    "--overwrite that map by the joint one",
+                    path_.string()));
+  }
   if (!overwrite && !is_run_folder(path_)) {
     if (const std::string foreign = foreign_file(path_); !foreign.empty()) {
       throw std::runtime_error(
@@ -121,7 +134,7 @@ OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool ov
                       path_.string(), foreign));
     }
   }
-  replaced_ = remove_run_files(path_);
+  replaced_ = remove_run_files(path_, continued);
 }
 
 bool is_run_folder(const fs::path& folder) {

@@ -17,9 +17,9 @@ class OutputFolder {
   /// to it. An earlier run's files are removed, so that files of two runs never lie beside each
   /// other. Throws std::runtime_error for a folder that another run is writing to, that the
   /// recording itself lies in, or, unless `overwrite`, that holds files of a run's names, or
-  /// scans, which no run has left.
+  /// scans, which no run has left, or the map file `continued` (empty: none). That one stays.
   OutputFolder(const std::filesystem::path& asked, const std::filesystem::path& input,
-               bool overwrite);
+               bool overwrite, const std::filesystem::path& continued = {});
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Whether an earlier run's files were removed.

@@ -23,6 +23,9 @@ inline constexpr const char* kLoopsFile = "loops.csv";
 inline constexpr const char* kRevisitsFile = "revisits.csv";  // where the truth is known
 inline constexpr const char* kPoseGraphFile = "pose_graph.g2o";
 inline constexpr const char* kSavedMapFile = "map.surefoot";  // to come back to
+// Where a map was to be continued:
+inline constexpr const char* kMapLoopsFile = "map_loops.csv";
+inline constexpr const char* kApartMapFile = "map_apart.surefoot";  // the run's own, if it was not
 // And in a saved map:
 inline constexpr const char* kMapFrameTrajectoryFile = "trajectory_map.tum";
 inline constexpr const char* kLocalizationFile = "localization.csv";
@@ -34,12 +37,25 @@ inline constexpr const char* kDescriptionFile = "run.yaml";
 
 /// In the order in which an earlier run's are removed: those that tell a run's folder from another
 /// go last.
-inline constexpr std::array kRunFiles = {
-    kLiveLogFile,      kRevisitsFile,        kMapFrameTrajectoryFile,
-    kLocalizationFile, kSavedMapFile,        kPoseGraphFile,
-    kLoopsFile,        kOptimizedMapFile,    kOptimizedTrajectoryFile,
-    kReportFile,       kPictureFile,         kDeskewingFile,
-    kMapFile,          kDenseTrajectoryFile, kKittiTrajectoryFile,
-    kTrajectoryFile,   kDescriptionFile,     kScansFile};
+inline constexpr std::array kRunFiles = {kLiveLogFile,
+                                         kRevisitsFile,
+                                         kMapFrameTrajectoryFile,
+                                         kLocalizationFile,
+                                         kMapLoopsFile,
+                                         kApartMapFile,
+                                         kSavedMapFile,
+                                         kPoseGraphFile,
+                                         kLoopsFile,
+                                         kOptimizedMapFile,
+                                         kOptimizedTrajectoryFile,
+                                         kReportFile,
+                                         kPictureFile,
+                                         kDeskewingFile,
+                                         kMapFile,
+                                         kDenseTrajectoryFile,
+                                         kKittiTrajectoryFile,
+                                         kTrajectoryFile,
+                                         kDescriptionFile,
+                                         kScansFile};
 
 }  // namespace surefoot::runs

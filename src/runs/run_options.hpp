@@ -43,12 +43,13 @@ struct RunOptions {
   std::filesystem::path mcap;     ///< a file for the run as messages; empty: none
   std::filesystem::path rosbag2;  ///< a folder for the same
   std::string pose_of = "lidar";
-  double map_voxel = 0.1;          ///< [m]
-  double pose_rate = 0.0;          ///< [Hz] of trajectory_dense.tum; 0: not written
-  bool loop_closure = false;       ///< also find loops, and write what they correct
-  bool no_loops = false;           ///< they are found, but move nothing
-  bool save_map = false;           ///< also the map to come back to
-  std::filesystem::path localize;  ///< a saved map (file or folder) to say poses in; empty: none
+  double map_voxel = 0.1;           ///< [m]
+  double pose_rate = 0.0;           ///< [Hz] of trajectory_dense.tum; 0: not written
+  bool loop_closure = false;        ///< also find loops, and write what they correct
+  bool no_loops = false;            ///< they are found, but move nothing
+  bool save_map = false;            ///< also the map to come back to
+  std::filesystem::path localize;   ///< a saved map (file or folder) to say poses in; empty: none
+  std::filesystem::path continued;  ///< a saved map (file or folder) to go on with; empty: none
   bool no_map = false;
   bool no_picture = false;
   bool no_report = false;

@@ -12,6 +12,7 @@
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_truth.hpp"
+#include "runs/saved_map.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
 #include "report/run_picture.hpp"
 #endif
@@ -21,7 +22,9 @@ namespace surefoot::runs {
 namespace fs = std::filesystem;
 
 RunOutput::RunOutput(const RunOptions& options)
-    : folder_(options.output, options.input, options.overwrite), csv_(open(kScansFile)) {
+    : folder_(options.output, options.input, options.overwrite,
+              options.continued.empty() ? fs::path{} : saved_map_file(options.continued)),
+      csv_(open(kScansFile)) {
   csv_ << scans_csv_header() << std::flush;  // first: by it the folder is known for a run's
   tum_ = open(kTrajectoryFile);
   kitti_ = open(kKittiTrajectoryFile);

@@ -29,9 +29,12 @@ void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap&
   io::write_whole_file(file, mapping::format_map(map));
 }
 
+std::filesystem::path saved_map_file(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? path / kSavedMapFile : path;
+}
+
 mapping::SavedMap read_saved_map(const std::filesystem::path& path) {
-  const std::filesystem::path file =
-      std::filesystem::is_directory(path) ? path / kSavedMapFile : path;
+  const std::filesystem::path file = saved_map_file(path);
   std::vector<std::byte> bytes;
   try {
     io::read_whole_file(file, bytes);

@@ -16,6 +16,8 @@ namespace surefoot::runs {
 
 /// There is the old file or the whole new one. Throws io::WriteError.
 void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap& map);
+/// The map file itself, of one or of the folder that holds one.
+[[nodiscard]] std::filesystem::path saved_map_file(const std::filesystem::path& path);
 /// A map file, or the folder that holds one. Throws io::ReadError naming the file.
 [[nodiscard]] mapping::SavedMap read_saved_map(const std::filesystem::path& path);
 

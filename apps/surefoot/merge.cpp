@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// surefoot merge: saved maps of one place as one map.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <vector>
+
+#include "commands.hpp"
+#include "process/exit_codes.hpp"
+#include "runs/map_merge_run.hpp"
+
+namespace surefoot::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeArguments {
+  std::vector<fs::path> maps;
+  fs::path output;
+  bool overwrite = false;
+};
+
+int merge(const MergeArguments& arguments) {
+  const runs::MergeOutcome outcome =
+      runs::merge_saved_maps(arguments.maps, arguments.output, arguments.overwrite);
+  for (const runs::MergedMap& map : outcome.maps) {
+    if (map.joined) {
+      fmt::print("{}: joined by {} loops of {} places compared; {} places seen by both\n",
+                 map.path.string(), map.taken, map.compared, map.near);
+    } else {
+      fmt::print("{}: not joined, of {} places compared: {}\n", map.path.string(), map.compared,
+                 map.message);
+    }
+  }
+  if (outcome.joined()) {
+    fmt::print("results: {}, {} pieces of way\n", arguments.output.string(), outcome.pieces);
+    return process::kDone;
+  }
+  fmt::print(stderr, "surefoot: no joint map is written; loops.csv in {} says what was compared\n",
+             arguments.output.string());
+  return process::kSomeFailed;
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<MergeArguments>();
+  CLI::App* command =
+      app.add_subcommand("merge", "Join maps of surefoot map that show the same places into one");
+  command
+      ->add_option("maps", arguments->maps,
+                   "two or more: map.surefoot or its folder; the joint map is in the first's frame")
+      ->required()
+      ->expected(2, 1000);
+  command->add_option("-o,--output", arguments->output, "folder for map.surefoot and loops.csv")
+      ->required();
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "write also where such files lie already; one of the maps may be among them");
+  command->callback([arguments, &exit_code] { exit_code = merge(*arguments); });
+}
+
+}  // namespace surefoot::app

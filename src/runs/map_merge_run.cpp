@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/map_merge_run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "io/file_writer.hpp"
+#include "mapping/map_merge.hpp"
+#include "runs/loops_csv.hpp"
+#include "runs/run_files.hpp"
+#include "runs/saved_map.hpp"
+
+namespace surefoot::runs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void make_merge_folder(const fs::path& folder, bool overwrite) {
+  for (const char* name : {kSavedMapFile, kLoopsFile}) {
+    if (!overwrite && fs::exists(folder / name)) {
+      throw std::runtime_error((folder / name).string() +
+                               ": is there already; choose another folder, or --overwrite");
+    }
+  }
+  fs::create_directories(folder);
+}
+
+}  // namespace
+
+bool MergeOutcome::joined() const {
+  return std::all_of(maps.begin(), maps.end(), [](const MergedMap& map) { return map.joined; });
+}
+
+MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path& folder,
+                              bool overwrite) {
+  MergeOutcome outcome;
+  std::vector<mapping::SavedMap> read;
+  for (const fs::path& map : maps) read.push_back(read_saved_map(map));
+  make_merge_folder(folder, overwrite);
+  mapping::SavedMap joint = read.front();
+  for (std::size_t i = 1; i < maps.size(); ++i) outcome.maps.push_back({.path = maps[i]});
+  std::string csv = join_csv_header();
+  // What joins none of the first may join what is joined to it later.
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < outcome.maps.size(); ++i) {
+      MergedMap& map = outcome.maps[i];
+      if (map.joined) continue;
+      mapping::MapJoin join = mapping::join_maps(joint, read[i + 1]);
+      csv += join_csv(join, i + 2);
+      map = {map.path,   join.joint.has_value(), join.loops.size(),
+             join.taken, join.comparison.near,   join.message};
+      if (!join.joint) continue;
+      joint = std::move(*join.joint);
+      more = true;
+    }
+    more = more && !outcome.joined();
+  }
+  io::write_whole_file(folder / kLoopsFile, csv);
+  outcome.pieces = joint.pieces.size();
+  if (outcome.joined()) write_saved_map(folder / kSavedMapFile, joint);
+  return outcome;
+}
+
+}  // namespace surefoot::runs

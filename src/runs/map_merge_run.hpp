@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Saved maps in, one map out.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace surefoot::runs {
+
+/// What came of one of the maps but the first.
+struct MergedMap {
+  std::filesystem::path path;
+  bool joined = false;
+  std::size_t compared = 0;  ///< places
+  std::size_t taken = 0;     ///< loops
+  std::size_t near = 0;      ///< places that both have seen
+  std::string message;       ///< why not
+};
+
+struct MergeOutcome {
+  std::size_t pieces = 0;  ///< of the joint map
+  std::vector<MergedMap> maps;
+
+  [[nodiscard]] bool joined() const;
+};
+
+/// Joins each of the maps to the first, or to those that were joined to it before. Writes loops.csv
+/// to the folder, and map.surefoot if all were joined, in the first one's frame. Throws
+/// io::ReadError, io::WriteError; unless `overwrite`, std::runtime_error where one of the two files
+/// is there already.
+[[nodiscard]] MergeOutcome merge_saved_maps(const std::vector<std::filesystem::path>& maps,
+                                            const std::filesystem::path& folder, bool overwrite);
+
+}  // namespace surefoot::runs

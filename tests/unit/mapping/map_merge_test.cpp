@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Maps of one place are joined where the exact truth has them; look-alikes are not.
+#include "mapping/map_merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include "geometry/se3.hpp"
+#include "mapping/mapper.hpp"
+#include "mapping/pose_graph_solver.hpp"
+#include "unit/mapping/scene_walk.hpp"
+
+namespace surefoot::mapping {
+namespace {
+
+using test::SceneWalk;
+using test::WalkOptions;
+
+SavedMap map_of(const SceneWalk& walk) {
+  Mapper mapper{MapperOptions{}};
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) mapper.add(walk.scans[i], walk.points[i]);
+  mapper.finish();
+  SavedMap map;
+  map.pieces = mapper.pieces();
+  map.edges = mapper.graph().edges;
+  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
+    map.pieces[i].T_world_piece = mapper.graph().poses[i];
+    map.places.push_back(describe_place(make_submap(mapper.pieces(), i)));
+  }
+  return map;
+}
+
+/// Another day: other things stand about, and it begins elsewhere, in a world of its own.
+WalkOptions other_day(double from, double length) {
+  WalkOptions options;
+  options.from = from;
+  options.length = length;
+  options.unknown_start = true;
+  options.things = 99;
+  return options;
+}
+
+WalkOptions of_length(double length) {
+  WalkOptions options;
+  options.length = length;
+  return options;
+}
+
+class MapMerge : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_solver()) GTEST_SKIP() << "built without Ceres";
+  }
+};
+
+TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
+  const SavedMap first = map_of(test::walk_through("campus", 46, of_length(70.0)));
+  const SceneWalk walk = test::walk_through("campus", 46, other_day(25.0, 70.0));
+  SavedMap second = map_of(walk);
+  // A stretch that nothing holds to the rest is left out.
+  second.pieces.back().restarted = true;
+  for (PoseEdge& edge : second.edges) {
+    if (edge.to + 1 == second.pieces.size()) edge.information = 1e-9 * Matrix6::Identity();
+  }
+  const MapJoin join = join_maps(first, second);
+  ASSERT_TRUE(join.joint) << join.message;
+  EXPECT_GE(join.taken, 3U);
+  EXPECT_EQ(join.joint->pieces.size(), first.pieces.size() + second.pieces.size() - 1);
+  EXPECT_EQ(join.joint->places.size(), join.joint->pieces.size());
+  EXPECT_FALSE(join.placed.back());
+  // The first walk's world is the truth's, the second's begins level at its first pose.
+  const Pose T_first_second = upright(walk.truth.front());
+  for (std::size_t i = 0; i < first.pieces.size(); ++i) {
+    const Pose gap = first.pieces[i].T_world_piece.inverse() * join.joint->pieces[i].T_world_piece;
+    EXPECT_LT(gap.translation.norm(), 0.05) << "piece " << i;
+  }
+  for (std::size_t i = 0; i + 1 < second.pieces.size(); ++i) {
+    ASSERT_TRUE(join.placed[i]);
+    const Pose gap = (T_first_second * second.pieces[i].T_world_piece).inverse() * *join.placed[i];
+    EXPECT_LT(gap.translation.norm(), 0.1) << "piece " << i;
+    EXPECT_LT(so3_log(gap.rotation).norm(), 0.01) << "piece " << i;
+  }
+  EXPECT_TRUE(join.joint->pieces[join.first].restarted) << "no odometry leads there";
+  EXPECT_EQ(parse_map(format_map(*join.joint)).pieces.size(), join.joint->pieces.size());
+}
+
+TEST_F(MapMerge, AJointMapIsJoinedAgain) {
+  const SavedMap first = map_of(test::walk_through("campus", 46, of_length(50.0)));
+  const MapJoin join =
+      join_maps(first, map_of(test::walk_through("campus", 46, other_day(20.0, 60.0))));
+  ASSERT_TRUE(join.joint) << join.message;
+  const SceneWalk walk = test::walk_through("campus", 46, other_day(30.0, 60.0));
+  const MapJoin again = join_maps(*join.joint, map_of(walk));
+  ASSERT_TRUE(again.joint) << again.message;
+  const Pose truth = upright(walk.truth.front());
+  ASSERT_TRUE(again.placed.front());
+  const Pose begin = truth * again.pieces[again.first].T_world_piece;
+  EXPECT_LT((again.placed.front()->translation - begin.translation).norm(), 0.1);
+}
+
+TEST_F(MapMerge, OtherPlacesStayApart) {
+  const SavedMap campus = map_of(test::walk_through("campus", 46, of_length(50.0)));
+  const SavedMap plaza = map_of(test::walk_through("plaza", 47, other_day(0.0, 50.0)));
+  const MapJoin join = join_maps(campus, plaza);
+  EXPECT_FALSE(join.joint);
+  EXPECT_EQ(join.taken, 0U);
+  EXPECT_FALSE(join.message.empty());
+  EXPECT_FALSE(join_maps(campus, SavedMap{}).joint);
+  EXPECT_FALSE(join_maps(SavedMap{}, campus).joint);
+}
+
+/// Either refused or right: of this corridor many stretches are the same from both ends.
+TEST_F(MapMerge, ACorridorIsNotJoinedTheWrongWayRound) {
+  const SavedMap first = map_of(test::walk_through("corridor", 45, of_length(60.0)));
+  for (const double from : {10.0, 30.0}) {
+    const SceneWalk walk = test::walk_through("corridor", 45, other_day(from, 50.0));
+    const MapJoin join = join_maps(first, map_of(walk));
+    if (!join.joint) continue;
+    const Pose begin = upright(walk.truth.front()) * join.pieces[join.first].T_world_piece;
+    ASSERT_TRUE(join.placed.front());
+    EXPECT_LT((join.placed.front()->translation - begin.translation).norm(), 0.2) << from;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::mapping
