@@ -12,6 +12,14 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/surefoot
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT surefootTargets NAMESPACE surefoot:: DESTINATION ${package_dir} COMPONENT dev)
 
+# The component mapping, for who asks for it: it links Ceres, which the library itself does not.
+if(TARGET surefoot_mapping)
+  install(TARGETS surefoot_mapping EXPORT surefootMappingTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT surefootMappingTargets NAMESPACE surefoot:: DESTINATION ${package_dir} COMPONENT dev)
+endif()
+
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/surefootConfig.cmake.in
   ${PROJECT_BINARY_DIR}/package/surefootConfig.cmake

@@ -65,6 +65,7 @@ function(surefoot_package component name section description)
 endfunction()
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS snakemake)  # of surefoot_fleet
 surefoot_package(tools surefoot science "the program\n Recordings or a sensor's packets in, trajectory and map out.")
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS libceres-dev)  # of its component mapping
 set(development libeigen3-dev)
 if(SUREFOOT_TBB)
   set(development "libeigen3-dev, libtbb-dev")

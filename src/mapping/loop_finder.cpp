@@ -14,7 +14,6 @@ namespace surefoot::mapping {
 namespace {
 
 constexpr double kSigmas = 3.0;
-constexpr double kHalfStorey = 1.2;  // [m]
 
 /// Through a ramp or a stairwell one storey is seen from the other; that is no return, and the two
 /// sides of a slab are easily taken for one.

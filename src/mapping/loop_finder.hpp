@@ -14,6 +14,8 @@
 
 namespace surefoot::mapping {
 
+inline constexpr double kHalfStorey = 1.2;  // [m]
+
 struct LoopOptions {
   LoopLimits limits;
   DriftModel drift;

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "mapping/loop_finder.hpp"
+
 namespace surefoot::mapping {
 
 namespace {
 
-constexpr double kNear = 5.0;        // pieces so near see the same [m]
-constexpr double kHalfStorey = 1.2;  // [m]
+constexpr double kNear = 5.0;  // pieces so near see the same [m]
 constexpr std::size_t kMostPairs = 40;
 constexpr std::size_t kMostKept = 40;  // some 10 MB each
 

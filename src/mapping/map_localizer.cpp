@@ -17,8 +17,6 @@ constexpr std::size_t kPieces = 2;  // finished ones that are kept besides the o
 constexpr double kNearest = 8.0;    // a known pose is checked against a place so near [m]
 constexpr double kLeastStep = 0.2;  // smaller steps are no way [m]
 
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
 }  // namespace
 
 MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
@@ -65,7 +63,7 @@ MapLocalizer::Surroundings MapLocalizer::surroundings() const {
 bool MapLocalizer::agree(const Pose& one, const Pose& other) const {
   // At the robot: far from the origins a turn moves everything.
   const Eigen::Vector3d place = last_.value_or(Eigen::Vector3d::Zero());
-  const double turn = degrees(one.rotation.angularDistance(other.rotation));
+  const double turn = one.rotation.angularDistance(other.rotation) * 180.0 / std::numbers::pi;
   return (one * place - other * place).norm() < options_.agree_metres &&
          turn < options_.agree_degrees;
 }

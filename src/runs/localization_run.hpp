@@ -10,8 +10,8 @@
 #include <string>
 
 #include "mapping/map_localizer.hpp"
+#include "mapping/placed_scans.hpp"
 #include "runs/map_outcome.hpp"
-#include "runs/placed_scans.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -39,7 +39,7 @@ class LocalizationRun {
   std::string csv_;
   LocalizationOutcome outcome_;
   std::int64_t first_stamp_ns_ = 0;
-  PlacedScans placed_;
+  mapping::PlacedScans placed_;
 };
 
 }  // namespace surefoot::runs

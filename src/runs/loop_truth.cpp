@@ -39,7 +39,8 @@ LoopScore LoopTruth::score() const {
           static_cast<std::size_t>(std::count(found.begin(), found.end(), true)), taken_false};
 }
 
-LoopTruth judge_loops(const mapping::Mapper& mapper, const Trajectory& truth, double way_between) {
+LoopTruth judge_loops(const mapping::WalkMapper& mapper, const Trajectory& truth,
+                      double way_between) {
   LoopTruth result;
   const std::vector<mapping::Piece>& pieces = mapper.pieces();
   if (pieces.empty()) return result;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mapping/mapper.hpp"
+#include "mapping/walk_mapper.hpp"
 #include "runs/map_outcome.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -32,7 +32,7 @@ struct LoopTruth {
 };
 
 /// `truth`: T_world_lidar. Throws std::runtime_error where it does not reach over the pieces.
-[[nodiscard]] LoopTruth judge_loops(const mapping::Mapper& mapper, const Trajectory& truth,
+[[nodiscard]] LoopTruth judge_loops(const mapping::WalkMapper& mapper, const Trajectory& truth,
                                     double way_between);
 
 }  // namespace surefoot::runs

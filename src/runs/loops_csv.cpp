@@ -33,7 +33,7 @@ std::string pose_of(const mapping::Loop& loop) {
 
 }  // namespace
 
-std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth) {
+std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth) {
   std::string text = fmt::format(
       "stamp,place_stamp,way_m,place_way_m,verdict,{}drift_chi2,{}true_gap_m,true_gap_deg,why\n",
       kFigureNames, kPoseNames);
@@ -69,7 +69,7 @@ std::string join_csv(const mapping::MapJoin& join, std::size_t map) {
   return text;
 }
 
-std::string revisits_csv(const mapping::Mapper& mapper, const LoopTruth& truth) {
+std::string revisits_csv(const mapping::WalkMapper& mapper, const LoopTruth& truth) {
   std::string text = "stamp,way_m,revisit,found\n";
   for (std::size_t i = 0; i < mapper.pieces().size(); ++i) {
     const mapping::Piece& piece = mapper.pieces()[i];

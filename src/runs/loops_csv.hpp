@@ -8,13 +8,13 @@
 #include <string>
 
 #include "mapping/map_merge.hpp"
-#include "mapping/mapper.hpp"
+#include "mapping/walk_mapper.hpp"
 #include "runs/loop_truth.hpp"
 
 namespace surefoot::runs {
 
 /// The whole file. `truth` may be null; then two columns are empty.
-[[nodiscard]] std::string loops_csv(const mapping::Mapper& mapper, const LoopTruth* truth);
+[[nodiscard]] std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth);
 
 /// The head of a file of places of one map that were compared with another's.
 [[nodiscard]] std::string join_csv_header();
@@ -23,6 +23,6 @@ namespace surefoot::runs {
 
 /// revisits.csv: a line a piece of way, whether it lies where an earlier one does, and whether a
 /// loop found that.
-[[nodiscard]] std::string revisits_csv(const mapping::Mapper& mapper, const LoopTruth& truth);
+[[nodiscard]] std::string revisits_csv(const mapping::WalkMapper& mapper, const LoopTruth& truth);
 
 }  // namespace surefoot::runs

@@ -11,7 +11,6 @@
 #include "io/files/ply_writer.hpp"
 #include "io/trajectory_files.hpp"
 #include "mapping/g2o_file.hpp"
-#include "mapping/map_merge.hpp"
 #include "runs/loop_truth.hpp"
 #include "runs/loops_csv.hpp"
 #include "runs/run_files.hpp"
@@ -42,59 +41,29 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const Trajectory&
     io::write_whole_file(folder / kRevisitsFile, revisits_csv(mapper_, *truth));
   }
   io::write_whole_file(folder / kLoopsFile, loops_csv(mapper_, truth ? &*truth : nullptr));
-  graph_ = mapper_.graph();
-  poses_ = graph_.poses;
-  placed_.assign(poses_.size(), true);
-  if (save || continued_) saved_ = saved_map_of(mapper_);
-  if (continued_) join(folder, outcome);
+  mapping::FinishedWalk walk(mapper_);
+  if (continued_) join(folder, walk, outcome);
   const bool apart = outcome.join && !outcome.join->joined;
-  if (save) write_saved_map(folder / (apart ? kApartMapFile : kSavedMapFile), saved_);
-  io::write_tum(folder / kOptimizedTrajectoryFile, corrected(measured));
-  io::write_whole_file(folder / kPoseGraphFile, mapping::format_g2o(graph_));
-  if (!map.points().empty()) write_points(folder, std::move(map));
+  if (save) write_saved_map(folder / (apart ? kApartMapFile : kSavedMapFile), walk.map());
+  io::write_tum(folder / kOptimizedTrajectoryFile, walk.corrected(measured));
+  const mapping::PoseGraph graph = outcome.join ? walk.graph() : mapper_.graph();
+  io::write_whole_file(folder / kPoseGraphFile, mapping::format_g2o(graph));
+  if (!map.points().empty()) write_points(folder, walk, std::move(map));
   return outcome;
 }
 
-void MapRun::join(const std::filesystem::path& folder, MapOutcome& outcome) {
-  mapping::MapJoin join = mapping::join_maps(*continued_, saved_);
+void MapRun::join(const std::filesystem::path& folder, mapping::FinishedWalk& walk,
+                  MapOutcome& outcome) {
+  const mapping::MapJoin join = walk.join(*continued_);
   io::write_whole_file(folder / kMapLoopsFile, join_csv_header() + join_csv(join, 2));
-  outcome.join = {join.joint.has_value(),
-                  join.loops.size(),
-                  join.taken,
-                  join.comparison.near,
-                  join.joint ? join.joint->pieces.size() : 0,
-                  join.message};
-  if (!join.joint) return;
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
-    placed_[i] = join.placed[i].has_value();
-    if (placed_[i]) poses_[i] = *join.placed[i];
-  }
-  saved_ = std::move(*join.joint);
-  graph_ = {};
-  for (const mapping::Piece& piece : saved_.pieces) graph_.poses.push_back(piece.T_world_piece);
-  graph_.edges = saved_.edges;
+  outcome.join = {join.joint.has_value(), join.loops.size(),        join.taken,
+                  join.comparison.near,   walk.map().pieces.size(), join.message};
 }
 
-/// Without those of pieces that nothing holds to the map that is continued.
-Trajectory MapRun::corrected(const Trajectory& measured) const {
-  Trajectory result;
-  const std::vector<mapping::Piece>& pieces = mapper_.pieces();
-  for (const StampedPose& pose : measured) {
-    const auto next = std::upper_bound(
-        pieces.begin(), pieces.end(), pose.stamp_ns,
-        [](std::int64_t stamp, const mapping::Piece& piece) { return stamp < piece.begin_ns; });
-    const auto piece = std::max<std::ptrdiff_t>(next - pieces.begin() - 1, 0);
-    if (!placed_.empty() && !placed_[static_cast<std::size_t>(piece)]) continue;
-    result.push_back(
-        {pose.stamp_ns, mapping::correction_at(pieces, poses_, pose.stamp_ns) * pose.pose});
-  }
-  return result;
-}
-
-void MapRun::write_points(const std::filesystem::path& folder, mapping::MapBuilder map) const {
-  map.correct([this](double time) {
-    return mapping::correction_at(mapper_.pieces(), poses_,
-                                  first_stamp_ns_.value_or(0) + std::llround(1e9 * time));
+void MapRun::write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
+                          mapping::MapBuilder map) const {
+  map.correct([&](double time) {
+    return walk.correction(first_stamp_ns_.value_or(0) + std::llround(1e9 * time));
   });
   const std::vector<io::PlyColumn> columns = {{"intensity", map.intensities()},
                                               {"first_seen", map.first_seen()}};

@@ -9,11 +9,12 @@
 #include <optional>
 #include <vector>
 
+#include "mapping/finished_walk.hpp"
 #include "mapping/map_builder.hpp"
 #include "mapping/map_file.hpp"
-#include "mapping/mapper.hpp"
+#include "mapping/placed_scans.hpp"
+#include "mapping/walk_mapper.hpp"
 #include "runs/map_outcome.hpp"
-#include "runs/placed_scans.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -39,23 +40,18 @@ class MapRun {
   MapOutcome finish(const std::filesystem::path& folder, const Trajectory& measured,
                     mapping::MapBuilder map, bool save);
 
-  [[nodiscard]] const mapping::Mapper& mapper() const { return mapper_; }
+  [[nodiscard]] const mapping::WalkMapper& mapper() const { return mapper_; }
 
  private:
-  void join(const std::filesystem::path& folder, MapOutcome& outcome);
-  [[nodiscard]] Trajectory corrected(const Trajectory& measured) const;
-  void write_points(const std::filesystem::path& folder, mapping::MapBuilder map) const;
+  void join(const std::filesystem::path& folder, mapping::FinishedWalk& walk, MapOutcome& outcome);
+  void write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
+                    mapping::MapBuilder map) const;
 
   mapping::MapperOptions options_;
-  mapping::Mapper mapper_;
+  mapping::WalkMapper mapper_;
   Trajectory truth_;
   std::optional<mapping::SavedMap> continued_;
-  // After the loops, in the continued map's frame if it could be:
-  std::vector<Pose> poses_;   // one a piece
-  std::vector<bool> placed_;  // whether anything holds it there
-  mapping::PoseGraph graph_;
-  mapping::SavedMap saved_;
-  PlacedScans scans_;
+  mapping::PlacedScans scans_;
   std::optional<std::int64_t> first_stamp_ns_;
 };
 

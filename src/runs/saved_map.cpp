@@ -9,21 +9,9 @@
 #include "io/file_reader.hpp"
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
-#include "mapping/submap.hpp"
 #include "runs/run_files.hpp"
 
 namespace surefoot::runs {
-
-mapping::SavedMap saved_map_of(const mapping::Mapper& mapper) {
-  mapping::SavedMap map;
-  map.pieces = mapper.pieces();
-  map.edges = mapper.graph().edges;
-  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
-    map.pieces[i].T_world_piece = mapper.graph().poses[i];
-    map.places.push_back(mapping::describe_place(mapping::make_submap(mapper.pieces(), i)));
-  }
-  return map;
-}
 
 void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap& map) {
   io::write_whole_file(file, mapping::format_map(map));

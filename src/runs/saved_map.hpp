@@ -7,12 +7,8 @@
 #include <filesystem>
 
 #include "mapping/map_file.hpp"
-#include "mapping/mapper.hpp"
 
 namespace surefoot::runs {
-
-/// What a finished mapper knows, at its corrected poses.
-[[nodiscard]] mapping::SavedMap saved_map_of(const mapping::Mapper& mapper);
 
 /// There is the old file or the whole new one. Throws io::WriteError.
 void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap& map);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/se3.hpp"
-#include "mapping/mapper.hpp"
+#include "mapping/finished_walk.hpp"
 #include "mapping/pose_graph_solver.hpp"
 #include "unit/mapping/scene_walk.hpp"
 
@@ -18,17 +18,10 @@ using test::SceneWalk;
 using test::WalkOptions;
 
 SavedMap map_of(const SceneWalk& walk) {
-  Mapper mapper{MapperOptions{}};
+  WalkMapper mapper{MapperOptions{}};
   for (std::size_t i = 0; i < walk.scans.size(); ++i) mapper.add(walk.scans[i], walk.points[i]);
   mapper.finish();
-  SavedMap map;
-  map.pieces = mapper.pieces();
-  map.edges = mapper.graph().edges;
-  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
-    map.pieces[i].T_world_piece = mapper.graph().poses[i];
-    map.places.push_back(describe_place(make_submap(mapper.pieces(), i)));
-  }
-  return map;
+  return saved_map_of(mapper);
 }
 
 /// Another day: other things stand about, and it begins elsewhere, in a world of its own.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include "mapping/mapper.hpp"
+#include "mapping/walk_mapper.hpp"
 
 #include <algorithm>
 
@@ -8,11 +8,11 @@
 
 namespace surefoot::mapping {
 
-void Mapper::add(const PlacedScan& scan, const DeskewedScan& points) {
+void WalkMapper::add(const PlacedScan& scan, const DeskewedScan& points) {
   if (auto piece = builder_.add(scan, points)) finder_.add(std::move(*piece));
 }
 
-void Mapper::finish() {
+void WalkMapper::finish() {
   if (auto piece = builder_.finish()) finder_.add(std::move(*piece));
   finder_.finish();
   loops_ = finder_.loops();
@@ -23,13 +23,13 @@ void Mapper::finish() {
   if (options_.close_loops) take_loops(graph_, loops_, keep_consistent(graph_, loops_));
 }
 
-std::size_t Mapper::taken() const {
+std::size_t WalkMapper::taken() const {
   return static_cast<std::size_t>(std::count_if(loops_.begin(), loops_.end(), [](const Loop& loop) {
     return loop.check.verdict == LoopVerdict::taken;
   }));
 }
 
-Pose Mapper::correction(std::int64_t stamp_ns) const {
+Pose WalkMapper::correction(std::int64_t stamp_ns) const {
   return correction_at(pieces(), graph_.poses, stamp_ns);
 }
 

@@ -25,9 +25,9 @@ struct MapperOptions {
 [[nodiscard]] Pose correction_at(const std::vector<Piece>& pieces,
                                  const std::vector<Pose>& corrected, std::int64_t stamp_ns);
 
-class Mapper {
+class WalkMapper {
  public:
-  explicit Mapper(const MapperOptions& options)
+  explicit WalkMapper(const MapperOptions& options)
       : options_(options), builder_(options.pieces), finder_(options.loops) {}
 
   /// A scan that was registered, in the order in which they came.

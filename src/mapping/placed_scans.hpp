@@ -5,14 +5,14 @@
 #include "mapping/piece.hpp"
 #include "surefoot/estimate.hpp"
 
-namespace surefoot::runs {
+namespace surefoot::mapping {
 
-/// A run's trusted estimates, as mapping takes them: one after the other, and where a world of its
+/// A run's trusted estimates, as maps take them: one after the other, and where a world of its
 /// own begins.
 class PlacedScans {
  public:
-  [[nodiscard]] mapping::PlacedScan next(const Estimate& estimate) {
-    mapping::PlacedScan placed;
+  [[nodiscard]] PlacedScan next(const Estimate& estimate) {
+    PlacedScan placed;
     placed.stamp_ns = estimate.stamp_ns;
     placed.T_world_lidar = estimate.T_world_lidar;
     placed.covariance = estimate.covariance;
@@ -28,4 +28,4 @@ class PlacedScans {
   int segment_ = 0;
 };
 
-}  // namespace surefoot::runs
+}  // namespace surefoot::mapping

@@ -3,10 +3,11 @@
 //
 // Walks that return through simulated scenes: loops are found, none is false, and what the odometry
 // got wrong is corrected.
-#include "mapping/mapper.hpp"
+#include "mapping/walk_mapper.hpp"
 
 #include <gtest/gtest.h>
 
+#include "mapping/finished_walk.hpp"
 #include "mapping/map_localizer.hpp"
 #include "mapping/pose_graph_solver.hpp"
 #include "unit/mapping/scene_walk.hpp"
@@ -17,8 +18,8 @@ namespace {
 using test::SceneWalk;
 using test::WalkOptions;
 
-Mapper mapped(const SceneWalk& walk) {
-  Mapper mapper{MapperOptions{}};
+WalkMapper mapped(const SceneWalk& walk) {
+  WalkMapper mapper{MapperOptions{}};
   for (std::size_t i = 0; i < walk.scans.size(); ++i) mapper.add(walk.scans[i], walk.points[i]);
   mapper.finish();
   return mapper;
@@ -29,7 +30,7 @@ Pose true_piece(const SceneWalk& walk, const Piece& piece) {
          piece.T_piece_lidar.inverse();
 }
 
-void expect_no_false_loop(const SceneWalk& walk, const Mapper& mapper) {
+void expect_no_false_loop(const SceneWalk& walk, const WalkMapper& mapper) {
   for (const Loop& loop : mapper.loops()) {
     if (loop.check.verdict != LoopVerdict::taken) continue;
     const Pose motion = true_piece(walk, mapper.pieces()[loop.place]).inverse() *
@@ -40,7 +41,7 @@ void expect_no_false_loop(const SceneWalk& walk, const Mapper& mapper) {
   }
 }
 
-double worst_piece(const SceneWalk& walk, const Mapper& mapper) {
+double worst_piece(const SceneWalk& walk, const WalkMapper& mapper) {
   double worst = 0.0;
   for (std::size_t i = 0; i < mapper.pieces().size(); ++i) {
     const Pose truth = true_piece(walk, mapper.pieces()[i]);
@@ -49,14 +50,14 @@ double worst_piece(const SceneWalk& walk, const Mapper& mapper) {
   return worst;
 }
 
-TEST(MapperTest, ALapThatIsWalkedAgainIsFoundAndTheDriftTakenBack) {
+TEST(WalkMapperTest, ALapThatIsWalkedAgainIsFoundAndTheDriftTakenBack) {
   if (!has_solver()) GTEST_SKIP() << "built without Ceres";
   WalkOptions options;
   options.length = 150.0;
   options.yaw_drift = 3e-4;
   options.rise = 0.001;
   const SceneWalk walk = test::walk_through("campus", 41, options);
-  const Mapper mapper = mapped(walk);
+  const WalkMapper mapper = mapped(walk);
   EXPECT_GE(mapper.taken(), 4U);
   expect_no_false_loop(walk, mapper);
   const double before =
@@ -67,7 +68,7 @@ TEST(MapperTest, ALapThatIsWalkedAgainIsFoundAndTheDriftTakenBack) {
 }
 
 /// A submap is registered where it lies, whatever the start, and the other way round likewise.
-TEST(MapperTest, TwoSubmapsOfACampusAreRegisteredWhereTheyLie) {
+TEST(WalkMapperTest, TwoSubmapsOfACampusAreRegisteredWhereTheyLie) {
   WalkOptions options;
   options.length = 22.0;
   const SceneWalk walk = test::walk_through("campus", 42, options);
@@ -98,20 +99,10 @@ void expect_right_or_not_found(const MapLocalizer& localizer, const SceneWalk& w
   EXPECT_LT((found.translation - walk.truth[i].translation).norm(), 0.3) << "scan " << i;
 }
 
-SavedMap saved(const Mapper& mapper) {
-  SavedMap map;
-  map.pieces = mapper.pieces();
-  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
-    map.pieces[i].T_world_piece = mapper.graph().poses[i];
-    map.places.push_back(describe_place(make_submap(mapper.pieces(), i)));
-  }
-  return map;
-}
-
 TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
   WalkOptions options;
   options.length = 90.0;
-  const SavedMap map = saved(mapped(test::walk_through("campus", 46, options)));
+  const SavedMap map = saved_map_of(mapped(test::walk_through("campus", 46, options)));
   options.unknown_start = true;
   options.things = 99;
   options.length = 25.0;
@@ -133,7 +124,7 @@ TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
 TEST(LocalizerTest, AnotherSceneIsNotFound) {
   WalkOptions options;
   options.length = 60.0;
-  const SavedMap map = saved(mapped(test::walk_through("campus", 46, options)));
+  const SavedMap map = saved_map_of(mapped(test::walk_through("campus", 46, options)));
   options.length = 25.0;
   const SceneWalk walk = test::walk_through("plaza", 47, options);
   MapLocalizer localizer(map, {});
@@ -148,7 +139,7 @@ TEST(LocalizerTest, AnotherSceneIsNotFound) {
 TEST(LocalizerTest, AStoreyIsNotTakenForAnother) {
   WalkOptions options;
   options.length = 130.0;
-  const SavedMap map = saved(mapped(test::walk_through("storeys", 48, options)));
+  const SavedMap map = saved_map_of(mapped(test::walk_through("storeys", 48, options)));
   options.unknown_start = true;
   options.length = 20.0;
   for (const double from : {5.0, 50.0, 80.0}) {
@@ -163,33 +154,33 @@ TEST(LocalizerTest, AStoreyIsNotTakenForAnother) {
 }
 
 /// Four storeys with the same furniture: none is taken for another, though they look it.
-TEST(MapperTest, StoreysThatLookAlikeAreNotTakenForEachOther) {
+TEST(WalkMapperTest, StoreysThatLookAlikeAreNotTakenForEachOther) {
   WalkOptions options;
   options.length = 150.0;
   options.rise = 0.002;
   const SceneWalk walk = test::walk_through("storeys", 43, options);
-  const Mapper mapper = mapped(walk);
+  const WalkMapper mapper = mapped(walk);
   EXPECT_FALSE(mapper.loops().empty());
   expect_no_false_loop(walk, mapper);
   EXPECT_LT(worst_piece(walk, mapper), 0.6);
 }
 
-TEST(MapperTest, BaysThatLookAlikeAreNotTakenForEachOther) {
+TEST(WalkMapperTest, BaysThatLookAlikeAreNotTakenForEachOther) {
   WalkOptions options;
   options.length = 180.0;
   options.yaw_drift = 2e-4;
   const SceneWalk walk = test::walk_through("bays", 44, options);
-  const Mapper mapper = mapped(walk);
+  const WalkMapper mapper = mapped(walk);
   EXPECT_FALSE(mapper.loops().empty());
   expect_no_false_loop(walk, mapper);
 }
 
-TEST(MapperTest, TheSameWalkGivesTheSameBits) {
+TEST(WalkMapperTest, TheSameWalkGivesTheSameBits) {
   WalkOptions options;
   options.length = 60.0;
   const SceneWalk walk = test::walk_through("corridor", 45, options);
-  const Mapper one = mapped(walk);
-  const Mapper two = mapped(walk);
+  const WalkMapper one = mapped(walk);
+  const WalkMapper two = mapped(walk);
   ASSERT_EQ(one.graph().poses.size(), two.graph().poses.size());
   for (std::size_t i = 0; i < one.graph().poses.size(); ++i) {
     EXPECT_EQ(one.graph().poses[i].translation, two.graph().poses[i].translation);

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What a walk's map comes to when the walk is over: by itself, or joined to a saved one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mapping/map_merge.hpp"
+#include "mapping/walk_mapper.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot::mapping {
+
+/// What a finished mapper knows, at its corrected poses.
+[[nodiscard]] SavedMap saved_map_of(const WalkMapper& mapper);
+
+class FinishedWalk {
+ public:
+  /// A mapper that has finished.
+  explicit FinishedWalk(const WalkMapper& mapper);
+
+  /// Joins it to a map: then all that follows is in that map's frame. Else nothing changes.
+  MapJoin join(const SavedMap& map);
+
+  /// T_map_odometry at an instant; smooth between the pieces.
+  [[nodiscard]] Pose correction(std::int64_t stamp_ns) const;
+  /// The odometry's poses, corrected; without those of pieces that nothing holds to the map that
+  /// it was joined to.
+  [[nodiscard]] Trajectory corrected(const Trajectory& measured) const;
+  [[nodiscard]] const SavedMap& map() const { return map_; }
+  [[nodiscard]] PoseGraph graph() const;
+
+ private:
+  std::vector<Piece> pieces_;  // of the walk, by the odometry
+  std::vector<Pose> poses_;    // of them, corrected
+  std::vector<bool> placed_;   // whether anything holds them in the map
+  SavedMap map_;
+};
+
+}  // namespace surefoot::mapping
