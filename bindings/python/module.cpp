@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, module) {
   bind_trajectory(module);
   bind_estimate(module);
   bind_odometry(module);
+  bind_mapping(module);
   bind_recording(module);
   bind_evaluation(module);
   bind_run(module);
