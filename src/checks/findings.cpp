@@ -76,7 +76,8 @@ class Inspection {
   Inspection(const std::vector<ScanFacts>& scans, const Figures& figures)
       : scans_(scans), figures_(figures) {}
 
-  std::vector<Finding> execute(const io::CaptureCounts& counts) {
+  std::vector<Finding> execute(const io::CaptureCounts& counts,
+                               const std::vector<std::string>& losses) {
     for (std::size_t i = 0; i < scans_.size(); ++i) {
       if (!scans_[i].error.empty()) {
         found_.scan("scans that cannot be read", scans_[i].error);
@@ -90,6 +91,7 @@ class Inspection {
     judge_points();
     judge_times();
     judge_recording(counts);
+    judge_losses(losses);
     return found_.take();
   }
 
@@ -248,6 +250,13 @@ class Inspection {
                      text("%.0f, %.2f %% of all", real(counts.lost), 100.0 * lost));
   }
 
+  void judge_losses(const std::vector<std::string>& losses) {
+    if (losses.empty()) return;
+    const std::string more =
+        losses.size() > 1 ? text(" (and %.0f more notes)", real(losses.size() - 1)) : "";
+    found_.recording(true, "parts that are lost or damaged", losses.front() + more);
+  }
+
   [[nodiscard]] double all_points() const {
     double sum = 0.0;
     for (const ScanFacts& scan : scans_) sum += real(scan.points);
@@ -342,8 +351,9 @@ Figures figures_of(const std::vector<ScanFacts>& scans) {
 }
 
 std::vector<Finding> findings_of(const std::vector<ScanFacts>& scans, const Figures& figures,
-                                 const io::CaptureCounts& counts) {
-  return Inspection(scans, figures).execute(counts);
+                                 const io::CaptureCounts& counts,
+                                 const std::vector<std::string>& losses) {
+  return Inspection(scans, figures).execute(counts, losses);
 }
 
 }  // namespace surefoot::checks

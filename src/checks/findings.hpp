@@ -49,9 +49,11 @@ struct Figures {
 
 [[nodiscard]] Figures figures_of(const std::vector<ScanFacts>& scans);
 
-/// What is odd about the scans, what a run suffers of first.
+/// What is odd about the scans, what a run suffers of first. `losses`: what the recording says that
+/// it could not read.
 [[nodiscard]] std::vector<Finding> findings_of(const std::vector<ScanFacts>& scans,
                                                const Figures& figures,
-                                               const io::CaptureCounts& counts);
+                                               const io::CaptureCounts& counts,
+                                               const std::vector<std::string>& losses = {});
 
 }  // namespace surefoot::checks

@@ -72,7 +72,8 @@ class Check {
     result_.notes = recording->notes();
     result_.counts = recording->capture_counts();
     result_.figures = figures_of(result_.scans);
-    result_.findings = findings_of(result_.scans, result_.figures, result_.counts);
+    result_.findings =
+        findings_of(result_.scans, result_.figures, result_.counts, recording->losses());
     if (result_.layouts.size() > 1) {
       result_.findings.push_back({false, "fields that differ between scans",
                                   std::to_string(result_.layouts.size()) + " layouts", 0, ""});

@@ -107,6 +107,9 @@ struct ScanItem {
   std::int64_t logged_ns = 0;      ///< when its message was received; 0: not known
   std::string remark;              ///< what is odd about this scan alone: "partial revolution"
   std::size_t dropped_points = 0;  ///< points left out for want of a usable time
+  std::string frame;               ///< that its message names
+  std::string unused;              ///< fields that the scan has no room for: "ambient, range"
+  double rounded_by = 0.0;         ///< most that a coordinate lost by becoming a float [m]
 };
 
 /// Counters of a packet capture so far; all zero for other recordings.
@@ -138,6 +141,11 @@ class Recording {
   /// What kind of recording it is: "folder of 90 PCD files".
   [[nodiscard]] virtual std::string description() const = 0;
   [[nodiscard]] virtual CaptureCounts capture_counts() const { return {}; }
+  /// What of it could not be read, or is damaged, besides scans that are items without one: a
+  /// sentence each, among the notes, too. May grow while reading.
+  [[nodiscard]] virtual std::vector<std::string> losses() const { return {}; }
+  /// The topic that the scans are of; empty: there are none.
+  [[nodiscard]] virtual std::string topic() const { return {}; }
 };
 
 /// Opens a folder of PCD, PLY or KITTI .bin files (also KITTI's folders above them), one such file,

@@ -28,6 +28,8 @@ class RecordingFilter : public Recording {
   [[nodiscard]] CaptureCounts capture_counts() const override {
     return recording_->capture_counts();
   }
+  [[nodiscard]] std::vector<std::string> losses() const override { return recording_->losses(); }
+  [[nodiscard]] std::string topic() const override { return recording_->topic(); }
 
  protected:
   explicit RecordingFilter(std::unique_ptr<Recording> recording)

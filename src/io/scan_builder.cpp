@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -58,6 +59,20 @@ std::vector<Eigen::Vector3f> points_of(const PointTable& table, const ScanColumn
                    [&](std::size_t i, auto value) { points[i][axis] = static_cast<float>(value); });
   }
   return points;
+}
+
+// What coordinates lose that are stored with more digits than a float has.
+double rounding_of(const PointTable& table, const ScanColumns& columns) {
+  double most = 0.0;
+  for (const Column* axis : {columns.x, columns.y, columns.z}) {
+    if (size_of(axis->type) < 4 || axis->type == ScalarType::f32) continue;
+    for_each_value(*axis, table.size, [&](std::size_t, auto value) {
+      const auto wide = static_cast<double>(value);
+      const double lost = std::abs(wide - static_cast<double>(static_cast<float>(wide)));
+      if (lost > most && std::isfinite(lost)) most = lost;
+    });
+  }
+  return most;
 }
 
 std::vector<float> floats_of(const Column& column, std::size_t size) {
@@ -254,6 +269,17 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   return columns;
 }
 
+std::string unused_fields(const PointTable& table, const ScanColumns& columns) {
+  const std::array<const Column*, 6> used = {columns.x,         columns.y,    columns.z,
+                                             columns.intensity, columns.ring, columns.time};
+  std::string names;
+  for (const Column& column : table.columns) {
+    if (std::find(used.begin(), used.end(), &column) != used.end()) continue;
+    names += (names.empty() ? "" : ", ") + column.name;
+  }
+  return names;
+}
+
 TimeExtents time_extents(const PointTable& table, const ScanColumns& columns) {
   const std::vector<Eigen::Vector3f> points = points_of(table, columns);
   std::vector<double> values;
@@ -281,6 +307,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
   Scan& scan = built.scan;
   scan.stamp_ns = stamp_ns.value_or(0);
   scan.points = points_of(table, columns);
+  built.rounded_by = rounding_of(table, columns);
   if (columns.intensity != nullptr) {
     scan.intensities = floats_of(*columns.intensity, table.size);
   }

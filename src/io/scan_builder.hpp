@@ -34,7 +34,11 @@ struct ScanColumns {
 struct BuiltScan {
   Scan scan;
   std::size_t dropped_points = 0;
+  double rounded_by = 0.0;  ///< most that a coordinate lost by becoming a float [m]
 };
+
+/// Names of the fields that a scan has no room for: "ambient, range".
+[[nodiscard]] std::string unused_fields(const PointTable& table, const ScanColumns& columns);
 
 /// The scan that a table holds. `rule` is needed where there is a time column. Without a `stamp_ns`
 /// absolute times give it: the earliest return's; else it is zero. Points whose time is not finite

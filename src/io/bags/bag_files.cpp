@@ -94,7 +94,12 @@ class BagParts final : public MessageSource {
  private:
   void take_notes() {
     const std::string where = files_.size() > 1 ? files_[index_].filename().string() + ": " : "";
-    for (; noted_ < part_->notes().size(); ++noted_) note(where + part_->notes()[noted_]);
+    const std::vector<std::string>& losses = part_->losses();
+    for (; noted_ < part_->notes().size(); ++noted_) {
+      const std::string& text = part_->notes()[noted_];
+      const bool lost = std::find(losses.begin(), losses.end(), text) != losses.end();
+      lost ? note(where + text) : note_harmless(where + text);
+    }
     for (; announced_ < part_->announced().size(); ++announced_) {
       announce(part_->announced()[announced_]);
     }

@@ -45,6 +45,8 @@ class CloudTopic final : public Recording {
   }
   double progress() const override { return parts_.messages.progress(); }
   const std::vector<std::string>& notes() const override { return parts_.notes; }
+  std::vector<std::string> losses() const override { return parts_.messages.losses(); }
+  std::string topic() const override { return parts_.messages.topic().name; }
   std::string description() const override { return parts_.messages.description(); }
 
  private:
@@ -127,6 +129,9 @@ class CloudTopic final : public Recording {
     if (!rule_) look_at_times(cloud, stamp_ns, columns);
     BuiltScan built = build_scan(cloud.table, columns, rule_, stamp_ns, options_.stamp_at);
     item.dropped_points = built.dropped_points;
+    item.frame = cloud.frame;
+    item.unused = unused_fields(cloud.table, columns);
+    item.rounded_by = built.rounded_by;
     item.scan = std::move(built.scan);
   }
 

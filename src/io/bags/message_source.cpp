@@ -10,6 +10,12 @@
 namespace surefoot::io {
 
 void MessageSource::note(std::string_view text) {
+  const std::size_t before = notes_.size();
+  note_harmless(text);
+  if (notes_.size() > before) losses_.push_back(notes_.back());
+}
+
+void MessageSource::note_harmless(std::string_view text) {
   constexpr std::size_t kMostNotes = 20;
   if (notes_.size() >= kMostNotes) return;
   if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;

@@ -48,6 +48,8 @@ class MessageSource {
   [[nodiscard]] virtual std::string format() const = 0;
   /// What was damaged or passed over, one sentence each. Grows while reading.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// Those of the notes that tell of damage.
+  [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
   /// The topics that the bag has said it has, so far, with messages or without.
   [[nodiscard]] const std::vector<Topic>& announced() const { return announced_; }
   /// From here on messages of one topic alone are needed.
@@ -58,8 +60,9 @@ class MessageSource {
   [[nodiscard]] bool is_wanted(const Topic& topic) const {
     return wanted_.empty() || topic.name == wanted_;
   }
-  /// Adds a note, once, and unless there are too many already.
+  /// Adds a note, once, and unless there are too many already: of damage, or not.
   void note(std::string_view text);
+  void note_harmless(std::string_view text);
   /// Adds a topic, once.
   void announce(const Topic& topic);
   /// A message's bytes; nothing where it is too large, or ends early, as `record` then shows. The
@@ -71,7 +74,7 @@ class MessageSource {
 
  private:
   std::string wanted_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, losses_;
   std::vector<Topic> announced_;
 };
 

@@ -36,6 +36,8 @@ class PacketTopic final : public Recording {
   }
   double progress() const override { return parts_.messages.progress(); }
   const std::vector<std::string>& notes() const override { return parts_.notes; }
+  std::vector<std::string> losses() const override { return parts_.messages.losses(); }
+  std::string topic() const override { return parts_.messages.topic().name; }
   std::string description() const override {
     return parts_.messages.description() + ", packets of " + scans_.sensor();
   }

@@ -145,7 +145,8 @@ class SqliteBagReader final : public MessageSource {
     const std::size_t got = stream.read(begin);
     if (!is_zstd(std::span(begin).first(got))) return file;
     temporary_ = std::make_unique<TemporaryFile>(*open_stream(file));
-    note("it is compressed as a whole, and was written out to a temporary file to be read");
+    note_harmless(
+        "it is compressed as a whole, and was written out to a temporary file to be read");
     return temporary_->path();
   }
 

@@ -30,6 +30,7 @@ class TopicMessages {
   [[nodiscard]] const Topic& topic() const { return topic_; }
   [[nodiscard]] double progress() const { return bag_->progress(); }
   [[nodiscard]] const std::vector<std::string>& notes() const { return bag_->notes(); }
+  [[nodiscard]] const std::vector<std::string>& losses() const { return bag_->losses(); }
   /// "MCAP, profile ros2, topic /points (sensor_msgs/PointCloud2)".
   [[nodiscard]] std::string description() const;
 

@@ -46,6 +46,10 @@ class CaptureRecording final : public Recording {
   const std::vector<std::string>& notes() const override {
     return ended_ ? notes_ : scans().notes();
   }
+  std::vector<std::string> losses() const override {
+    if (!ended_ || file_.cut_short().empty()) return {};
+    return {"the capture is cut short: " + file_.cut_short()};
+  }
   std::string description() const override {
     return scans().sensor() + " capture, return mode " + scans().return_mode();
   }

@@ -55,6 +55,14 @@ TEST(Findings, NothingIsOddAboutASoundRecording) {
   EXPECT_EQ(figures.scans, 30U);
 }
 
+TEST(Findings, WhatReadingLostSpeaksAgainstTheRecording) {
+  const std::vector<ScanFacts> scans = sound(30);
+  const auto findings = findings_of(scans, figures_of(scans), {}, {"chunk 3 is damaged", "more"});
+  const Finding lost = found(findings, "parts that are lost or damaged");
+  EXPECT_TRUE(lost.suffers);
+  EXPECT_EQ(lost.detail, "chunk 3 is damaged (and 1 more notes)");
+}
+
 TEST(Findings, AShortGapIsOddAndALongOneHurts) {
   std::vector<ScanFacts> scans = sound(50);
   for (std::size_t i = 20; i < scans.size(); ++i) scans[i].stamp_ns += 2 * kPeriod;

@@ -217,6 +217,22 @@ TEST(BagRecording, TopicThatBeginsTooLateToBeListedIsNotedAtTheEnd) {
       << test::joined(recording->notes());
 }
 
+TEST(BagRecording, WhatReadingLostIsToldApart) {
+  const test::TemporaryFolder folder;
+  const fs::path file = write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 3);
+  const auto losses_of = [](const fs::path& path) {
+    const auto recording = open_recording(path);
+    while (recording->next()) {
+    }
+    return recording->losses();
+  };
+  EXPECT_TRUE(losses_of(file).empty());
+  const std::string bytes = test::content_of(file);
+  const auto losses = losses_of(folder.write("b.mcap", bytes + bytes));
+  ASSERT_EQ(losses.size(), 1U);
+  EXPECT_NE(losses[0].find("goes on after its end"), std::string::npos) << losses[0];
+}
+
 TEST(BagRecording, AStampOfZeroAmongOthersIsSaid) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.mcap";
