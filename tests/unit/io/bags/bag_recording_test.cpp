@@ -5,6 +5,7 @@
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
+#include "io/file_writer.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
 #include "io/printable.hpp"
 #include "io/recording.hpp"
@@ -231,6 +232,20 @@ TEST(BagRecording, WhatReadingLostIsToldApart) {
   const auto losses = losses_of(folder.write("b.mcap", bytes + bytes));
   ASSERT_EQ(losses.size(), 1U);
   EXPECT_NE(losses[0].find("goes on after its end"), std::string::npos) << losses[0];
+}
+
+TEST(ScanSink, StampsThatTheFormatCannotHoldAreRefused) {
+  const test::TemporaryFolder folder;
+  Scan scan = scan_at(0);
+  scan.stamp_ns = -5'000'000'000;
+  const auto ros1 = make_scan_sink(folder.path() / "a.bag", ScanFormat::ros1_bag);
+  const std::string message = test::message_of<WriteError>([&] { ros1->add(scan); });
+  EXPECT_NE(message.find("stamped -5.000000000 s; ROS 1"), std::string::npos) << message;
+  const auto ros2 = make_scan_sink(folder.path() / "a.mcap", ScanFormat::mcap);
+  EXPECT_NO_THROW(ros2->add(scan));
+  scan.stamp_ns = 2'200'000'000'000'000'000;  // 2039
+  EXPECT_THROW(ros2->add(scan), WriteError);
+  EXPECT_NO_THROW(ros1->add(scan));
 }
 
 TEST(BagRecording, AStampOfZeroAmongOthersIsSaid) {
