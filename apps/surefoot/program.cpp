@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "process/exit_codes.hpp"
+#include "process/standard_streams.hpp"
 #include "suggestion.hpp"
 
 namespace surefoot::app {
@@ -66,6 +67,7 @@ std::string shown(std::string text) {
 }  // namespace
 
 int run_program(CLI::App& app, int argc, char** argv, const int& exit_code) {
+  process::guard_standard_streams();
   app.set_version_flag("--version", SUREFOOT_VERSION);
   app.require_subcommand(1);
   try {

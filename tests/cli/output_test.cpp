@@ -50,6 +50,23 @@ TEST_F(OutputFolder, OneRunAtATime) {
   EXPECT_EQ(lines_of(path("out/scans.csv")), 4U);
 }
 
+// A full disk, or a standard error that whoever started it has closed.
+TEST_F(OutputFolder, MessagesThatNobodyCanReadEndNothing) {
+  write_pcd_recording(path("in"), hall_scans(6));
+  const auto shell = [&](const std::string& command) {
+    return run_surefoot({"-c", command, SUREFOOT_PROGRAM}, scratch_.path(), {.program = "sh"});
+  };
+  for (const std::string streams : {"2>&-", "2>/dev/full", ">&- 2>&-"}) {
+    const ProcessResult bad = shell("exec \"$0\" info nothing " + streams);
+    EXPECT_EQ(bad.exit_code, 2) << streams << bad;
+    fs::remove_all(path("out"));
+    const ProcessResult good = shell("exec \"$0\" run in -o out " + streams);
+    EXPECT_EQ(good.signal, 0) << streams << good;
+    EXPECT_TRUE(fs::exists(path("out/run.yaml"))) << streams << good;
+  }
+  EXPECT_EQ(shell("exec \"$0\" info in >&-").exit_code, 2);
+}
+
 TEST_F(OutputFolder, AKilledRunIsNotShownWithAnEarlierOnesFiles) {
   write_pcd_recording(path("short"), hall_scans(3));
   write_long_recording(path("in"), kEndless);

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace surefoot::process {
+
+/// Call it first of all. Afterwards no file that is opened takes the place of a closed standard
+/// stream, and to write to the standard error never fails: where nobody can read a message, it is
+/// no reason to end a run. What cannot be printed to the standard output is an error still.
+void guard_standard_streams();
+
+}  // namespace surefoot::process
