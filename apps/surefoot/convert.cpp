@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "commands.hpp"
+#include "io/file_writer.hpp"
 #include "io/printable.hpp"
 #include "io/scan_sink.hpp"
 #include "option_checks.hpp"
@@ -59,7 +62,9 @@ class Conversion {
         recording_(io::open_recording(options.input, options.reader)),
         progress_("scans", options.quiet) {
     std::error_code ignored;
-    if (fs::exists(options.output, ignored) && !fs::is_empty(options.output, ignored)) {
+    const bool is_folder = io::is_folder(format_) && fs::is_directory(options.output, ignored);
+    if (fs::exists(fs::symlink_status(options.output, ignored)) &&
+        !(is_folder && fs::is_empty(options.output, ignored))) {
       throw std::invalid_argument(options.output.string() + ": is there already");
     }
   }
@@ -71,35 +76,85 @@ class Conversion {
     progress_.finish();
     if (!options_.quiet) fmt::print(stderr, "{}\n", text);
   }
+  /// As `say`, also where only errors are to be printed.
+  void complain(const std::string& text) {
+    progress_.finish();
+    fmt::print(stderr, "{}\n", text);
+  }
+  void open_output(const io::ScanItem& first);
+  void add(const io::ScanItem& item);
+  void tell_what_is_lost();
   /// False where the end of the time range is reached.
   bool use(const io::ScanItem& item);
 
   const ConvertOptions& options_;
   io::ScanFormat format_;
   std::unique_ptr<io::Recording> recording_;
+  std::optional<io::UnfinishedOutput> output_;
   std::unique_ptr<io::ScanSink> sink_;
   process::Progress progress_;
   std::optional<std::int64_t> first_ns_;
   std::size_t scans_ = 0;
   std::size_t points_ = 0;
   std::size_t unreadable_ = 0;
+  std::size_t dropped_points_ = 0;
+  std::size_t late_in_a_row_ = 0;
+  std::set<std::string> unused_;  ///< fields, as scans have them
+  double rounded_by_ = 0.0;       ///< [m]
 };
+
+// What is not asked for is the source's.
+void Conversion::open_output(const io::ScanItem& first) {
+  const io::SinkOptions usual;
+  io::SinkOptions sink = options_.sink;
+  if (sink.topic.empty()) sink.topic = recording_->topic();
+  if (sink.topic.empty()) sink.topic = usual.topic;
+  if (sink.frame.empty()) sink.frame = first.frame;
+  if (sink.frame.empty()) sink.frame = usual.frame;
+  output_.emplace(options_.output, io::is_folder(format_));
+  sink_ = io::make_scan_sink(output_->path(), format_, sink);
+}
+
+void Conversion::add(const io::ScanItem& item) {
+  if (!sink_) open_output(item);
+  sink_->add(*item.scan);
+  ++scans_;
+  points_ += item.scan->points.size();
+  dropped_points_ += item.dropped_points;
+  rounded_by_ = std::max(rounded_by_, item.rounded_by);
+  constexpr std::size_t kMostNamed = 10;
+  if (!item.unused.empty() && unused_.size() < kMostNamed) unused_.insert(item.unused);
+  progress_.update(scans_, recording_->progress());
+}
+
+void Conversion::tell_what_is_lost() {
+  if (!sink_->lost().empty()) say("lost: " + sink_->lost());
+  for (const std::string& fields : unused_) {
+    say("lost: fields that are not written: " + io::printable(fields));
+  }
+  if (rounded_by_ > 0.0) {
+    say(fmt::format("lost: coordinates become floats, which changes them by up to {:.2g} m",
+                    rounded_by_));
+  }
+  if (dropped_points_ > 0) {
+    say(fmt::format("left out: {} points without a usable time", dropped_points_));
+  }
+}
 
 bool Conversion::use(const io::ScanItem& item) {
   if (!item.scan) {
     ++unreadable_;
-    say("left out: " + io::printable(item.error));
+    complain("left out: " + io::printable(item.error));
     return true;
   }
   if (!first_ns_) first_ns_ = item.scan->stamp_ns;
   const double at = seconds(item.scan->stamp_ns - *first_ns_);
   if (at < options_.begin) return true;
-  if (at > options_.end) return false;
-  if (!sink_) sink_ = io::make_scan_sink(options_.output, format_, options_.sink);
-  sink_->add(*item.scan);
-  ++scans_;
-  points_ += item.scan->points.size();
-  progress_.update(scans_, recording_->progress());
+  // A single wild stamp is not the end.
+  constexpr std::size_t kSurelyLate = 20;
+  if (at > options_.end) return ++late_in_a_row_ < kSurelyLate;
+  late_in_a_row_ = 0;
+  add(item);
   return true;
 }
 
@@ -111,13 +166,18 @@ int Conversion::execute() {
     recording_->skip(options_.stride - 1);
     item = recording_->next();
   }
+  if (!sink_ && interrupt.interrupted()) {
+    complain("interrupted before the first scan; nothing is written");
+    return process::kInterrupted;
+  }
   if (!sink_) {
     throw io::ReadError(options_.input.string() + ": no scan in what is asked for");
   }
   sink_->finish();
+  output_->finish();
   progress_.finish();
   for (const std::string& note : recording_->notes()) say("note: " + io::printable(note));
-  if (!sink_->lost().empty()) say("lost: " + sink_->lost());
+  tell_what_is_lost();
   if (!options_.quiet) {
     fmt::print("{} scans, {} points: {}\n", scans_, points_, options_.output.string());
     if (unreadable_ > 0) fmt::print("  {:5} unreadable\n", unreadable_);
@@ -146,8 +206,11 @@ void add_convert_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(0));
   command->add_option("--count", options->count, "scans to write at most")->check(whole_number(1));
   command->add_option("--stride", options->stride, "every n-th scan")->check(whole_number(1));
-  command->add_option("--out-topic", options->sink.topic, "topic in a bag")->capture_default_str();
-  command->add_option("--frame", options->sink.frame, "frame in a bag")->capture_default_str();
+  options->sink.topic.clear();
+  options->sink.frame.clear();
+  command->add_option("--out-topic", options->sink.topic,
+                      "topic in a bag (the source's, else /points)");
+  command->add_option("--frame", options->sink.frame, "frame in a bag (the source's, else lidar)");
   command->add_flag("-q,--quiet", options->quiet, "print errors only");
   add_reader_options(*command, options->reader);
   command->callback([options, &exit_code] { exit_code = Conversion(*options).execute(); });

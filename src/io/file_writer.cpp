@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/file_writer.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -12,7 +16,7 @@ namespace surefoot::io {
 
 void write_whole_file(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::path part = file;
-  part += ".part";
+  part += kUnfinished;
   std::FILE* handle = std::fopen(part.c_str(), "wb");
   if (handle == nullptr) {
     throw WriteError(file.string() + ": cannot write it: " + std::strerror(errno));
@@ -30,6 +34,50 @@ void write_whole_file(const std::filesystem::path& file, std::string_view conten
     throw WriteError(file.string() + ": cannot write it: " +
                      (error ? error.message() : std::strerror(written ? errno : write_error)));
   }
+}
+
+UnfinishedOutput::UnfinishedOutput(std::filesystem::path output, bool is_folder)
+    : output_(output.has_filename() ? std::move(output) : output.parent_path()), part_(output_) {
+  part_ += kUnfinished;
+  std::error_code ignored;
+  if (is_folder && output_.has_parent_path()) {
+    std::filesystem::create_directories(output_.parent_path(), ignored);
+  }
+  constexpr mode_t kFolder = 0777, kFile = 0666;  // as umask allows
+  const int made = is_folder
+                       ? ::mkdir(part_.c_str(), kFolder)
+                       : ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFile);
+  if (made < 0) {
+    const std::string why = errno == EEXIST
+                                ? "is there already: another program writes it, or one that was "
+                                  "stopped left it, and it may be removed"
+                                : std::string("cannot be made: ") + std::strerror(errno);
+    finished_ = true;
+    throw WriteError(part_.string() + ": " + why);
+  }
+  if (!is_folder) ::close(made);
+}
+
+UnfinishedOutput::~UnfinishedOutput() {
+  std::error_code ignored;
+  if (!finished_) std::filesystem::remove_all(part_, ignored);
+}
+
+void UnfinishedOutput::finish() {
+  // A link of its own is made only where nothing has the name; a folder replaces an empty one.
+  std::error_code error;
+  if (std::filesystem::is_directory(part_)) {
+    std::filesystem::rename(part_, output_, error);
+  } else {
+    std::filesystem::create_hard_link(part_, output_, error);
+    if (!error) {
+      std::filesystem::remove(part_, error);
+    } else if (error != std::errc::file_exists && !std::filesystem::exists(output_)) {
+      std::filesystem::rename(part_, output_, error);  // file systems without links
+    }
+  }
+  if (error) throw WriteError(output_.string() + ": cannot be written: " + error.message());
+  finished_ = true;
 }
 
 void append_text(std::string& out, float value) {

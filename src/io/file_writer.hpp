@@ -15,6 +15,28 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What the name of something ends with that is not whole yet.
+inline constexpr const char* kUnfinished = ".part";
+
+/// A file or folder that takes its name once it is whole, and nobody else's: until then it is
+/// beside it, with ".part" behind its name, and goes where it is not finished.
+class UnfinishedOutput {
+ public:
+  /// Makes it, empty. Throws WriteError, also where it is there already: another program writes it.
+  UnfinishedOutput(std::filesystem::path output, bool is_folder);
+  ~UnfinishedOutput();
+  UnfinishedOutput(const UnfinishedOutput&) = delete;
+  UnfinishedOutput& operator=(const UnfinishedOutput&) = delete;
+  /// Where to write it.
+  [[nodiscard]] const std::filesystem::path& path() const { return part_; }
+  /// Gives it its name; throws WriteError where something other than an empty folder has that.
+  void finish();
+
+ private:
+  std::filesystem::path output_, part_;
+  bool finished_ = false;
+};
+
 /// Writes beside `file` and renames, so that there is the old file or the whole new one, never half
 /// of one. Throws WriteError.
 void write_whole_file(const std::filesystem::path& file, std::string_view content);

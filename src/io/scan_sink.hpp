@@ -20,6 +20,11 @@ enum class ScanFormat { pcd, ply, kitti_bin, mcap, rosbag2, ros1_bag };
 /// Throws std::invalid_argument for another name.
 [[nodiscard]] ScanFormat scan_format_named(const std::string& name);
 
+/// Whether it is a folder of files, or else one.
+[[nodiscard]] constexpr bool is_folder(ScanFormat format) {
+  return format != ScanFormat::mcap && format != ScanFormat::ros1_bag;
+}
+
 struct SinkOptions {
   std::string topic = "/points";  ///< of a bag
   std::string frame = "lidar";    ///< of its messages

@@ -97,6 +97,79 @@ TEST(Convert, RefusesWhatIsThereAlreadyAndOtherNames) {
   }
 }
 
+TEST(Convert, LeavesNoHalfOutputAndTakesNobodyElses) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_content(folder / "b.mcap.part", "another's");
+  const ProcessResult second = run_surefoot({"convert", "pcd", "b.mcap"}, folder);
+  EXPECT_EQ(second.exit_code, 2) << second;
+  EXPECT_NE(second.errors.find("another program writes it"), std::string::npos) << second;
+  EXPECT_EQ(file_content(folder / "b.mcap.part"), "another's");
+  for (const std::string format : {"mcap", "bag", "rosbag2", "pcd"}) {
+    const std::string output = format == "mcap" || format == "bag" ? "a." + format : format + "_";
+    const std::vector<std::string> arguments{"convert", "pcd", output, "--to", format, "-q"};
+    const ProcessResult full =
+        run_surefoot(arguments, folder, {.program = {}, .most_file_bytes = 3000});
+    EXPECT_EQ(full.exit_code, 2) << full;
+    EXPECT_FALSE(fs::exists(folder / output)) << output;
+    EXPECT_FALSE(fs::exists(folder / (output + ".part"))) << output;
+    const ProcessResult again = run_surefoot(arguments, folder);
+    EXPECT_EQ(again.exit_code, 0) << again;
+    EXPECT_TRUE(fs::exists(folder / output)) << output;
+    EXPECT_FALSE(fs::exists(folder / (output + ".part"))) << output;
+  }
+  EXPECT_TRUE(fs::exists(folder / "rosbag2_" / "rosbag2__0.db3"));
+}
+
+TEST(Convert, QuietStillNamesWhatIsLeftOut) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_content(folder / "pcd" / scan_name(2), "no scan");
+  const ProcessResult result = run_surefoot({"convert", "pcd", "a.mcap", "-q"}, folder);
+  EXPECT_EQ(result.exit_code, 1) << result;
+  EXPECT_NE(result.errors.find("left out: pcd/" + scan_name(2)), std::string::npos) << result;
+}
+
+TEST(Convert, TakesOverTopicAndFrame) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(2));
+  ASSERT_EQ(run_surefoot({"convert", "pcd", "a.mcap", "--out-topic", "/os", "--frame", "os_lidar"},
+                         folder)
+                .exit_code,
+            0);
+  ASSERT_EQ(run_surefoot({"convert", "a.mcap", "b.bag"}, folder).exit_code, 0);
+  const ProcessResult info = run_surefoot({"info", "b.bag", "--topic", "/none"}, folder);
+  EXPECT_NE(info.errors.find("/os  sensor_msgs/PointCloud2"), std::string::npos) << info;
+  EXPECT_NE(info.errors.find("frame os_lidar"), std::string::npos) << info;
+}
+
+// Coordinates of a map's grid in doubles, a field that no scan has room for, and a point without
+// a time.
+TEST(Convert, SaysWhatTheOutputDoesNotHold) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  std::string points;
+  for (int i = 0; i < 200; ++i) {
+    points += std::to_string(5'400'000 + i) + ".3 1 1 7 " +
+              (i == 100 ? std::string("nan") : std::to_string(0.0005 * i)) + "\n";
+  }
+  fs::create_directory(folder / "pcd");
+  write_content(folder / "pcd" / "a.pcd",
+                "VERSION .7\nFIELDS x y z ambient time\nSIZE 8 4 4 2 4\nTYPE F F F U F\n"
+                "COUNT 1 1 1 1 1\nWIDTH 200\nHEIGHT 1\nPOINTS 200\nDATA ascii\n" +
+                    points);
+  const ProcessResult result = run_surefoot({"convert", "pcd", "a.mcap"}, folder);
+  EXPECT_EQ(result.exit_code, 0) << result;
+  for (const char* part : {"lost: fields that are not written: ambient",
+                           "lost: coordinates become floats, which changes them by up to 0.2 m",
+                           "left out: 1 points without a usable time"}) {
+    EXPECT_NE(result.errors.find(part), std::string::npos) << result;
+  }
+}
+
 TEST(Convert, CaptureToBag) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();

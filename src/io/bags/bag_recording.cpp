@@ -26,6 +26,18 @@ std::string likely_topic(const std::vector<TopicSurvey>& topics,
   return {};
 }
 
+// The first of the topics that are not the one of that name.
+std::string others(const std::vector<TopicSurvey>& topics, const std::string& name) {
+  constexpr std::size_t kMost = 10;
+  std::string text;
+  std::size_t count = 0;
+  for (const TopicSurvey& survey : topics) {
+    if (survey.topic.name == name || ++count > kMost) continue;
+    text += (text.empty() ? "" : ", ") + survey.topic.name;
+  }
+  return count > kMost ? text + " and " + std::to_string(count - kMost) + " more" : text;
+}
+
 // Where no topic can be taken, what reading met may be why.
 Topic choose_with_notes(const std::vector<TopicSurvey>& topics, const std::string& asked,
                         const TopicRecordingParts& parts) {
@@ -48,7 +60,8 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
   Topic topic = choose_with_notes(survey.topics, asked, parts);
   if (survey.topics.size() > 1) {
     parts.notes.push_back("topic: " + topic.name + ", one of " +
-                          std::to_string(survey.topics.size()) + " in the bag");
+                          std::to_string(survey.topics.size()) +
+                          " in the bag; not read: " + others(survey.topics, topic.name));
   }
   for (TopicSurvey& one : survey.topics) parts.seen.push_back(std::move(one.topic));
   return {std::move(parts), std::move(topic), std::move(survey.calibration)};

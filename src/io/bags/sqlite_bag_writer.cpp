@@ -32,7 +32,8 @@ class SqliteBag final : public BagWriter {
     fs::create_directories(folder, error);
     if (error) throw WriteError(folder.string() + ": cannot be made: " + error.message());
     const fs::path whole = fs::absolute(folder, error).lexically_normal();
-    const fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    if (name.extension() == kUnfinished) name = name.stem();  // it is renamed in the end
     file_name_ = name.string() + "_0.db3";
     const fs::path file = folder_ / file_name_;
     fs::remove(file, error);
