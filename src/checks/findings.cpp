@@ -102,8 +102,12 @@ class Inspection {
 
   void look_at_stamp(const ScanFacts& scan) {
     if (last_ != nullptr) {
-      const double step = seconds(scan.stamp_ns - last_->stamp_ns);
+      const double stored = seconds(scan.stamp_ns - last_->stamp_ns);
+      const double mended = seconds(scan.mended_ns.value_or(scan.stamp_ns) -
+                                    last_->mended_ns.value_or(last_->stamp_ns));
       const double usual = figures_.usual_interval_s;
+      // What goes back, or stands, is told as it is stored; a gap is one for a run.
+      const double step = stored > 0.0 && mended > 0.0 ? mended : stored;
       if (step < 0.0) found_.scan("stamps that go back", scan.name);
       if (step == 0.0) found_.scan("stamps that are the last one's again", scan.name);
       if (usual > 0.0 && step > kGap * usual) {
@@ -112,6 +116,8 @@ class Inspection {
         missing_ += step / usual - 1.0;
       }
     }
+    const bool wild = scan.mended_ns && *scan.mended_ns < scan.stamp_ns;
+    if (wild) found_.scan("stamps that are too late", scan.name);
     if (scan.sent_again) found_.scan("scans that are the last one again", scan.name);
     last_ = &scan;
   }
@@ -163,6 +169,8 @@ class Inspection {
       finding.detail =
           "a run takes the usual interval instead; where most stand still, --rate says it";
     });
+    found_.judge("stamps that are too late",
+                 [&](Finding& finding) { finding.detail = "a run puts them where they belong"; });
     found_.judge("gaps", [&](Finding& finding) {
       const double bridged = config_.motion_prior.max_extrapolation;
       finding.suffers = longest_gap_ > bridged || missing_ > kHabit * real(figures_.scans);

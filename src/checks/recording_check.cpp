@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "checks/mended_stamps.hpp"
 #include "checks/motion_sentences.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/bags/motion_topics.hpp"
@@ -68,6 +69,7 @@ class Check {
       add_layout(item->layout);
       listener_.progress(result_.scans.size(), recording->progress());
     }
+    mend_stamps(result_.scans, options_.reader);
     result_.description = recording->description();
     result_.notes = recording->notes();
     result_.counts = recording->capture_counts();

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "checks/mended_stamps.hpp"
+
 namespace surefoot::checks {
 namespace {
 
@@ -73,6 +75,18 @@ TEST(Findings, AShortGapIsOddAndALongOneHurts) {
   EXPECT_NE(gap.detail.find("0.300 s"), std::string::npos) << gap.detail;
   for (std::size_t i = 20; i < scans.size(); ++i) scans[i].stamp_ns += 10 * kPeriod;
   EXPECT_TRUE(found(all_of(scans), "gaps").suffers);
+}
+
+// As a run does, which puts the one where it belongs.
+TEST(Findings, OneWildStampIsNoGap) {
+  std::vector<ScanFacts> scans = sound(50);
+  scans[20].stamp_ns += 3600 * 10 * kPeriod;
+  mend_stamps(scans, {});
+  ASSERT_TRUE(scans[20].mended_ns.has_value());
+  EXPECT_NEAR(static_cast<double>(*scans[20].mended_ns), 20.0 * kPeriod, 0.2 * kPeriod);
+  const auto findings = all_of(scans);
+  EXPECT_EQ(found(findings, "stamps that are too late").scans, 1U);
+  for (const Finding& finding : findings) EXPECT_FALSE(finding.suffers) << finding.what;
 }
 
 TEST(Findings, OneStampThatGoesBackIsAMishapManyHurt) {
