@@ -79,9 +79,15 @@ int run_recording(CLI::App& command, runs::RunOptions& options) {
     progress.finish();
     if (!options.quiet) fmt::print(stderr, "{}\n", text);
   };
-  const runs::RunOutcome outcome = runs::run_odometry(
-      options, {say, [&](std::size_t done, double share) { progress.update(done, share); },
-                [&] { return interrupt.interrupted(); }});
+  const auto complain = [&](const std::string& text) {
+    progress.finish();
+    fmt::print(stderr, "{}\n", text);
+  };
+  runs::RunListener listener{say,
+                             [&](std::size_t done, double share) { progress.update(done, share); },
+                             [&] { return interrupt.interrupted(); }};
+  listener.complain = complain;
+  const runs::RunOutcome outcome = runs::run_odometry(options, listener);
   progress.finish();
   if (!options.quiet) print_outcome(outcome, options.threads);
   if (outcome.poses == 0) {

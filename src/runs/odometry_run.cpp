@@ -166,8 +166,10 @@ void OdometryRun::use_all(std::optional<io::ScanItem> item, RunOutput& output) {
 
 void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (!item.scan) {
-    ++outcome_.unreadable;
-    listener_.say("left out: " + io::printable(item.error));
+    constexpr std::size_t kMostNoted = 10;
+    const std::string text = "left out: " + io::printable(item.error);
+    if (++outcome_.unreadable <= kMostNoted) own_notes_.push_back(text);
+    listener_.complain ? listener_.complain(text) : listener_.say(text);
     return;
   }
   const std::vector<std::int64_t>& resets = options_.reset_before;
@@ -274,6 +276,7 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
   run.notes.insert(run.notes.end(), own_notes_.begin(), own_notes_.end());
   run.options = options_.given;
   run.scans = std::to_string(outcome_.scans());
+  run.unreadable = std::to_string(outcome_.unreadable);
   run.untrusted = std::to_string(untrusted(Status::too_few_matches) + untrusted(Status::diverged) +
                                  untrusted(Status::lost) + untrusted(Status::rejected));
   run.segments = lines_of(output.segments());

@@ -62,6 +62,9 @@ struct RunListener {
       answered = {};
   /// Where else the run's messages go, as it runs. May be null.
   std::shared_ptr<io::BagWriter> messages = {};
+  /// Told of scans that could not be read, in place of `say`: errors are shown also where notes
+  /// are not. May be empty.
+  std::function<void(const std::string& text)> complain = {};
 };
 
 /// Runs the odometry from the first scan to the last file. Bad input leaves no folder behind.

@@ -22,6 +22,7 @@ void each_entry(Record& run, Visit&& visit) {
   visit("input", "notes", run.notes);
   visit("", "options", run.options);
   visit("result", "scans", run.scans);
+  visit("result", "unreadable_scans", run.unreadable);
   visit("result", "untrusted_scans", run.untrusted);
   visit("result", "segments", run.segments);
   visit("result", "interrupted", run.interrupted);

@@ -25,6 +25,7 @@ struct RunDescription {
   std::vector<std::string> notes;
   OptionTexts options;  ///< how it was read and written, where that was not left to the program
   std::string scans;    ///< how many were used
+  std::string unreadable;
   std::string untrusted;
   std::vector<std::string> segments;  ///< one line each, where there are several
   std::string interrupted = "false";

@@ -257,6 +257,13 @@ TEST(Bags, OneBadMessageIsNamedAndCountedAndTheRunGoesOn) {
   EXPECT_NE(result.errors.find("/points, message 2: "), std::string::npos) << result;
   EXPECT_NE(result.output.find("1 unreadable"), std::string::npos) << result;
   EXPECT_NE(result.output.find("4 scans"), std::string::npos) << result;
+  const ProcessResult quiet =
+      run_surefoot({"run", "a.mcap", "-o", "quiet", "--no-report", "-q"}, folder);
+  EXPECT_NE(quiet.errors.find("left out: a.mcap: /points, message 2: "), std::string::npos)
+      << quiet;
+  const std::string yaml = file_content(folder / "quiet" / "run.yaml");
+  EXPECT_NE(yaml.find("unreadable_scans: 1\n"), std::string::npos) << yaml;
+  EXPECT_NE(yaml.find("/points, message 2: "), std::string::npos) << yaml;
 }
 
 }  // namespace
