@@ -10,17 +10,91 @@
 #include "io/files/scan_files.hpp"
 #include "io/packets/capture_recording.hpp"
 #include "io/point_time_watch.hpp"
+#include "io/recording_filter.hpp"
 #include "io/robots.hpp"
 #include "io/stamp_repair.hpp"
 
 namespace surefoot::io {
 namespace {
 
-// A folder of a bag's parts, and of no scans: those come first where both are there.
-bool is_bag(const std::filesystem::path& path) {
+// A folder of a bag's parts. Scans come first where both are there, unless rosbag2 made the folder.
+bool is_bag(const std::filesystem::path& path, const OpenOptions& options) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(path, ignored)) return is_bag_file(path);
-  return !holds_scan_files(path) && !bag_files(path).empty();
+  if (bag_files(path).empty()) return false;
+  const bool is_rosbag2 = std::filesystem::exists(path / "metadata.yaml", ignored);
+  return (is_rosbag2 && options.format.empty()) || !holds_scan_files(path);
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+// What of a folder is passed over, and what is put together.
+std::vector<std::string> folder_notes(const std::filesystem::path& path, bool as_bag) {
+  std::error_code ignored;
+  std::vector<std::string> notes;
+  if (!std::filesystem::is_directory(path, ignored)) return notes;
+  const std::vector<std::filesystem::path> bags = bag_files(path);
+  const FolderCounts counts = count_folder(path);
+  const auto pass_over = [&](std::size_t count, const std::string& what) {
+    if (count > 0) notes.push_back("not read: " + counted(count, what) + " in the same folder");
+  };
+  if (as_bag) {
+    pass_over(counts.scans, "scan file");
+  } else {
+    pass_over(bags.size(), "bag");
+  }
+  if (as_bag || counts.scans > 0 || counts.captures > 1) pass_over(counts.captures, "capture");
+  if (as_bag && bags.size() > 1 && !std::filesystem::exists(path / "metadata.yaml", ignored)) {
+    notes.push_back(counted(bags.size(), "bag") + " are read as parts of one recording, " +
+                    bags.front().filename().string() + " first");
+  }
+  return notes;
+}
+
+// Options that somebody gave and that say nothing about this kind of recording.
+std::vector<std::string> idle_options(const std::filesystem::path& path, const OpenOptions& options,
+                                      bool as_bag) {
+  std::error_code ignored;
+  const bool scans = !as_bag &&
+                     (std::filesystem::is_directory(path, ignored) || scan_file_kind(path)) &&
+                     !(std::filesystem::is_directory(path, ignored) && only_capture(path));
+  std::vector<std::string> notes;
+  const auto idle = [&](bool given, const char* option, const char* of) {
+    if (given) notes.push_back(std::string(option) + " counts for nothing here: it is for " + of);
+  };
+  if (!as_bag) idle(!options.topic.empty(), "--topic", "bags");
+  if (!scans) idle(!options.stamps_file.empty(), "--stamps", "folders of scans");
+  if (!scans) idle(!options.format.empty(), "--format", "folders of scans");
+  if (scans) idle(!options.sensor.empty(), "--sensor", "a sensor's packets");
+  if (scans) idle(!options.calibration_file.empty(), "--calibration", "a sensor's packets");
+  if (scans || as_bag) idle(options.udp_port != 0, "--udp-port", "captures");
+  return notes;
+}
+
+/// A recording with notes more.
+class NotedRecording final : public RecordingFilter {
+ public:
+  NotedRecording(std::unique_ptr<Recording> recording, const std::vector<std::string>& notes)
+      : RecordingFilter(std::move(recording)) {
+    for (const std::string& text : notes) note(text);
+  }
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = recording().next();
+    merge_notes();
+    return item;
+  }
+};
+
+std::unique_ptr<Recording> with_notes(std::unique_ptr<Recording> recording,
+                                      const std::filesystem::path& path,
+                                      const OpenOptions& options) {
+  const bool as_bag = is_bag(path, options);
+  std::vector<std::string> notes = folder_notes(path, as_bag);
+  for (std::string& text : idle_options(path, options, as_bag)) notes.push_back(std::move(text));
+  if (notes.empty()) return recording;
+  return std::make_unique<NotedRecording>(std::move(recording), notes);
 }
 
 std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const OpenOptions& options) {
@@ -28,7 +102,7 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
   if (!std::filesystem::exists(path, ignored)) {
     throw ReadError(path.string() + ": no such file or folder");
   }
-  if (is_bag(path)) return open_bag_recording(path, options);
+  if (is_bag(path, options)) return open_bag_recording(path, options);
   const bool is_folder = std::filesystem::is_directory(path, ignored);
   if (is_folder) {
     if (const auto capture = only_capture(path)) return open_any(*capture, options);
@@ -55,7 +129,8 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
                                           const OpenOptions& given) {
   const OpenOptions options = with_robot(with_dataset(given));
-  std::unique_ptr<Recording> recording = watch_point_times(open_any(path, options), options);
+  std::unique_ptr<Recording> recording =
+      watch_point_times(with_notes(open_any(path, options), path, given), options);
   return options.repair_stamps ? repair_stamps(std::move(recording), options)
                                : std::move(recording);
 }

@@ -23,6 +23,8 @@ struct Sorted {
   std::array<std::vector<std::filesystem::path>, kKinds.size()> by_kind;
   std::size_t others = 0;
   std::vector<std::filesystem::path> captures;
+  // Named as scans are, but no files: pipes, folders, links that lead nowhere.
+  std::array<std::vector<std::filesystem::path>, kKinds.size()> no_files;
 
   [[nodiscard]] std::string counts() const {
     std::string text;
@@ -47,11 +49,11 @@ Sorted sort_folder(const std::filesystem::path& folder) {
        it.increment(error)) {
     std::error_code ignored;
     const std::filesystem::path& file = it->path();
-    if (!it->is_regular_file(ignored) || file.filename().string().starts_with(".")) {
-      continue;
-    }
+    if (file.filename().string().starts_with(".")) continue;
     const std::optional<ScanFileKind> kind = scan_file_kind(file);
-    if (kind) {
+    if (!it->is_regular_file(ignored)) {
+      if (kind) sorted.no_files[static_cast<std::size_t>(*kind)].push_back(file);
+    } else if (kind) {
       sorted.by_kind[static_cast<std::size_t>(*kind)].push_back(file);
     } else if (is_capture(file)) {
       sorted.captures.push_back(file);
@@ -74,6 +76,13 @@ ScanFileKind kind_of_format(const std::string& format) {
 }
 
 }  // namespace
+
+FolderCounts count_folder(const std::filesystem::path& folder) {
+  const Sorted sorted = sort_folder(folder);
+  FolderCounts counts{0, sorted.captures.size()};
+  for (const auto& files : sorted.by_kind) counts.scans += files.size();
+  return counts;
+}
 
 bool holds_scan_files(const std::filesystem::path& folder) {
   return sort_folder(folder).kinds() > 0;
@@ -110,6 +119,9 @@ FolderListing list_folder(const std::filesystem::path& path, const std::string& 
     if (!files.empty() && (format.empty() || kind == kind_of_format(format))) {
       listing.kind = kind;
       listing.files = std::move(files);
+      // Each is a scan that cannot be read, which keeps the others with their stamps.
+      const auto& no_files = sorted.no_files[static_cast<std::size_t>(kind)];
+      listing.files.insert(listing.files.end(), no_files.begin(), no_files.end());
     }
   }
   if (listing.files.empty()) {

@@ -24,6 +24,14 @@ struct FolderListing {
 [[nodiscard]] FolderListing list_folder(const std::filesystem::path& path,
                                         const std::string& format);
 
+/// Files in the folder itself.
+struct FolderCounts {
+  std::size_t scans = 0;
+  std::size_t captures = 0;
+};
+/// Throws ReadError where it cannot be listed.
+[[nodiscard]] FolderCounts count_folder(const std::filesystem::path& folder);
+
 /// Whether scans lie in the folder itself. Throws ReadError where it cannot be listed.
 [[nodiscard]] bool holds_scan_files(const std::filesystem::path& folder);
 /// The capture in a folder that holds one and no scans. Throws ReadError.

@@ -62,11 +62,15 @@ TEST(NamedPipe, IsRefusedByEveryReader) {
   }
 }
 
-TEST(NamedPipe, AmongScansIsNoScan) {
+TEST(NamedPipe, AmongScansIsOneThatCannotBeRead) {
   const test::TemporaryFolder folder;
   folder.write("0.bin", std::string(160, '\0'));
   make_pipe(folder.path() / "1.bin");
-  EXPECT_EQ(open_recording(folder.path())->size(), 1U);
+  const auto recording = open_recording(folder.path());
+  EXPECT_EQ(recording->size(), 2U);
+  int unreadable = 0;
+  while (const auto item = recording->next()) unreadable += item->error.empty() ? 0 : 1;
+  EXPECT_EQ(unreadable, 1);
 }
 
 }  // namespace
