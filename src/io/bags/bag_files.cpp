@@ -50,9 +50,13 @@ std::vector<fs::path> named_files(const fs::path& folder) {
   return known ? files : std::vector<fs::path>{};
 }
 
-// ".mcap" of "a.mcap" and "a.mcap.zstd".
+// ".mcap" of "a.mcap", "a.MCAP" and "a.mcap.zstd".
 fs::path kind_of(const fs::path& file) {
-  return file.extension() == ".zstd" ? file.stem().extension() : file.extension();
+  std::string kind =
+      (file.extension() == ".zstd" ? file.stem().extension() : file.extension()).string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return kind;
 }
 
 std::unique_ptr<MessageSource> open_part(const fs::path& file) {

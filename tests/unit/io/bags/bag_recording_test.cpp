@@ -70,6 +70,13 @@ TEST(BagRecording, EveryContainerGivesTheScansBack) {
   expect_scans(*open_recording(folder.path() / "z"), kScans);
 }
 
+TEST(BagRecording, ExtensionsInAnyCase) {
+  const test::TemporaryFolder folder;
+  const fs::path mcap = write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 2);
+  fs::rename(mcap, folder.path() / "A.MCAP");
+  expect_scans(*open_recording(folder.path() / "A.MCAP"), 2);
+}
+
 TEST(BagRecording, SaysWhatItTook) {
   const test::TemporaryFolder folder;
   const auto recording = open_recording(write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 3));
