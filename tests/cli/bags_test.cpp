@@ -87,6 +87,16 @@ TEST(Convert, PartsOfARecordingAndWhatIsLost) {
             std::string::npos);
 }
 
+TEST(Convert, OneWildStampIsNotTheEnd) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(4));
+  write_content(folder / "pcd" / "times.txt", "1.0\n1.1\n99.0\n1.3\n");
+  const ProcessResult result =
+      run_surefoot({"convert", "pcd", "a.mcap", "--no-repair-stamps", "--end", "5"}, folder);
+  EXPECT_NE(result.output.find("3 scans"), std::string::npos) << result;
+}
+
 TEST(Convert, RefusesWhatIsThereAlreadyAndOtherNames) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
