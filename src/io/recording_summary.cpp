@@ -16,8 +16,8 @@ namespace {
 // A gap is an interval half as long again as the usual one: a scan is missing.
 constexpr double kGapFactor = 1.5;
 // Scans shorter or longer than this are rarely whole sweeps [s].
-constexpr double kShortest = 0.01;
-constexpr double kLongest = 1.0;
+constexpr double kShortestSweep = 0.01;
+constexpr double kLongestSweep = 1.0;
 
 class Summariser {
  public:
@@ -134,9 +134,9 @@ class Summariser {
     durations_.push_back(duration);
     if (duration == 0.0) {
       note_oddity("all point times equal", name);
-    } else if (duration < kShortest) {
+    } else if (duration < kShortestSweep) {
       note_oddity("scan shorter than 0.01 s", name);
-    } else if (duration > kLongest) {
+    } else if (duration > kLongestSweep) {
       note_oddity("scan longer than 1 s", name);
     }
   }

@@ -24,7 +24,7 @@ std::optional<std::int64_t> parse_whole(std::string_view text) {
 // Whole seconds of this size would be 3,000 years: they are nanoseconds.
 constexpr std::int64_t kLeastNanoseconds = 100'000'000'000;
 
-std::string_view trimmed(std::string_view line) {
+std::string_view trimmed_line(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos) {
     return {};
@@ -41,7 +41,7 @@ std::vector<StampLine> stamp_lines(std::string_view text) {
   std::vector<StampLine> lines;
   LineReader reader(text);
   for (std::string_view line; reader.next(line);) {
-    line = trimmed(line);
+    line = trimmed_line(line);
     if (!line.empty() && line.front() != '#') {
       lines.push_back({line, reader.line_number()});
     }

@@ -241,7 +241,7 @@ Truth read_oxts(const fs::path& drive) {
   return truth;
 }
 
-bool is_bag(const fs::path& path) {
+bool holds_topics(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored) ? !bag_files(path).empty() : is_bag_file(path);
 }
@@ -304,7 +304,7 @@ Truth read_truth(const fs::path& path, const Dataset* set, const std::string& to
   Truth truth;
   if (set != nullptr && set->truth == TruthOf::oxts) return read_oxts(path);
   if (set != nullptr && set->truth == TruthOf::kitti_camera) return read_kitti(path);
-  if (is_bag(path)) {
+  if (holds_topics(path)) {
     const std::string name = topic.empty() && set != nullptr ? set->truth_topic : topic;
     truth.poses = read_pose_topic(path, name);
     truth.what = "topic " + (name.empty() ? std::string("of poses") : name);

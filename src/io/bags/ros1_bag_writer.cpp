@@ -19,7 +19,7 @@ constexpr std::size_t kFileHeaderBytes = 4096;
 constexpr std::size_t kChunkBytes = 768 * 1024;
 
 template <typename T>
-std::string bytes_of(T value) {
+std::string little_endian(T value) {
   std::string bytes;
   append_bytes(bytes, value);
   return bytes;
@@ -54,8 +54,8 @@ std::string record(const Fields& fields, std::string_view data) {
 std::string ros_time(std::int64_t stamp_ns) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   const std::int64_t time = std::max<std::int64_t>(stamp_ns, 0);
-  return bytes_of(static_cast<std::uint32_t>(time / kSecond)) +
-         bytes_of(static_cast<std::uint32_t>(time % kSecond));
+  return little_endian(static_cast<std::uint32_t>(time / kSecond)) +
+         little_endian(static_cast<std::uint32_t>(time % kSecond));
 }
 
 class Ros1Bag final : public BagWriter {
@@ -70,7 +70,7 @@ class Ros1Bag final : public BagWriter {
     data.add("topic", name).add("type", definition.type).add("md5sum", definition.ros1_md5);
     data.add("message_definition", definition.ros1_text);
     Fields header(RecordKind::connection);
-    header.add("conn", bytes_of(id)).add("topic", name);
+    header.add("conn", little_endian(id)).add("topic", name);
     connections_.push_back(record(header, data.bytes()));
     chunk_.content += connections_.back();
     return id;
@@ -81,9 +81,9 @@ class Ros1Bag final : public BagWriter {
     const std::string time = ros_time(stamp_ns);
     const auto offset = static_cast<std::uint32_t>(chunk_.content.size());
     std::string& index = chunk_.index[id];
-    index += time + bytes_of(offset);
+    index += time + little_endian(offset);
     Fields header(RecordKind::message);
-    header.add("conn", bytes_of(id)).add("time", time);
+    header.add("conn", little_endian(id)).add("time", time);
     chunk_.content += record(header, message);
     const bool first = chunk_.first_ns > chunk_.last_ns;
     chunk_.first_ns = first ? stamp_ns : std::min(chunk_.first_ns, stamp_ns);
@@ -119,9 +119,9 @@ class Ros1Bag final : public BagWriter {
   // Always of one size, so that it can be written again at the end.
   [[nodiscard]] std::string file_header(std::uint64_t index_position) const {
     Fields fields(RecordKind::file_header);
-    fields.add("index_pos", bytes_of(index_position));
-    fields.add("conn_count", bytes_of(static_cast<std::uint32_t>(connections_.size())));
-    fields.add("chunk_count", bytes_of(static_cast<std::uint32_t>(chunk_infos_.size())));
+    fields.add("index_pos", little_endian(index_position));
+    fields.add("conn_count", little_endian(static_cast<std::uint32_t>(connections_.size())));
+    fields.add("chunk_count", little_endian(static_cast<std::uint32_t>(chunk_infos_.size())));
     const std::size_t used = fields.bytes().size() + 2 * sizeof(std::uint32_t);
     return record(fields, std::string(kFileHeaderBytes - used, ' '));
   }
@@ -131,22 +131,23 @@ class Ros1Bag final : public BagWriter {
     const std::uint64_t chunk_position = position_;
     Fields header(RecordKind::chunk);
     header.add("compression", "none");
-    header.add("size", bytes_of(static_cast<std::uint32_t>(chunk_.content.size())));
+    header.add("size", little_endian(static_cast<std::uint32_t>(chunk_.content.size())));
     put(record(header, chunk_.content));
     std::string counts;
     for (const auto& [id, entries] : chunk_.index) {
       constexpr std::size_t kEntryBytes = 12;
       const auto count = static_cast<std::uint32_t>(entries.size() / kEntryBytes);
       Fields index(RecordKind::index);
-      index.add("ver", bytes_of(std::uint32_t{1})).add("conn", bytes_of(id));
-      index.add("count", bytes_of(count));
+      index.add("ver", little_endian(std::uint32_t{1})).add("conn", little_endian(id));
+      index.add("count", little_endian(count));
       put(record(index, entries));
-      counts += bytes_of(id) + bytes_of(count);
+      counts += little_endian(id) + little_endian(count);
     }
     Fields info(RecordKind::chunk_info);
-    info.add("ver", bytes_of(std::uint32_t{1})).add("chunk_pos", bytes_of(chunk_position));
+    info.add("ver", little_endian(std::uint32_t{1}))
+        .add("chunk_pos", little_endian(chunk_position));
     info.add("start_time", ros_time(chunk_.first_ns)).add("end_time", ros_time(chunk_.last_ns));
-    info.add("count", bytes_of(static_cast<std::uint32_t>(chunk_.index.size())));
+    info.add("count", little_endian(static_cast<std::uint32_t>(chunk_.index.size())));
     chunk_infos_.push_back(record(info, counts));
     chunk_ = {};
   }

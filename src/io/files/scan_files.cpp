@@ -13,7 +13,7 @@
 namespace surefoot::io {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The run of digits at `at`, without leading zeros; moves `at` past it.
 std::string_view take_digits(std::string_view text, std::size_t& at) {
@@ -21,7 +21,7 @@ std::string_view take_digits(std::string_view text, std::size_t& at) {
     ++at;
   }
   const std::size_t begin = at;
-  while (at < text.size() && is_digit(text[at])) {
+  while (at < text.size() && is_decimal_digit(text[at])) {
     ++at;
   }
   return text.substr(begin, at - begin);
@@ -90,7 +90,7 @@ bool natural_less(const std::string& a, const std::string& b) {
   std::size_t i = 0;
   std::size_t j = 0;
   while (i < a.size() && j < b.size()) {
-    if (is_digit(a[i]) && is_digit(b[j])) {
+    if (is_decimal_digit(a[i]) && is_decimal_digit(b[j])) {
       const std::string_view left = take_digits(a, i);
       const std::string_view right = take_digits(b, j);
       if (left != right) {

@@ -25,13 +25,13 @@ struct Shape {
   std::uint32_t row_step = 0;
 };
 
-struct Field {
+struct ReadField {
   Column column;
   std::uint32_t offset = 0;
 };
 
-std::optional<Field> read_field(MessageReader& reader) {
-  Field field;
+std::optional<ReadField> read_field(MessageReader& reader) {
+  ReadField field;
   reader.begin_structure();
   field.column.name = reader.string("field's name");
   field.offset = reader.number<std::uint32_t>("field's offset");
@@ -67,7 +67,7 @@ CloudMessage read_point_cloud2(MessageReader& reader) {
   Shape shape;
   shape.height = reader.number<std::uint32_t>("height");
   shape.width = reader.number<std::uint32_t>("width");
-  std::vector<Field> fields;
+  std::vector<ReadField> fields;
   for (auto left = reader.structures("fields", kLeastFieldBytes); left > 0; --left) {
     if (auto field = read_field(reader)) fields.push_back(std::move(*field));
   }
@@ -88,7 +88,7 @@ CloudMessage read_point_cloud2(MessageReader& reader) {
   }
   cloud.table.format = "PointCloud2";
   cloud.table.size = static_cast<std::size_t>(points);
-  for (Field& field : fields) {
+  for (ReadField& field : fields) {
     if (std::uint64_t{field.offset} + size_of(field.column.type) > shape.point_step) {
       throw ReadError("field '" + field.column.name + "' at byte " + std::to_string(field.offset) +
                       " of points of " + std::to_string(shape.point_step) + " bytes");

@@ -14,14 +14,14 @@ namespace {
 // sensor_msgs/PointField's numbers of the types.
 enum Datatype : std::uint8_t { kUint16 = 4, kInt32 = 5, kUint32 = 6, kFloat32 = 7 };
 
-struct Field {
+struct WrittenField {
   const char* name;
   Datatype type;
   std::uint32_t offset;
 };
 
 struct Layout {
-  std::vector<Field> fields;
+  std::vector<WrittenField> fields;
   std::uint32_t step = 0;
 
   void add(const char* name, Datatype type) {
@@ -68,7 +68,7 @@ std::string format_point_cloud2(const Scan& scan, std::string_view frame,
   MessageWriter message(flavour);
   message.header(scan.stamp_ns, frame).number(std::uint32_t{1}).number(points);
   message.count(layout.fields.size());
-  for (const Field& field : layout.fields) {
+  for (const WrittenField& field : layout.fields) {
     message.string(field.name).number(field.offset);
     message.number(static_cast<std::uint8_t>(field.type)).number(std::uint32_t{1});
   }
