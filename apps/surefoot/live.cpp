@@ -16,9 +16,9 @@
 
 #include "commands.hpp"
 #include "live/command_queue.hpp"
+#include "live/live_health.hpp"
 #include "live/live_recording.hpp"
 #include "live_ends.hpp"
-#include "live_figures.hpp"
 #ifdef SUREFOOT_HAS_LIVE_PAGE
 #include "live_viewers.hpp"
 #endif
@@ -39,7 +39,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome, bool of_topic) {
-  fmt::print("{}\n", state_text(figures));
+  fmt::print("{}\n", live::state_text(figures));
   if (of_topic) {
     fmt::print("{} messages, {} unreadable; {} lost on the way\n", figures.received,
                figures.unreadable, figures.lost);
@@ -81,7 +81,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
   live::CommandQueue commands;
   Ends ends = ends_of(arguments, commands);
   std::function<void()> work = [] {};
-  std::optional<LivePublisher> publisher;
+  std::optional<live::HealthPublisher> publisher;
   std::function<void()> tell_health = [] {};
   arguments.live.idle = [&] {
     work();
@@ -120,7 +120,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     constexpr auto kPeriod = std::chrono::seconds(10);
     if (quiet || Clock::now() - told < kPeriod) return;
     told = Clock::now();
-    say(state_text(recording.figures()));
+    say(live::state_text(recording.figures()));
   };
   const auto started = [&](const std::filesystem::path& folder, runs::RunControl& run) {
     work = [&] {

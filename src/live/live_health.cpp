@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include "live_figures.hpp"
+#include "live/live_health.hpp"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,12 @@
 #include <array>
 #include <utility>
 
-#include "io/messages/pose_messages.hpp"
 #include "surefoot/quantile.hpp"
 
-namespace surefoot::app {
+namespace surefoot::live {
 namespace {
 
-std::string latency_text(const live::LiveFigures& figures) {
+std::string latency_text(const LiveFigures& figures) {
   const std::vector<double>& latencies = figures.latencies_ms;
   if (latencies.empty()) return "no scan was used";
   return fmt::format("from last packet to pose {:.1f} ms median, {:.1f} ms p99, {:.1f} ms at most",
@@ -24,8 +23,7 @@ std::string latency_text(const live::LiveFigures& figures) {
 
 constexpr double kLongestSilence = 1.0;  // [s]: ten revolutions of most sensors
 
-/// Health: a sensor that says nothing is an error, what was lost to others a warning.
-void judge(const live::LiveFigures& figures, io::Diagnostic& diagnostic) {
+void judge(const LiveFigures& figures, io::Diagnostic& diagnostic) {
   using Level = io::Diagnostic::Level;
   if (figures.silent_s > kLongestSilence) {
     diagnostic.level = Level::error;
@@ -39,12 +37,18 @@ void judge(const live::LiveFigures& figures, io::Diagnostic& diagnostic) {
   diagnostic.message += state_text(figures);
 }
 
-/// How a live run keeps up, as a diagnosis of its own.
-io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
+}  // namespace
+
+std::string state_text(const LiveFigures& figures) {
+  const std::string paused =
+      figures.paused > 0 ? fmt::format(", {} paused", figures.paused) : std::string();
+  return fmt::format("{} scans, {} dropped{}; {}", figures.used, figures.dropped, paused,
+                     latency_text(figures));
+}
+
+io::Diagnostic health_of(const LiveFigures& figures, std::int64_t stamp_ns) {
   io::Diagnostic diagnostic;
-  diagnostic.stamp_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
-                            std::chrono::system_clock::now().time_since_epoch())
-                            .count();
+  diagnostic.stamp_ns = stamp_ns;
   diagnostic.name = "surefoot: live";
   judge(figures, diagnostic);
   const auto add = [&](const char* key, auto value) {
@@ -62,27 +66,21 @@ io::Diagnostic diagnostic_of(const live::LiveFigures& figures) {
   return diagnostic;
 }
 
-}  // namespace
-
-std::string state_text(const live::LiveFigures& figures) {
-  const std::string paused =
-      figures.paused > 0 ? fmt::format(", {} paused", figures.paused) : std::string();
-  return fmt::format("{} scans, {} dropped{}; {}", figures.used, figures.dropped, paused,
-                     latency_text(figures));
-}
-
-LivePublisher::LivePublisher(std::shared_ptr<io::BagWriter> messages)
+HealthPublisher::HealthPublisher(std::shared_ptr<io::BagWriter> messages)
     : messages_(std::move(messages)),
       topic_(messages_->add_topic("/diagnostics", io::diagnostics_definition())) {}
 
-void LivePublisher::tell(const live::LiveFigures& figures) {
+void HealthPublisher::tell(const LiveFigures& figures) {
   using Clock = std::chrono::steady_clock;
   constexpr auto kPeriod = std::chrono::seconds(1);
   if (Clock::now() - told_ < kPeriod) return;
   told_ = Clock::now();
-  const io::Diagnostic diagnostic = diagnostic_of(figures);
+  const std::int64_t now_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                  std::chrono::system_clock::now().time_since_epoch())
+                                  .count();
+  const io::Diagnostic diagnostic = health_of(figures, now_ns);
   messages_->write(topic_, diagnostic.stamp_ns,
                    io::format_diagnostic(diagnostic, messages_->flavour()));
 }
 
-}  // namespace surefoot::app
+}  // namespace surefoot::live
