@@ -4,6 +4,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <string_view>
+
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
 #include "runs/config_file.hpp"
@@ -11,6 +13,46 @@
 namespace surefoot::runs {
 
 namespace {
+
+/// Whether YAML can hold it as text (RFC 3629). A path is any bytes.
+bool is_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = [&](std::size_t i) {
+      return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
+    };
+    const unsigned first = byte(0), second = byte(1);
+    std::size_t length = 0;
+    if (first < 0x80) length = 1;
+    if (first >= 0xC2 && first <= 0xDF) length = 2;
+    if (first >= 0xE0 && first <= 0xEF) length = 3;
+    if (first >= 0xF0 && first <= 0xF4) length = 4;
+    for (std::size_t i = 1; i < length; ++i) {
+      if ((byte(i) & 0xC0) != 0x80) return false;
+    }
+    const bool is_overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+    const bool is_no_letter =
+        (first == 0xED && second >= 0xA0) || (first == 0xF4 && second >= 0x90);
+    if (length == 0 || is_overlong || is_no_letter) return false;
+    at += length;
+  }
+  return true;
+}
+
+/// Text as it is; what is none as YAML's !!binary, in base64.
+void emit(YAML::Emitter& out, const std::string& value) {
+  if (is_utf8(value)) {
+    out << value;
+  } else {
+    out << YAML::Binary(reinterpret_cast<const unsigned char*>(value.data()), value.size());
+  }
+}
+
+/// What emit() wrote, of a scalar. Throws YAML::Exception for what is no base64.
+std::string text_of(const YAML::Node& scalar) {
+  if (scalar.Tag() != "tag:yaml.org,2002:binary") return scalar.Scalar();
+  const auto binary = scalar.as<YAML::Binary>();
+  return {reinterpret_cast<const char*>(binary.data()), binary.size()};
+}
 
 /// Tells `visit` every entry with its section, in the order in which they are written.
 template <typename Record, typename Visit>
@@ -59,11 +101,18 @@ class Writer {
     if (!section.empty()) out_ << YAML::Key << section << YAML::Value << YAML::BeginMap;
     section_ = section;
   }
-  void write(const std::string& value) { out_ << value; }
-  void write(const std::vector<std::string>& values) { out_ << values; }
+  void write(const std::string& value) { emit(out_, value); }
+  void write(const std::vector<std::string>& values) {
+    out_ << YAML::BeginSeq;
+    for (const std::string& value : values) emit(out_, value);
+    out_ << YAML::EndSeq;
+  }
   void write(const OptionTexts& options) {
     out_ << YAML::BeginMap;
-    for (const auto& [name, value] : options) out_ << YAML::Key << name << YAML::Value << value;
+    for (const auto& [name, value] : options) {
+      out_ << YAML::Key << name << YAML::Value;
+      emit(out_, value);
+    }
     out_ << YAML::EndMap;
   }
 
@@ -83,19 +132,19 @@ class Reader {
 
  private:
   static void read(const YAML::Node& node, std::string& value) {
-    if (node.IsScalar()) value = node.Scalar();
+    if (node.IsScalar()) value = text_of(node);
   }
   static void read(const YAML::Node& node, std::vector<std::string>& values) {
     if (!node.IsSequence()) return;
     for (const YAML::Node& item : node) {
-      if (item.IsScalar()) values.push_back(item.Scalar());
+      if (item.IsScalar()) values.push_back(text_of(item));
     }
   }
   static void read(const YAML::Node& node, OptionTexts& options) {
     if (!node.IsMap()) return;
     for (const auto& item : node) {
       if (item.first.IsScalar() && item.second.IsScalar()) {
-        options.emplace_back(item.first.Scalar(), item.second.Scalar());
+        options.emplace_back(item.first.Scalar(), text_of(item.second));
       }
     }
   }

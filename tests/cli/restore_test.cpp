@@ -6,6 +6,7 @@
 
 #include "process.hpp"
 #include "recordings.hpp"
+#include "same_files.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -106,6 +107,19 @@ TEST_F(Restore, OptionsThatCannotBeAreRefused) {
     EXPECT_NE(result.errors.find("bad.yaml: options"), std::string::npos) << result;
     EXPECT_FALSE(fs::exists(path("out")));
   }
+}
+
+TEST(RestoreOfBytes, APathThatIsNoTextIsFoundAgain) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "gar\xe7on", hall_scans(5));
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", "gar\xe7on", "-o", "first", "--no-report", "--no-picture"},
+        std::vector<std::string>{"run", "--config", "first/run.yaml", "-o", "again"}}) {
+    const ProcessResult result = run_surefoot(arguments, scratch.path());
+    ASSERT_EQ(result.exit_code, 0) << result;
+  }
+  expect_same_files(scratch.path() / "first", scratch.path() / "again",
+                    {"trajectory.tum", "map.ply"});
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "runs/run_yaml.hpp"
 
+#include <filesystem>
+#include <fstream>
+
 #include "io/recording.hpp"
 #include "runs/config_file.hpp"
 #include "support/scratch.hpp"
@@ -53,6 +56,30 @@ TEST_F(RunYaml, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read.compiler, run.compiler);
   EXPECT_EQ(read.parameters, run.parameters);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "run.yaml.part"));
+}
+
+/// Names of files are bytes; what is UTF-8 among them stays legible.
+TEST_F(RunYaml, PathsThatAreNoTextAreReadBack) {
+  RunDescription run = some_run();
+  run.input = "/recordings/gar\xe7on/\xff\xfe";
+  run.notes = {"/a/\xc3\xa9t\xc3\xa9: a note", "cut short: \xe2\x82", "overlong: \xc0\xaf"};
+  run.options = {{"stamps", "/\xed\xa0\x80/times.txt"}, {"calibration", "/\xf0\x9f\xa4\x96.xml"}};
+  write_run_yaml(folder_ / "run.yaml", run);
+  const RunDescription read = read_run_yaml(folder_ / "run.yaml");
+  EXPECT_EQ(read.input, run.input);
+  EXPECT_EQ(read.notes, run.notes);
+  EXPECT_EQ(read.options, run.options);
+  Config config = method_config("paper");
+  load_config_file(folder_ / "run.yaml", config);
+  EXPECT_EQ(parameter_texts(config), run.parameters);
+  const std::string text = run_yaml_text(run);
+  EXPECT_NE(text.find("/a/\xc3\xa9t\xc3\xa9: a note"), std::string::npos) << text;
+  EXPECT_NE(text.find("/\xf0\x9f\xa4\x96.xml"), std::string::npos) << text;
+}
+
+TEST_F(RunYaml, BinaryThatIsNoneIsRefused) {
+  std::ofstream(folder_ / "run.yaml") << "input:\n  path: !!binary \"?\"\n";
+  EXPECT_THROW((void)read_run_yaml(folder_ / "run.yaml"), io::ReadError);
 }
 
 TEST_F(RunYaml, IsTakenAsConfiguration) {
