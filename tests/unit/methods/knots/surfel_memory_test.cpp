@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What a map of surfels keeps, and what it forgets: full voxels, far ones, what moved away.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "methods/knots/surfel_map.hpp"
+#include "support/random.hpp"
+#include "unit/methods/knots/surfel_clouds.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::cloud;
+using test::find;
+using test::kCentre;
+using test::knots_config;
+using test::kSensor;
+using test::map_of;
+using test::Points;
+using test::Random;
+
+TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
+  Random random(6);
+  Config::Knots config = knots_config();
+  config.points_per_voxel = 50;
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  SurfelMap map = map_of(cloud(random, 50, {0.2, 0.2, 0.1}, axes, {0.19, 0.19, 0.0}), config);
+  const Surfel before = *find(map, kCentre);
+  map.insert(cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0}), kSensor);
+  const Surfel after = *find(map, kCentre);
+  EXPECT_EQ(after.mean, before.mean);
+  EXPECT_EQ(after.variance[0], before.variance[0]);
+  EXPECT_NEAR(after.mean.z(), 0.1, 1e-12);
+}
+
+TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
+  Random random(7);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d near(0.2, 0.2, 0.2), far(160.2, 0.2, 0.2);
+  Points points = cloud(random, 60, near, axes, {0.19, 0.19, 0.0});
+  const Points others = cloud(random, 60, far, axes, {0.19, 0.19, 0.0});
+  points.insert(points.end(), others.begin(), others.end());
+  SurfelMap map = map_of(points);  // its radius is 100 m
+  ASSERT_EQ(map.points().size(), 2U);
+  map.remove_far({80.0, 0.0, 0.0});  // where the cleaning counts from; both are within
+  map.remove_far({82.0, 0.0, 0.0});
+  EXPECT_EQ(map.points().size(), 2U);
+  map.remove_far({100.5, 0.0, 0.0});
+  ASSERT_EQ(map.points().size(), 1U);
+  EXPECT_NEAR(map.points().front().x(), 160.2, 0.1);
+  EXPECT_EQ(find(map, near), nullptr);
+  EXPECT_NE(find(map, far), nullptr);  // the table still leads to its voxel
+  map.insert(cloud(random, 60, near, axes, {0.19, 0.19, 0.0}), kSensor);
+  EXPECT_NE(find(map, near), nullptr);
+  map.clear();
+  EXPECT_TRUE(map.empty());
+  EXPECT_EQ(find(map, far), nullptr);
+}
+
+/// Scans of a wall that somebody stands in front of, for so many scans, and then no longer.
+class Visitor {
+ public:
+  explicit Visitor(int gone_after) : map_(config(gone_after), 100.0) {}
+
+  void stand(int scans) { look(scans, true); }
+  void leave(int scans) { look(scans, false); }
+
+  /// Points of the map about the place.
+  [[nodiscard]] int left() const {
+    const Points points = map_.points();
+    return static_cast<int>(std::count_if(points.begin(), points.end(), [](const auto& point) {
+      return (point - kPlace).norm() < 0.6;
+    }));
+  }
+  [[nodiscard]] int wall() const { return static_cast<int>(map_.points().size()) - left(); }
+  [[nodiscard]] const Points& emptied() const { return emptied_; }
+
+ private:
+  static Config::Knots config(int gone_after) {
+    Config::Knots config = knots_config();
+    config.gone_after = gone_after;
+    return config;
+  }
+
+  void look(int scans, bool standing) {
+    const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    for (int i = 0; i < scans; ++i) {
+      Points points = cloud(random_, 4000, {12.0, 0.0, 1.0}, axes, {0.0, 6.0, 2.0}, 0.01);
+      if (standing) {
+        const Points body = cloud(random_, 200, kPlace, axes, {0.2, 0.2, 0.5});
+        points.insert(points.end(), body.begin(), body.end());
+      }
+      const Points gone = map_.insert(points, {0.0, 0.0, 0.6});
+      emptied_.insert(emptied_.end(), gone.begin(), gone.end());
+    }
+  }
+
+  inline static const Eigen::Vector3d kPlace{5.0, 0.0, 1.0};
+  Random random_{11};
+  SurfelMap map_;
+  Points emptied_;
+};
+
+TEST(SurfelMap, WhatMovedAwayIsForgotten) {
+  Visitor visitor(2);
+  visitor.stand(5);
+  const int standing = visitor.left(), wall = visitor.wall();
+  ASSERT_GE(standing, 6);
+  EXPECT_TRUE(visitor.emptied().empty());
+  visitor.leave(1);
+  EXPECT_EQ(visitor.left(), standing);  // one scan is not enough
+  visitor.leave(20);
+  EXPECT_EQ(visitor.left(), 0);
+  EXPECT_GE(visitor.wall(), wall);
+  EXPECT_EQ(static_cast<int>(visitor.emptied().size()), standing - visitor.left());
+  for (const Eigen::Vector3d& centre : visitor.emptied()) {
+    EXPECT_LT((centre - Eigen::Vector3d(5.0, 0.0, 1.0)).norm(), 1.0);
+    const Eigen::Array3d cells = centre.array() / 0.4 - 0.5;
+    EXPECT_LT((cells - cells.round()).abs().maxCoeff(), 1e-9);  // a voxel's centre
+  }
+  visitor.stand(3);
+  EXPECT_GT(visitor.left(), standing / 2);  // who comes back is seen again
+}
+
+TEST(SurfelMap, WhatStoodForLongIsForgottenTheLater) {
+  Visitor visitor(2);
+  visitor.stand(60);
+  const int standing = visitor.left();
+  visitor.leave(16);  // a quarter of 60, and 2, are 17
+  EXPECT_EQ(visitor.left(), standing);
+  visitor.leave(30);
+  EXPECT_EQ(visitor.left(), 0);
+}
+
+TEST(SurfelMap, NothingIsForgottenIfNotAskedFor) {
+  Visitor visitor(0);
+  visitor.stand(5);
+  const int standing = visitor.left();
+  visitor.leave(60);
+  EXPECT_EQ(visitor.left(), standing);
+  EXPECT_TRUE(visitor.emptied().empty());
+}
+}  // namespace
+}  // namespace surefoot
