@@ -64,11 +64,22 @@ function(surefoot_component name)
   surefoot_precompile(surefoot_${name})
 endfunction()
 
+# No test is of the compiler: what is tested is compiled as users have it, what tests it with less
+# effort, which is a quarter of its time.
+function(surefoot_test_options target)
+  surefoot_common(${target})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # A GoogleTest program: surefoot_test(unit_geometry LIBS surefoot SOURCES a.cpp [LABELS long]).
 function(surefoot_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  surefoot_common(${name})
+  surefoot_test_options(${name})
+  surefoot_unity(${name})
+  if(SUREFOOT_UNITY)  # a local name hides another source's; the dev preset says what else is hidden
+    target_compile_options(${name} PRIVATE -Wno-shadow)
+  endif()
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE
     SUREFOOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
@@ -77,7 +88,7 @@ function(surefoot_test name)
   if(SUREFOOT_PRECOMPILE)
     if(NOT TARGET surefoot_test_precompiled)
       add_executable(surefoot_test_precompiled ${CMAKE_BINARY_DIR}/precompiled/empty.cpp)
-      surefoot_common(surefoot_test_precompiled)
+      surefoot_test_options(surefoot_test_precompiled)
       target_link_libraries(surefoot_test_precompiled PRIVATE surefoot GTest::gtest_main)
       target_precompile_headers(surefoot_test_precompiled PRIVATE ${SUREFOOT_PRECOMPILED} <gtest/gtest.h>)
     endif()

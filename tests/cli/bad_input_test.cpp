@@ -29,7 +29,8 @@ std::string xyz_pcd(const std::string& width, const std::string& data) {
   return pcd("x y z", "4 4 4", "F F F", width, data);
 }
 
-std::string ply(const std::string& format, const std::string& vertices, const std::string& data) {
+std::string ply_text(const std::string& format, const std::string& vertices,
+                     const std::string& data) {
   return "ply\nformat " + format + " 1.0\nelement vertex " + vertices +
          "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + data;
 }
@@ -99,11 +100,12 @@ std::vector<BadFile> bad_scans() {
       {"compressed_beyond_file", ".pcd", compressed_pcd(0xffffffff, 1200, some_bytes)},
       {"compressed_noise", ".pcd", compressed_pcd(1200, 1200, some_bytes)},
       {"compressed_no_sizes", ".pcd", xyz_pcd("100", "binary_compressed\n12")},
-      {"ply_4_gb", ".ply", ply("binary_little_endian", "4294967295", some_bytes)},
-      {"ply_overflows", ".ply", ply("binary_little_endian", "1537228672809129302", some_bytes)},
-      {"ply_cut", ".ply", ply("binary_big_endian", "101", some_bytes)},
-      {"ply_ascii_cut", ".ply", ply("ascii", "3", "1 2 3\n4 5 6\n")},
-      {"ply_format_unknown", ".ply", ply("binary_middle_endian", "100", some_bytes)},
+      {"ply_4_gb", ".ply", ply_text("binary_little_endian", "4294967295", some_bytes)},
+      {"ply_overflows", ".ply",
+       ply_text("binary_little_endian", "1537228672809129302", some_bytes)},
+      {"ply_cut", ".ply", ply_text("binary_big_endian", "101", some_bytes)},
+      {"ply_ascii_cut", ".ply", ply_text("ascii", "3", "1 2 3\n4 5 6\n")},
+      {"ply_format_unknown", ".ply", ply_text("binary_middle_endian", "100", some_bytes)},
       {"ply_no_end", ".ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"},
       {"bin_odd_size", ".bin", std::string(1234, '\x42')},
       {"one_point", ".pcd", uniform_pcd(1, {1, 2, 3})},
@@ -178,8 +180,8 @@ TEST(BadInput, AScanThatTakesMoreMemoryThanThereIsIsLeftOut) {
 }
 #endif
 
-void expect_refused(const std::vector<std::string>& arguments, const std::string& named,
-                    const ScratchFolder& scratch) {
+void expect_input_refused(const std::vector<std::string>& arguments, const std::string& named,
+                          const ScratchFolder& scratch) {
   const ProcessResult result = run_surefoot(arguments, scratch.path());
   EXPECT_EQ(result.exit_code, 2) << result;
   EXPECT_NE(result.errors.find(named), std::string::npos) << "not named: " << named << "\n"
@@ -210,37 +212,37 @@ TEST(BadInput, NamesAreShownAsWhatATerminalDoesNotActOn) {
 
 TEST(BadInput, MissingPath) {
   const ScratchFolder scratch;
-  expect_refused({"run", "nowhere"}, "nowhere", scratch);
-  expect_refused({"run", "nowhere.pcap"}, "nowhere.pcap", scratch);
-  expect_refused({"info", "nowhere"}, "nowhere", scratch);
-  expect_refused({"run", ""}, "surefoot", scratch);
+  expect_input_refused({"run", "nowhere"}, "nowhere", scratch);
+  expect_input_refused({"run", "nowhere.pcap"}, "nowhere.pcap", scratch);
+  expect_input_refused({"info", "nowhere"}, "nowhere", scratch);
+  expect_input_refused({"run", ""}, "surefoot", scratch);
 }
 
 TEST(BadInput, FolderWithoutScans) {
   const ScratchFolder scratch;
   fs::create_directory(scratch.path() / "in");
-  expect_refused({"run", "in", "-o", "out"}, "in", scratch);
+  expect_input_refused({"run", "in", "-o", "out"}, "in", scratch);
   write_content(scratch.path() / "in" / "readme.txt", "nothing here");
-  expect_refused({"run", "in", "-o", "out"}, "in", scratch);
+  expect_input_refused({"run", "in", "-o", "out"}, "in", scratch);
   EXPECT_FALSE(fs::exists(scratch.path() / "out"));
 }
 
 TEST(BadInput, UnknownKindOfFile) {
   const ScratchFolder scratch;
   write_content(scratch.path() / "walk.e57", "ASTM-E57");
-  expect_refused({"run", "walk.e57"}, "walk.e57", scratch);
+  expect_input_refused({"run", "walk.e57"}, "walk.e57", scratch);
 }
 
 TEST(BadInput, FolderNamedAsAScan) {
   const ScratchFolder scratch;
   fs::create_directories(scratch.path() / "in" / "000000.pcd");
-  expect_refused({"run", "in"}, "in", scratch);
+  expect_input_refused({"run", "in"}, "in", scratch);
 }
 
 TEST(BadInput, LinkToItself) {
   const ScratchFolder scratch;
   fs::create_symlink("loop.pcd", scratch.path() / "loop.pcd");
-  expect_refused({"run", "loop.pcd"}, "loop.pcd", scratch);
+  expect_input_refused({"run", "loop.pcd"}, "loop.pcd", scratch);
 }
 
 // Opening a pipe would wait for a writer; a device may have no end.
@@ -250,23 +252,23 @@ TEST(BadInput, NoRegularFile) {
     ASSERT_EQ(mkfifo((scratch.path() / name).c_str(), 0600), 0);
   }
   fs::create_symlink("/dev/zero", scratch.path() / "endless.ply");
-  expect_refused({"run", "scan.pcd", "-o", "out"}, "scan.pcd: it is a named pipe", scratch);
-  expect_refused({"run", "walk.pcap"}, "walk.pcap: it is a named pipe", scratch);
-  expect_refused({"run", "endless.ply", "-o", "out"}, "endless.ply: it is a device", scratch);
-  expect_refused({"eval", "path.tum", "path.tum"}, "path.tum: it is a named pipe", scratch);
+  expect_input_refused({"run", "scan.pcd", "-o", "out"}, "scan.pcd: it is a named pipe", scratch);
+  expect_input_refused({"run", "walk.pcap"}, "walk.pcap: it is a named pipe", scratch);
+  expect_input_refused({"run", "endless.ply", "-o", "out"}, "endless.ply: it is a device", scratch);
+  expect_input_refused({"eval", "path.tum", "path.tum"}, "path.tum: it is a named pipe", scratch);
 }
 
 TEST(BadInput, StartBeyondTheEnd) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(2));
-  expect_refused({"run", "in", "-o", "out", "--start", "2"}, "in", scratch);
+  expect_input_refused({"run", "in", "-o", "out", "--start", "2"}, "in", scratch);
   EXPECT_FALSE(fs::exists(scratch.path() / "out"));
 }
 
 TEST(BadInput, UnknownTimeField) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(2));
-  expect_refused({"run", "in", "-o", "out", "--time-field", "clock"}, "clock", scratch);
+  expect_input_refused({"run", "in", "-o", "out", "--time-field", "clock"}, "clock", scratch);
 }
 
 struct BadStamps {
@@ -280,7 +282,7 @@ TEST_P(StampsFile, IsRefused) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(3));
   write_content(scratch.path() / "in" / "times.txt", GetParam().content);
-  expect_refused({"run", "in", "-o", "out"}, "times.txt", scratch);
+  expect_input_refused({"run", "in", "-o", "out"}, "times.txt", scratch);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StampsFile,
@@ -341,7 +343,7 @@ TEST(BadCapture, IsRefused) {
   };
   for (const auto& [name, content] : captures) {
     write_content(scratch.path() / name, content);
-    expect_refused({"run", name, "-o", "out"}, name, scratch);
+    expect_input_refused({"run", name, "-o", "out"}, name, scratch);
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kScans = 5;
+constexpr int kBagScans = 5;
 
 void compress_file(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
@@ -28,7 +28,7 @@ void compress_file(const fs::path& from, const fs::path& to) {
 TEST(Bags, EveryContainerGivesTheTrajectoryOfThePcdFiles) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   const ProcessResult reference =
       run_surefoot({"run", "pcd", "-o", "expected", "--no-report"}, folder);
   ASSERT_EQ(reference.exit_code, 0) << reference;
@@ -59,7 +59,7 @@ TEST(Bags, EveryContainerGivesTheTrajectoryOfThePcdFiles) {
 TEST(Convert, ThereAndBackIsTheSame) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   ASSERT_EQ(run_surefoot({"convert", "pcd", "first"}, folder).exit_code, 0);
   ASSERT_EQ(run_surefoot({"convert", "first", "a.mcap"}, folder).exit_code, 0);
   ASSERT_EQ(run_surefoot({"convert", "a.mcap", "a.bag"}, folder).exit_code, 0);
@@ -74,7 +74,7 @@ TEST(Convert, ThereAndBackIsTheSame) {
 TEST(Convert, PartsOfARecordingAndWhatIsLost) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   const ProcessResult every =
       run_surefoot({"convert", "pcd", "a", "--stride", "2", "--to", "bin"}, folder);
   EXPECT_EQ(every.exit_code, 0) << every;
@@ -110,7 +110,7 @@ TEST(Convert, RefusesWhatIsThereAlreadyAndOtherNames) {
 TEST(Convert, LeavesNoHalfOutputAndTakesNobodyElses) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   write_content(folder / "b.mcap.part", "another's");
   const ProcessResult second = run_surefoot({"convert", "pcd", "b.mcap"}, folder);
   EXPECT_EQ(second.exit_code, 2) << second;
@@ -135,7 +135,7 @@ TEST(Convert, LeavesNoHalfOutputAndTakesNobodyElses) {
 TEST(Convert, QuietStillNamesWhatIsLeftOut) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   write_content(folder / "pcd" / scan_name(2), "no scan");
   const ProcessResult result = run_surefoot({"convert", "pcd", "a.mcap", "-q"}, folder);
   EXPECT_EQ(result.exit_code, 1) << result;
@@ -194,7 +194,7 @@ TEST(Convert, CaptureToBag) {
 TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   const ProcessResult result =
       run_surefoot({"run", "pcd", "-o", "out", "--no-report", "--mcap", "run.mcap", "--rosbag2",
                     "bag2", "--extrinsic", "0.1,0,0.3,0,0,0", "--pose-of", "base"},
@@ -207,10 +207,10 @@ TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
       ++counts[message->topic->name + " " + message->topic->type];
     }
     EXPECT_TRUE(source->notes().empty());
-    EXPECT_EQ(counts["/surefoot/odometry nav_msgs/Odometry"], kScans) << bag;
-    EXPECT_EQ(counts["/surefoot/scan sensor_msgs/PointCloud2"], kScans) << bag;
-    EXPECT_EQ(counts["/tf tf2_msgs/TFMessage"], kScans) << bag;
-    EXPECT_EQ(counts["/diagnostics diagnostic_msgs/DiagnosticArray"], kScans) << bag;
+    EXPECT_EQ(counts["/surefoot/odometry nav_msgs/Odometry"], kBagScans) << bag;
+    EXPECT_EQ(counts["/surefoot/scan sensor_msgs/PointCloud2"], kBagScans) << bag;
+    EXPECT_EQ(counts["/tf tf2_msgs/TFMessage"], kBagScans) << bag;
+    EXPECT_EQ(counts["/diagnostics diagnostic_msgs/DiagnosticArray"], kBagScans) << bag;
     EXPECT_GE(counts["/surefoot/local_map sensor_msgs/PointCloud2"], 1) << bag;
     EXPECT_GE(counts["/surefoot/path nav_msgs/Path"], 1) << bag;
   }
@@ -226,7 +226,7 @@ TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
 TEST(RunBag, DoesNotReplaceWhatIsThere) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  write_pcd_recording(folder / "pcd", hall_scans(kScans));
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
   ASSERT_EQ(run_surefoot({"convert", "pcd", "in.mcap"}, folder).exit_code, 0);
   const std::string before = file_content(folder / "in.mcap");
   const std::vector<std::string> run = {"run",         "in.mcap",      "-o",     "out",
@@ -252,7 +252,7 @@ TEST(RunBag, DoesNotReplaceWhatIsThere) {
 TEST(Bags, OneBadMessageIsNamedAndCountedAndTheRunGoesOn) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  const std::vector<Scan> scans = hall_scans(kScans);
+  const std::vector<Scan> scans = hall_scans(kBagScans);
   const auto bag = io::make_mcap_bag(folder / "a.mcap");
   const std::size_t topic = bag->add_topic("/points", io::point_cloud2_definition());
   for (std::size_t i = 0; i < scans.size(); ++i) {

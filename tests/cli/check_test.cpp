@@ -15,7 +15,7 @@
 namespace surefoot::test {
 namespace {
 
-constexpr int kScans = 22;
+constexpr int kCheckedScans = 22;
 
 nlohmann::json check_json(const std::vector<std::string>& arguments, int exit_code,
                           const ScratchFolder& scratch) {
@@ -37,7 +37,7 @@ std::string detail_of(const nlohmann::json& json, const std::string& begin) {
 /// Scans of a trot through a hall, to be written rightly or wrongly.
 std::vector<Scan> trot_scans() {
   const Pose start{Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}};
-  return take_scans(furnished_hall(), trotting(start, 0.6, 1.4), kScans);
+  return take_scans(furnished_hall(), trotting(start, 0.6, 1.4), kCheckedScans);
 }
 
 /// Where the trot really was, `late` seconds before the stamps say so.
@@ -45,7 +45,7 @@ void write_truth(const std::filesystem::path& file, double late) {
   const Pose start{Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}};
   const MotionFunction motion = trotting(start, 0.6, 1.4);
   Trajectory truth;
-  for (int i = 0; i < 120 * kScans / 10; ++i) {
+  for (int i = 0; i < 120 * kCheckedScans / 10; ++i) {
     truth.push_back({std::int64_t{i} * 10'000'000, motion(0.01 * i + late)});
   }
   io::write_tum(file, truth);

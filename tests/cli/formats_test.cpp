@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kScans = 5;
+constexpr int kWrittenScans = 5;
 
 struct ScanFormat {
   const char* name;
@@ -53,7 +53,7 @@ TEST_P(Format, SameTrajectoryAsBinaryPcd) {
   const ScratchFolder scratch;
   const fs::path input = scratch.path() / "in";
   fs::create_directory(input);
-  std::vector<Scan> scans = hall_scans(kScans);
+  std::vector<Scan> scans = hall_scans(kWrittenScans);
   std::string times;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     if (!GetParam().point_times) scans[i].times_ns.clear();

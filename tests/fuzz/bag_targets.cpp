@@ -135,13 +135,13 @@ Seeds packet_seeds() {
   return {std::string(1, '\6') + nebula.take(), std::string(1, '\11') + sized("abc")};
 }
 
-constexpr Target kTargets[] = {{"mcap", read_mcap_bytes, mcap_seeds},
-                               {"ros1_bag", read_ros1_bytes, ros1_seeds},
-                               {"cloud_message", read_cloud_bytes, cloud_seeds},
-                               {"packet_message", read_packet_bytes, packet_seeds}};
+constexpr Target kBagTargets[] = {{"mcap", read_mcap_bytes, mcap_seeds},
+                                  {"ros1_bag", read_ros1_bytes, ros1_seeds},
+                                  {"cloud_message", read_cloud_bytes, cloud_seeds},
+                                  {"packet_message", read_packet_bytes, packet_seeds}};
 
 }  // namespace
 
-std::span<const Target> bag_targets() { return kTargets; }
+std::span<const Target> bag_targets() { return kBagTargets; }
 
 }  // namespace surefoot::fuzz

@@ -103,14 +103,14 @@ Seeds text_seeds() {
           "1630577758569489956\n"};
 }
 
-constexpr Target kTargets[] = {{"pcd", read_pcd, pcd_seeds},
-                               {"ply", read_ply, ply_seeds},
-                               {"kitti", read_kitti, kitti_seeds},
-                               {"las", read_las, las_seeds},
-                               {"text", read_text, text_seeds}};
+constexpr Target kFileTargets[] = {{"pcd", read_pcd, pcd_seeds},
+                                   {"ply", read_ply, ply_seeds},
+                                   {"kitti", read_kitti, kitti_seeds},
+                                   {"las", read_las, las_seeds},
+                                   {"text", read_text, text_seeds}};
 
 }  // namespace
 
-std::span<const Target> file_targets() { return kTargets; }
+std::span<const Target> file_targets() { return kFileTargets; }
 
 }  // namespace surefoot::fuzz

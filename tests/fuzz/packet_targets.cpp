@@ -197,17 +197,17 @@ Seeds capture_seeds() {
   return seeds;
 }
 
-constexpr Target kTargets[] = {{"vlp16", read_vlp16, vlp16_seeds},
-                               {"velodyne", read_vlp16, velodyne_seeds},
-                               {"hesai", read_hesai, hesai_seeds},
-                               {"ouster", read_ouster, ouster_seeds},
-                               {"livox", read_livox, livox_seeds},
-                               {"rs16", read_rs16, rs16_seeds},
-                               {"calibration", read_calibration, calibration_seeds},
-                               {"capture", read_capture, capture_seeds}};
+constexpr Target kPacketTargets[] = {{"vlp16", read_vlp16, vlp16_seeds},
+                                     {"velodyne", read_vlp16, velodyne_seeds},
+                                     {"hesai", read_hesai, hesai_seeds},
+                                     {"ouster", read_ouster, ouster_seeds},
+                                     {"livox", read_livox, livox_seeds},
+                                     {"rs16", read_rs16, rs16_seeds},
+                                     {"calibration", read_calibration, calibration_seeds},
+                                     {"capture", read_capture, capture_seeds}};
 
 }  // namespace
 
-std::span<const Target> packet_targets() { return kTargets; }
+std::span<const Target> packet_targets() { return kPacketTargets; }
 
 }  // namespace surefoot::fuzz

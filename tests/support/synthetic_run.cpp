@@ -11,13 +11,13 @@ namespace surefoot::test {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kLidarHeight = 0.45;  // [m] above the ground
 
 /// Height of ramp_yard's ground along its middle line, without the smoothing.
 double ground_height(double x, double slope_deg) {
-  const double run = 10.0 * std::cos(slope_deg * kDegree);
-  return std::clamp(x, 0.0, run) * std::tan(slope_deg * kDegree);
+  const double run = 10.0 * std::cos(slope_deg * kRadian);
+  return std::clamp(x, 0.0, run) * std::tan(slope_deg * kRadian);
 }
 
 /// Mean of the ground under a body of 0.6 m, so that the slope changes over that length.
@@ -55,9 +55,9 @@ MotionFunction constant_velocity(const Pose& T_start, const Twist& velocity) {
 MotionFunction trotting(const Pose& T_start, double speed, double hertz) {
   return [=](double t) {
     const double phase = 2.0 * std::numbers::pi * hertz * t;
-    const Eigen::Vector3d angles(2.0 * kDegree * std::sin(phase),
-                                 1.5 * kDegree * std::sin(2.0 * phase),
-                                 1.0 * kDegree * std::sin(phase + 1.0));
+    const Eigen::Vector3d angles(2.0 * kRadian * std::sin(phase),
+                                 1.5 * kRadian * std::sin(2.0 * phase),
+                                 1.0 * kRadian * std::sin(phase + 1.0));
     const Eigen::Vector3d place(speed * t, 0.01 * std::sin(phase), 0.02 * std::sin(2.0 * phase));
     return T_start * Pose{from_roll_pitch_yaw(angles), place};
   };
@@ -138,7 +138,7 @@ bool same_bits(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
 }
 
 double angle_between_deg(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  return so3_log(a.conjugate() * b).norm() / kDegree;
+  return so3_log(a.conjugate() * b).norm() / kRadian;
 }
 
 }  // namespace surefoot::test

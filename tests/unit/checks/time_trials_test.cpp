@@ -12,7 +12,7 @@
 namespace surefoot::checks {
 namespace {
 
-constexpr std::int64_t kPeriod = 100'000'000;
+constexpr std::int64_t kTrialPeriod = 100'000'000;
 
 /// A sensor that trots through a hall: no two scans are bent alike, as they would be in a steady
 /// turn.
@@ -22,7 +22,7 @@ std::vector<Scan> trot(int count) {
 }
 
 TEST(TimeTrials, RightTimesArePreferred) {
-  const TimeTrials trials = try_times(trot(22), kPeriod, true, 1);
+  const TimeTrials trials = try_times(trot(22), kTrialPeriod, true, 1);
   ASSERT_EQ(trials.trials.size(), 3U);
   EXPECT_TRUE(trials.decided);
   EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::as_read);
@@ -33,7 +33,7 @@ TEST(TimeTrials, RightTimesArePreferred) {
 TEST(TimeTrials, TimesThatCountBackAreFoundOut) {
   std::vector<Scan> scans = trot(22);
   for (Scan& scan : scans) io::count_backward(scan);
-  const TimeTrials trials = try_times(scans, kPeriod, true, 1);
+  const TimeTrials trials = try_times(scans, kTrialPeriod, true, 1);
   EXPECT_TRUE(trials.decided);
   EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::backward);
   EXPECT_LT(trials.trials[trials.preferred].chance, 0.001);

@@ -22,7 +22,7 @@ constexpr std::int64_t kStart = 5'000'000'000;
 constexpr std::int64_t kEnd = 5'100'000'000;
 
 /// A motion of K segments, each another way.
-ScanTrajectory random_trajectory(Random& random, int K) {
+ScanTrajectory random_far_trajectory(Random& random, int K) {
   std::vector<Pose> boundaries{random.pose(100.0, 3.0)};
   for (int k = 0; k < K; ++k) {
     boundaries.push_back(boundaries.back() * se3_exp(random.twist(0.5 / K, 0.3 / K)));
@@ -77,7 +77,7 @@ TEST(Deskew, ConstantVelocityRestoresAStaticSceneUnderOneTwist) {
 TEST(Deskew, EveryPointEqualsBruteForcePoseAlgebra) {
   Random random(7);
   for (const int K : {1, 3, 4, 16}) {
-    const ScanTrajectory trajectory = random_trajectory(random, K);
+    const ScanTrajectory trajectory = random_far_trajectory(random, K);
     PreparedScan scan;
     for (int i = 0; i < 3000; ++i) {
       scan.points.emplace_back(random.vector(40.0).cast<float>());
@@ -123,12 +123,12 @@ TEST(Deskew, ScansWithoutTimesKeepEveryBit) {
   Random random(8);
   PreparedScan scan;
   for (int i = 0; i < 100; ++i) scan.points.emplace_back(random.vector(40.0).cast<float>());
-  EXPECT_EQ(deskew(scan, random_trajectory(random, 4), Workers(1)), scan.points);
+  EXPECT_EQ(deskew(scan, random_far_trajectory(random, 4), Workers(1)), scan.points);
 }
 
 TEST(Deskew, ThreadsDoNotChangeABit) {
   Random random(9);
-  const ScanTrajectory trajectory = random_trajectory(random, 4);
+  const ScanTrajectory trajectory = random_far_trajectory(random, 4);
   PreparedScan scan;
   for (int i = 0; i < 5000; ++i) {
     scan.points.emplace_back(random.vector(40.0).cast<float>());

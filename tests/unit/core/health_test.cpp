@@ -11,7 +11,7 @@
 namespace surefoot {
 namespace {
 
-Config::Health test_config() {
+Config::Health health_config() {
   Config::Health config = Config().health;
   config.min_matches = 30;
   config.min_match_ratio = 0.3;
@@ -20,7 +20,9 @@ Config::Health test_config() {
   return config;
 }
 
-Judgement judgement_of(const RegistrationEnd& end) { return judge_with_share(end, test_config()); }
+Judgement judgement_of(const RegistrationEnd& end) {
+  return judge_with_share(end, health_config());
+}
 
 Status judge(int matches, std::size_t points) {
   const Judgement judgement = judgement_of({{}, {}, matches, points});
@@ -36,8 +38,8 @@ TEST(Health, MatchesAndTheirShareMustBothSuffice) {
 }
 
 TEST(Health, WithoutTheShareTheirNumberSuffices) {
-  EXPECT_EQ(judge_registration({{}, {}, 30, 10000}, test_config()).status, Status::ok);
-  EXPECT_EQ(judge_registration({{}, {}, 29, 30}, test_config()).status, Status::too_few_matches);
+  EXPECT_EQ(judge_registration({{}, {}, 30, 10000}, health_config()).status, Status::ok);
+  EXPECT_EQ(judge_registration({{}, {}, 29, 30}, health_config()).status, Status::too_few_matches);
 }
 
 TEST(Health, CorrectionsBeyondTheLimitsHaveDiverged) {
@@ -59,7 +61,7 @@ TEST(Health, APoseThatIsNotFiniteHasDiverged) {
 }
 
 TEST(Health, MessagesNameSeenAndExpected) {
-  const std::string few = judge_registration({{}, {}, 7, 90}, test_config()).message;
+  const std::string few = judge_registration({{}, {}, 7, 90}, health_config()).message;
   EXPECT_NE(few.find("7 of 90"), std::string::npos) << few;
   EXPECT_NE(few.find("30"), std::string::npos) << few;
   const std::string share = judgement_of({{}, {}, 7, 90}).message;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
 
-const Pose kStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+const Pose kEstimateStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
 
 class OdometryEstimate : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, OdometryEstimate, each_method(), method_name);
@@ -22,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, OdometryEstimate, each_method(), method_name);
 TEST_P(OdometryEstimate, PoseAtAnyInstantPutsPointsOntoTheScene) {
   // T(t) p_raw is the deskewed point in the map: the same trajectory deskewed it and is published.
   const auto motion =
-      constant_velocity(kStart, (Twist() << 1.0, 0.0, 0.0, 0.0, 0.0, 0.3).finished());
+      constant_velocity(kEstimateStart, (Twist() << 1.0, 0.0, 0.0, 0.0, 0.0, 0.3).finished());
   Odometry odometry(config());
   for (const Scan& scan : take_scans(furnished_hall(), motion, 10)) {
     const Estimate estimate = odometry.add_scan(scan);
@@ -43,7 +43,7 @@ TEST_P(OdometryEstimate, PoseAtAnyInstantPutsPointsOntoTheScene) {
 
 TEST_P(OdometryEstimate, StampIsMidScanAndTwistIsTheVelocity) {
   const Twist velocity = (Twist() << 1.0, 0.0, 0.0, 0.0, 0.0, 0.2).finished();
-  const auto scans = take_scans(furnished_hall(), constant_velocity(kStart, velocity), 15);
+  const auto scans = take_scans(furnished_hall(), constant_velocity(kEstimateStart, velocity), 15);
   Odometry odometry(config());
   for (const Scan& scan : scans) {
     const Estimate estimate = odometry.add_scan(scan);

@@ -20,11 +20,11 @@ namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
 
-const Pose kStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
+const Pose kInvarianceStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
 
-const std::vector<Scan>& walk() {
+const std::vector<Scan>& walked_scans() {
   static const std::vector<Scan> scans =
-      take_scans(furnished_hall(), trotting(kStart, 0.8, 2.5), 15);
+      take_scans(furnished_hall(), trotting(kInvarianceStart, 0.8, 2.5), 15);
   return scans;
 }
 
@@ -35,11 +35,11 @@ class OdometryInvariance : public EveryMethod {
     Odometry odometry(config(), threads, T_world_start);
     return add_scans(odometry, scans);
   }
-  /// walk() by this method.
+  /// walked_scans() by this method.
   static const std::vector<Estimate>& walked() {
     static std::map<std::string, std::vector<Estimate>> of_method;
     auto& estimates = of_method[method()];
-    if (estimates.empty()) estimates = run(walk());
+    if (estimates.empty()) estimates = run(walked_scans());
     return estimates;
   }
 };
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, OdometryInvariance, each_method(), method_name
 TEST_P(OdometryInvariance, TheWorldMayLieAnywhereAndBeTurned) {
   for (const double yaw : {0.0, 0.7, -3.0}) {
     const Pose T_world_start{so3_exp({0.0, 0.0, yaw}), {10'000.0, -10'000.0, 500.0}};
-    const auto there = run(walk(), 1, T_world_start);
+    const auto there = run(walked_scans(), 1, T_world_start);
     ASSERT_EQ(there.size(), walked().size());
     for (std::size_t i = 0; i < there.size(); ++i) {
       const Pose back = T_world_start.inverse() * there[i].T_world_lidar;
@@ -64,17 +64,19 @@ TEST_P(OdometryInvariance, TheWorldMayLieAnywhereAndBeTurned) {
   }
 }
 
-TEST_P(OdometryInvariance, RunsRepeatBitForBit) { EXPECT_TRUE(same_bits(run(walk()), walked())); }
+TEST_P(OdometryInvariance, RunsRepeatBitForBit) {
+  EXPECT_TRUE(same_bits(run(walked_scans()), walked()));
+}
 
 TEST_P(OdometryInvariance, ThreadsDoNotChangeABit) {
   for (const int threads : {2, 3, 8}) {
-    EXPECT_TRUE(same_bits(run(walk(), threads), walked())) << threads << " threads";
+    EXPECT_TRUE(same_bits(run(walked_scans(), threads), walked())) << threads << " threads";
   }
 }
 
 TEST_P(OdometryInvariance, OrderOfThePointsDoesNotChangeABit) {
   Random random(1);
-  std::vector<Scan> shuffled = walk();
+  std::vector<Scan> shuffled = walked_scans();
   for (Scan& scan : shuffled) {
     for (std::size_t i = scan.points.size(); i > 1; --i) {
       const std::size_t j = random.below(i);
@@ -87,7 +89,7 @@ TEST_P(OdometryInvariance, OrderOfThePointsDoesNotChangeABit) {
 }
 
 TEST_P(OdometryInvariance, IntensitiesAndRingsAreOnlyCarried) {
-  std::vector<Scan> bare = walk();
+  std::vector<Scan> bare = walked_scans();
   for (Scan& scan : bare) {
     scan.intensities.clear();
     scan.rings.clear();
@@ -98,7 +100,7 @@ TEST_P(OdometryInvariance, IntensitiesAndRingsAreOnlyCarried) {
 TEST_P(OdometryInvariance, TheEpochOfTheStampsOnlyMovesTheStamps) {
   constexpr std::int64_t kHuge = 8'000'000'000'000'000'000;
   for (const std::int64_t epoch : {kHuge, -kHuge}) {
-    std::vector<Scan> later = walk();
+    std::vector<Scan> later = walked_scans();
     for (Scan& scan : later) scan.stamp_ns += epoch;
     const auto estimates = run(later);
     for (std::size_t i = 0; i < estimates.size(); ++i) {
@@ -110,7 +112,7 @@ TEST_P(OdometryInvariance, TheEpochOfTheStampsOnlyMovesTheStamps) {
 
 TEST_P(OdometryInvariance, PointTimesMayCountFromTheEndOfTheScan) {
   // Velodyne's driver stamps a scan with its last packet: offsets are negative.
-  std::vector<Scan> from_end = walk();
+  std::vector<Scan> from_end = walked_scans();
   for (Scan& scan : from_end) {
     scan.stamp_ns += 100'000'000;
     for (std::int32_t& time : scan.times_ns) time -= 100'000'000;
@@ -121,9 +123,11 @@ TEST_P(OdometryInvariance, PointTimesMayCountFromTheEndOfTheScan) {
 TEST_P(OdometryInvariance, AMovedObjectGoesOn) {
   Odometry first(config());
   std::vector<Estimate> estimates;
-  for (std::size_t i = 0; i < 7; ++i) estimates.push_back(first.add_scan(walk()[i]));
+  for (std::size_t i = 0; i < 7; ++i) estimates.push_back(first.add_scan(walked_scans()[i]));
   Odometry second = std::move(first);
-  for (std::size_t i = 7; i < walk().size(); ++i) estimates.push_back(second.add_scan(walk()[i]));
+  for (std::size_t i = 7; i < walked_scans().size(); ++i) {
+    estimates.push_back(second.add_scan(walked_scans()[i]));
+  }
   EXPECT_TRUE(same_bits(estimates, walked()));
 }
 
@@ -131,7 +135,7 @@ TEST_P(OdometryInvariance, ObserversSeeTheStepsInOrderAndChangeNothing) {
   Odometry odometry(config());
   std::vector<Step> steps;
   odometry.set_step_observer([&](Step step) { steps.push_back(step); });
-  const auto estimates = add_scans(odometry, walk());
+  const auto estimates = add_scans(odometry, walked_scans());
   EXPECT_TRUE(same_bits(estimates, walked()));
   // Of the first scan. Only the paper's method deskews before it registers.
   std::vector<Step> first = {Step::preprocess, Step::deskew, Step::downsample, Step::map,
@@ -139,10 +143,10 @@ TEST_P(OdometryInvariance, ObserversSeeTheStepsInOrderAndChangeNothing) {
   if (config().method == "surefoot") first.erase(first.begin() + 1);
   ASSERT_GT(steps.size(), first.size());
   EXPECT_TRUE(std::equal(first.begin(), first.end(), steps.begin()));
-  EXPECT_EQ(std::count(steps.begin(), steps.end(), Step::preprocess), std::ssize(walk()));
-  EXPECT_EQ(std::count(steps.begin(), steps.end(), Step::assess), std::ssize(walk()) - 1);
-  EXPECT_EQ(std::count(steps.begin(), steps.end(), Step::idle), std::ssize(walk()));
-  EXPECT_GT(std::count(steps.begin(), steps.end(), Step::search), std::ssize(walk()) - 1);
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), Step::preprocess), std::ssize(walked_scans()));
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), Step::assess), std::ssize(walked_scans()) - 1);
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), Step::idle), std::ssize(walked_scans()));
+  EXPECT_GT(std::count(steps.begin(), steps.end(), Step::search), std::ssize(walked_scans()) - 1);
   EXPECT_EQ(steps.back(), Step::idle);
 }
 

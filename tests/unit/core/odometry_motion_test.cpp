@@ -18,7 +18,7 @@ namespace {
 using namespace test;  // NOLINT: the scenes and motions of the test support
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-const Pose kStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+const Pose kMotionStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
 
 bool all_trusted(const std::vector<Estimate>& estimates) {
   for (const Estimate& estimate : estimates) {
@@ -41,14 +41,14 @@ Error run(const char* name, const Config& config, const Scene& scene, const Moti
 
 TEST(OdometryMotion, StandingStaysWithinTheNoise) {
   const Error error =
-      run("standing", method_config("paper"), furnished_hall(), standing(kStart), 20);
+      run("standing", method_config("paper"), furnished_hall(), standing(kMotionStart), 20);
   EXPECT_LT(error.translation, 0.009);  // measured: 0.0041 .. 0.0045
   EXPECT_LT(error.rotation_deg, 0.11);  // measured: 0.023 .. 0.056
 }
 
 TEST(OdometryMotion, ConstantVelocityIsFollowed) {
   const Twist velocity = (Twist() << 1.0, 0.0, 0.0, 0.0, 0.0, 0.1).finished();
-  const auto motion = constant_velocity(kStart, velocity);
+  const auto motion = constant_velocity(kMotionStart, velocity);
   const Error error =
       run("constant velocity", method_config("paper"), furnished_hall(), motion, 40);
   EXPECT_LT(error.translation, 0.09);  // measured: 0.047
@@ -58,7 +58,7 @@ TEST(OdometryMotion, ConstantVelocityIsFollowed) {
 
 TEST(OdometryMotion, TrottingIsFollowed) {
   for (const double hertz : {2.0, 3.0}) {
-    const auto motion = trotting(kStart, 0.8, hertz);
+    const auto motion = trotting(kMotionStart, 0.8, hertz);
     const Error error = run("trotting", method_config("paper"), furnished_hall(), motion, 40);
     // One scan of 0.1 s spans up to 0.6 of a sway's period: the prediction is often wrong in sign.
     EXPECT_LT(error.translation, 0.30) << hertz << " Hz";  // measured: 0.088 and 0.190
@@ -78,7 +78,7 @@ TEST(OdometryMotion, ARampIsClimbed) {
 }
 
 TEST(OdometryMotion, APitchedMountIsAsGoodAsALevelOne) {
-  const auto level = trotting(kStart, 0.8, 2.5);
+  const auto level = trotting(kMotionStart, 0.8, 2.5);
   const Pose T_lidar_mounted{from_roll_pitch_yaw({0.0, 15.0 * kDegree, 0.0}),
                              Eigen::Vector3d::Zero()};
   const auto pitched = mounted(level, T_lidar_mounted);
@@ -93,7 +93,7 @@ TEST(OdometryMotion, APitchedMountIsAsGoodAsALevelOne) {
 
 TEST(OdometryMotion, EveryDeskewingModeFollowsAFastMotion) {
   const auto motion =
-      constant_velocity(kStart, (Twist() << 1.5, 0.0, 0.0, 0.0, 0.0, 0.3).finished());
+      constant_velocity(kMotionStart, (Twist() << 1.5, 0.0, 0.0, 0.0, 0.0, 0.3).finished());
   for (const char* method : {"paper", "paper-cv", "paper-no-deskew"}) {
     const Error error = run(method, method_config(method), furnished_hall(), motion, 30);
     EXPECT_LT(error.translation, 0.11) << method;  // measured: 0.061 .. 0.062
@@ -102,7 +102,7 @@ TEST(OdometryMotion, EveryDeskewingModeFollowsAFastMotion) {
 }
 
 TEST(OdometryMotion, CoupledRegistrationWorksToCompareWith) {
-  const auto motion = constant_velocity(kStart, (Twist() << 1, 0, 0, 0, 0, 0.1).finished());
+  const auto motion = constant_velocity(kMotionStart, (Twist() << 1, 0, 0, 0, 0, 0.1).finished());
   for (const char* residual : {"point_to_point", "point_to_plane"}) {
     Config config = method_config("paper-coupled");
     set_parameter(config, "registration.coupled_residual", residual);
@@ -117,7 +117,7 @@ TEST(OdometryMotion, ScansWithoutPointTimesStillRegister) {
   Scanner scanner;
   scanner.point_times = false;
   const Error error = run("no point times", method_config("paper"), furnished_hall(),
-                          standing(kStart), 10, scanner);
+                          standing(kMotionStart), 10, scanner);
   EXPECT_LT(error.translation, 0.02);
 }
 

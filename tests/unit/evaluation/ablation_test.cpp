@@ -19,7 +19,7 @@ namespace {
 constexpr double kLost = std::numeric_limits<double>::infinity();
 using Errors = std::vector<std::vector<double>>;  // by method, by recording
 
-MethodResult result_of(double error) {
+MethodResult finished_with(double error) {
   MethodResult result;
   if (error == kLost) {
     result.verdict = {Outcome::stopped, "stopped at 41 %"};
@@ -41,7 +41,7 @@ Comparison comparison_of(const Errors& errors) {
   for (std::size_t r = 0; r < errors[0].size(); ++r) {
     comparison.recordings.push_back({.name = "walk" + std::to_string(r)});
     for (const auto& method : errors) {
-      comparison.recordings.back().results.push_back(result_of(method[r]));
+      comparison.recordings.back().results.push_back(finished_with(method[r]));
     }
   }
   return comparison;

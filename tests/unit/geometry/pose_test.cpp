@@ -15,12 +15,10 @@ namespace {
 
 using test::Random;
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(Pose, ActsComposesAndInvertsLikeItsMatrix) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const Pose a = random.pose(10.0, kPi), b = random.pose(10.0, kPi);
+    const Pose a = random.pose(10.0, std::numbers::pi), b = random.pose(10.0, std::numbers::pi);
     const Eigen::Vector3d p = random.vector(10.0);
     EXPECT_LT((a * p - (a.matrix() * p.homogeneous()).head<3>()).norm(), 1e-13);
     EXPECT_LT(((a * b).matrix() - a.matrix() * b.matrix()).norm(), 1e-13);
@@ -45,15 +43,16 @@ TEST(Pose, StaysRigidOverAHundredThousandProducts) {
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
   // Powers of one rotation share its axis: the angle is 1e5 steps, modulo a turn.
-  const double angle = std::remainder(1e5 * 0.01, 2.0 * kPi);
+  const double angle = std::remainder(1e5 * 0.01, 2.0 * std::numbers::pi);
   EXPECT_NEAR(so3_log(pose.rotation).norm(), std::abs(angle), 1e-9);
 }
 
 TEST(Pose, RollPitchYawAreTheAnglesOfThreeTurns) {
   Random random(3);
   for (int i = 0; i < 500; ++i) {
-    const Eigen::Vector3d angles(random.uniform(-kPi, kPi), random.uniform(-1.57, 1.57),
-                                 random.uniform(-kPi, kPi));
+    const Eigen::Vector3d angles(random.uniform(-std::numbers::pi, std::numbers::pi),
+                                 random.uniform(-1.57, 1.57),
+                                 random.uniform(-std::numbers::pi, std::numbers::pi));
     const Eigen::Quaterniond turns = so3_exp({0.0, 0.0, angles.z()}) *
                                      so3_exp({0.0, angles.y(), 0.0}) *
                                      so3_exp({angles.x(), 0.0, 0.0});
@@ -65,9 +64,10 @@ TEST(Pose, RollPitchYawAreTheAnglesOfThreeTurns) {
 
 TEST(Pose, RollPitchYawAtThePoleStillGiveTheSameRotation) {
   Random random(4);
-  for (const double pitch : {0.5 * kPi, -0.5 * kPi}) {
+  for (const double pitch : {0.5 * std::numbers::pi, -0.5 * std::numbers::pi}) {
     for (int i = 0; i < 200; ++i) {
-      const double roll = random.uniform(-kPi, kPi), yaw = random.uniform(-kPi, kPi);
+      const double roll = random.uniform(-std::numbers::pi, std::numbers::pi),
+                   yaw = random.uniform(-std::numbers::pi, std::numbers::pi);
       // At the pole and next to it, on both sides of where roll is no longer told from yaw.
       for (const double beside : {0.0, 1e-9, 9e-8, 2e-7, 1e-5}) {
         const double off = pitch > 0.0 ? -beside : beside;

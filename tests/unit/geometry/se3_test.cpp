@@ -15,8 +15,6 @@ namespace {
 
 using test::Random;
 
-constexpr double kPi = std::numbers::pi;
-
 Twist twist_of_angle(Random& random, double angle, double translation) {
   Twist twist;
   twist.head<3>() = random.vector(translation);
@@ -26,7 +24,8 @@ Twist twist_of_angle(Random& random, double angle, double translation) {
 
 TEST(Se3, ExponentialAgreesWithTheMatrixExponential) {
   Random random(1);
-  for (const double angle : {0.0, 1e-12, 1e-8, 1e-4, 0.99e-2, 1.01e-2, 0.5, 2.0, kPi - 1e-8, kPi}) {
+  for (const double angle : {0.0, 1e-12, 1e-8, 1e-4, 0.99e-2, 1.01e-2, 0.5, 2.0,
+                             std::numbers::pi - 1e-8, std::numbers::pi}) {
     for (int i = 0; i < 20; ++i) {
       const Twist twist = twist_of_angle(random, angle, 3.0);
       EXPECT_LT((se3_exp(twist).matrix() - test::matrix_exponential(twist)).norm(), 3e-14)
@@ -48,7 +47,8 @@ TEST(Se3, LogarithmAgreesWithTheMatrixLogarithm) {
 
 TEST(Se3, RoundTripFromTwists) {
   Random random(3);
-  for (const double angle : {0.0, 1e-200, 1e-8, 1e-4, 1e-2, 1.0, 3.0, kPi - 1e-4, kPi - 1e-8}) {
+  for (const double angle : {0.0, 1e-200, 1e-8, 1e-4, 1e-2, 1.0, 3.0, std::numbers::pi - 1e-4,
+                             std::numbers::pi - 1e-8}) {
     for (int i = 0; i < 20; ++i) {
       const Twist twist = twist_of_angle(random, angle, 10.0);
       EXPECT_LT((se3_log(se3_exp(twist)) - twist).norm(), 1e-13) << "angle " << angle;
@@ -59,8 +59,8 @@ TEST(Se3, RoundTripFromTwists) {
 TEST(Se3, RoundTripFromPosesIncludingHalfTurns) {
   Random random(4);
   for (int i = 0; i < 500; ++i) {
-    Pose pose = random.pose(20.0, kPi);
-    if (i % 5 == 0) pose.rotation = so3_exp(kPi * random.unit_vector());
+    Pose pose = random.pose(20.0, std::numbers::pi);
+    if (i % 5 == 0) pose.rotation = so3_exp(std::numbers::pi * random.unit_vector());
     const Pose back = se3_exp(se3_log(pose));
     EXPECT_LT((back.matrix() - pose.matrix()).norm(), 1e-13);
   }
@@ -95,8 +95,8 @@ TEST(Se3, ConstantTwistComposesOverTime) {
 
 TEST(Se3, AFullTurnOnACircleComesBack) {
   Twist twist = Twist::Zero();
-  twist[0] = 2.0 * kPi * 5.0;  // circumference of a circle of 5 m
-  twist[5] = 2.0 * kPi;
+  twist[0] = 2.0 * std::numbers::pi * 5.0;  // circumference of a circle of 5 m
+  twist[5] = 2.0 * std::numbers::pi;
   EXPECT_LT(se3_exp(twist).translation.norm(), 1e-13);
 }
 

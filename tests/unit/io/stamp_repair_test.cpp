@@ -13,7 +13,7 @@ namespace surefoot::io {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kStart = 1'700'000'000 * kSecond + 123;
+constexpr std::int64_t kFirstScan = 1'700'000'000 * kSecond + 123;
 
 /// Scans out of memory, each of one point that tells its number.
 class Stamped : public Recording {
@@ -43,7 +43,7 @@ class Stamped : public Recording {
 std::vector<std::int64_t> regular(std::size_t count) {
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < count; ++i) {
-    stamps.push_back(kStart + static_cast<std::int64_t>(i) * kSecond / 10);
+    stamps.push_back(kFirstScan + static_cast<std::int64_t>(i) * kSecond / 10);
   }
   return stamps;
 }
@@ -102,7 +102,7 @@ TEST(StampRepair, StampsThatStandGrowByTheUsualInterval) {
   for (std::size_t i = 8; i < 20; ++i) stamps[i] = stamps[7];
   EXPECT_EQ(repaired(stamps).stamps, regular(20));
   // From the first on: nothing tells the interval, 10 a second is assumed.
-  EXPECT_EQ(repaired(std::vector<std::int64_t>(20, kStart)).stamps, regular(20));
+  EXPECT_EQ(repaired(std::vector<std::int64_t>(20, kFirstScan)).stamps, regular(20));
 }
 
 /// When messages were received, too, 5 ms after the stamps that they should have.
@@ -176,7 +176,7 @@ TEST(StampRepairAtOnce, LeavesWhatCanBeToTheNanosecond) {
 
 TEST(StampRepairAtOnce, AStampThatCannotBeCountsForNothing) {
   for (const std::size_t at : {std::size_t{3}, std::size_t{9}}) {
-    for (const std::int64_t wild : {kStart, std::int64_t{0}, kStart + 3600 * kSecond}) {
+    for (const std::int64_t wild : {kFirstScan, std::int64_t{0}, kFirstScan + 3600 * kSecond}) {
       std::vector<std::int64_t> stamps = regular(20);
       stamps[at] = wild;
       const Repaired result = repaired_at_once(stamps, regular(20));
@@ -197,7 +197,7 @@ TEST(StampRepairAtOnce, AClockThatIsSetGoesOn) {
 TEST(StampRepairAtOnce, WhereStampsStandReceiptsTellWhatWasLost) {
   std::vector<std::int64_t> true_stamps = regular(20);
   true_stamps.erase(true_stamps.begin() + 6, true_stamps.begin() + 9);
-  EXPECT_EQ(repaired_at_once(std::vector<std::int64_t>(17, kStart), true_stamps).stamps,
+  EXPECT_EQ(repaired_at_once(std::vector<std::int64_t>(17, kFirstScan), true_stamps).stamps,
             true_stamps);
 }
 

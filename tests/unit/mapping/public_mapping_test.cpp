@@ -32,7 +32,7 @@ Estimate estimate_of(const mapping::PlacedScan& scan) {
   return estimate;
 }
 
-Mapper mapped(const SceneWalk& walk) {
+Mapper mapped_walk(const SceneWalk& walk) {
   Mapper mapper;
   for (std::size_t i = 0; i < walk.scans.size(); ++i) {
     mapper.add(estimate_of(walk.scans[i]), walk.points[i]);
@@ -44,7 +44,7 @@ Mapper mapped(const SceneWalk& walk) {
   return mapper;
 }
 
-SceneWalk other_day() {
+SceneWalk later_day() {
   WalkOptions options;
   options.from = 25.0;
   options.length = 45.0;
@@ -59,7 +59,7 @@ class PublicMapping : public testing::Test {
     WalkOptions options;
     options.length = 70.0;
     fs::create_directories(folder());
-    mapped(test::walk_through("campus", 46, options)).save(file());
+    mapped_walk(test::walk_through("campus", 46, options)).save(file());
   }
   static void TearDownTestSuite() { fs::remove_all(folder()); }
   static fs::path folder() {
@@ -71,8 +71,8 @@ class PublicMapping : public testing::Test {
 
 TEST_F(PublicMapping, AMapIsJoinedToASavedOneAndIsInItsFrame) {
   if (!mapping::has_solver()) GTEST_SKIP() << "built without Ceres";
-  const SceneWalk walk = other_day();
-  Mapper mapper = mapped(walk);
+  const SceneWalk walk = later_day();
+  Mapper mapper = mapped_walk(walk);
   ASSERT_EQ(mapper.trajectory().size(), walk.scans.size());
   const JoinReport report = mapper.join(folder());
   ASSERT_TRUE(report.joined) << report.message;
@@ -90,7 +90,7 @@ TEST_F(PublicMapping, AMapIsJoinedToASavedOneAndIsInItsFrame) {
 }
 
 TEST_F(PublicMapping, ARobotIsFoundInASavedMap) {
-  const SceneWalk walk = other_day();
+  const SceneWalk walk = later_day();
   Localizer localizer(file());
   EXPECT_FALSE(localizer.T_map_lidar());
   for (std::size_t i = 0; i < walk.scans.size(); ++i) {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t kWorse = 0xD55E00, kBetter = 0x0072B2;
 
-RatioFigure figure_of(double median, bool notable) {
+RatioFigure ratios_of(double median, bool notable) {
   RatioFigure figure{.title = "Worth", .axis = "ratio", .figure_names = {"median"}, .spread = 1.2};
   figure.rows = {{.group = "Deskewing",
                   .label = "none",
@@ -30,7 +30,7 @@ RatioFigure figure_of(double median, bool notable) {
   return figure;
 }
 
-fs::path scratch(const std::string& name) {
+fs::path ratio_scratch(const std::string& name) {
   return fs::path(testing::TempDir()) / ("ratio_figure_" + name);
 }
 
@@ -42,14 +42,14 @@ TEST(LogarithmicTicks, AreOnesTwosAndFives) {
 
 TEST(RatioFigure, WorseAndBetterHaveTheirColours) {
   for (const double median : {0.5, 2.0}) {
-    const fs::path path = scratch("colours.png");
-    draw_ratio_figure(figure_of(median, true), path);
+    const fs::path path = ratio_scratch("colours.png");
+    draw_ratio_figure(ratios_of(median, true), path);
     const PngImage image(path);
     ASSERT_TRUE(image.valid());
     // The words at the axis have both colours; the bar has its own besides.
     const int worse = image.count(kWorse), better = image.count(kBetter);
     EXPECT_GT(median > 1.0 ? worse : better, 200 + (median > 1.0 ? better : worse));
-    draw_ratio_figure(figure_of(median, false), path);
+    draw_ratio_figure(ratios_of(median, false), path);
     const PngImage grey(path);
     EXPECT_LT(grey.count(median > 1.0 ? kWorse : kBetter), median > 1.0 ? worse : better);
   }
@@ -57,11 +57,11 @@ TEST(RatioFigure, WorseAndBetterHaveTheirColours) {
 
 TEST(RatioFigure, WhatIsLostOrFarAwayIsNoTrouble) {
   constexpr double kLost = std::numeric_limits<double>::infinity();
-  RatioFigure figure = figure_of(1.0, false);
+  RatioFigure figure = ratios_of(1.0, false);
   figure.rows.push_back(
       {.group = "Map", .ratios = {kLost, 1e300, 1e-300}, .median = kLost, .figures = {"lost"}});
   figure.spread = kLost;
-  const fs::path path = scratch("lost.svg");
+  const fs::path path = ratio_scratch("lost.svg");
   draw_ratio_figure(figure, path);
   std::ifstream in(path, std::ios::binary);
   const std::string svg{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -71,11 +71,11 @@ TEST(RatioFigure, WhatIsLostOrFarAwayIsNoTrouble) {
 }
 
 TEST(RatioFigure, NonsenseIsRefused) {
-  RatioFigure figure = figure_of(1.0, false);
-  EXPECT_THROW(draw_ratio_figure({}, scratch("none.png")), std::invalid_argument);
-  EXPECT_THROW(draw_ratio_figure(figure, scratch("picture.gif")), std::runtime_error);
+  RatioFigure figure = ratios_of(1.0, false);
+  EXPECT_THROW(draw_ratio_figure({}, ratio_scratch("none.png")), std::invalid_argument);
+  EXPECT_THROW(draw_ratio_figure(figure, ratio_scratch("picture.gif")), std::runtime_error);
   figure.rows[0].figures.clear();
-  EXPECT_THROW(draw_ratio_figure(figure, scratch("figures.png")), std::invalid_argument);
+  EXPECT_THROW(draw_ratio_figure(figure, ratio_scratch("figures.png")), std::invalid_argument);
 }
 
 }  // namespace

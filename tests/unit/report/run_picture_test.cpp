@@ -29,10 +29,10 @@ struct Area {
 constexpr Area kMap{"map", 48, 140, 1100, 780};
 constexpr Area kTop{"top view", 1347, 182, 603, 676};
 constexpr Area kSide{"side view", 1347, 992, 603, 416};
-constexpr Area kHeight{"height", 137, 992, 1076, 124};
+constexpr Area kHeightPanel{"height", 137, 992, 1076, 124};
 constexpr Area kRoll{"roll", 137, 1138, 1076, 124};
 constexpr Area kPitch{"pitch", 137, 1284, 1076, 124};
-constexpr std::array<Area, 6> kPanels = {kMap, kTop, kSide, kHeight, kRoll, kPitch};
+constexpr std::array<Area, 6> kPanels = {kMap, kTop, kSide, kHeightPanel, kRoll, kPitch};
 
 struct Rgb {
   int red, green, blue;
@@ -84,7 +84,7 @@ class Image {
   cairo_surface_t* surface_;
 };
 
-std::string bytes_of(const fs::path& path) {
+std::string bytes_of_picture(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -139,7 +139,7 @@ TEST_F(RunPicture, IsAPngOfTheStatedSizeWithSomethingInEachPanel) {
   const std::vector<Eigen::Vector3f> points = room();
   const fs::path path = folder_ / "run.png";
   draw_run_picture({.title = "Walk", .trajectory = walk(100), .map_points = points}, path);
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = bytes_of_picture(path);
   ASSERT_GT(bytes.size(), 33U);
   EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(big_endian(bytes, 16), static_cast<unsigned>(kPictureWidth));
@@ -165,7 +165,7 @@ TEST_F(RunPicture, UntrustedPosesAreShadedAtTheirTime) {
   const Image image(path);
   ASSERT_TRUE(image.valid());
   // 10 s over 1080 px: the band is from 4.95 s to 6.05 s.
-  for (const Area& panel : {kHeight, kRoll, kPitch}) {
+  for (const Area& panel : {kHeightPanel, kRoll, kPitch}) {
     const Area before{"", panel.x, panel.y, 530, panel.height};
     const Area within{"", 135 + 540, panel.y, 100, panel.height};
     const Area after{"", 135 + 660, panel.y, 410, panel.height};
@@ -234,12 +234,12 @@ TEST_F(RunPicture, TheSameInputGivesTheSameBytes) {
       .title = "Walk", .trajectory = walk(100), .map_points = points, .reference = walk(90)};
   draw_run_picture(input, folder_ / "a.png");
   draw_run_picture(input, folder_ / "b.png");
-  EXPECT_EQ(bytes_of(folder_ / "a.png"), bytes_of(folder_ / "b.png"));
+  EXPECT_EQ(bytes_of_picture(folder_ / "a.png"), bytes_of_picture(folder_ / "b.png"));
 }
 
 TEST_F(RunPicture, SvgIsWrittenByExtension) {
   draw_run_picture({.title = "Walk", .trajectory = walk(10)}, folder_ / "run.svg");
-  const std::string text = bytes_of(folder_ / "run.svg");
+  const std::string text = bytes_of_picture(folder_ / "run.svg");
   EXPECT_NE(text.find("<svg"), std::string::npos);
   EXPECT_NE(text.find("</svg>"), std::string::npos);
 }

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scratch(const std::string& name) {
+fs::path series_scratch(const std::string& name) {
   return fs::path(testing::TempDir()) / ("series_figure_" + name);
 }
 
@@ -29,7 +29,7 @@ std::uint32_t rgb_of(const Color& color) {
 }
 
 /// A constant curve for each value, over ten seconds.
-SeriesFigure figure_of(const std::vector<double>& values) {
+SeriesFigure series_of(const std::vector<double>& values) {
   SeriesFigure figure{.quantity = "error [m]", .panels = {{.title = "walk"}}};
   for (const double value : values) {
     figure.names.push_back("m" + std::to_string(figure.names.size()));
@@ -54,8 +54,8 @@ int row_of(const PngImage& image, std::size_t curve) {
 }
 
 TEST(SeriesFigure, DecadesAreEquallyFarApart) {
-  const fs::path path = scratch("decades.png");
-  draw_series_figure(figure_of({1.0, 0.1, 0.01}), path);
+  const fs::path path = series_scratch("decades.png");
+  draw_series_figure(series_of({1.0, 0.1, 0.01}), path);
   const PngImage image(path);
   ASSERT_TRUE(image.valid());
   const int top = row_of(image, 0), middle = row_of(image, 1), bottom = row_of(image, 2);
@@ -66,24 +66,24 @@ TEST(SeriesFigure, DecadesAreEquallyFarApart) {
 TEST(SeriesFigure, WhatHasNoLogarithmIsNoTrouble) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
-  SeriesFigure figure = figure_of({1.0, 1e-300, 0.0, -1.0, kNan, kInf});
+  SeriesFigure figure = series_of({1.0, 1e-300, 0.0, -1.0, kNan, kInf});
   figure.panels[0].curves[0].times[1] = kNan;
   figure.panels.push_back({.title = "empty", .curves = std::vector<TimeSeries>(6)});
   for (const char* name : {"odd.png", "odd.svg", "odd.pdf"}) {
-    draw_series_figure(figure, scratch(name));
-    EXPECT_GT(fs::file_size(scratch(name)), 1000U) << name;
+    draw_series_figure(figure, series_scratch(name));
+    EXPECT_GT(fs::file_size(series_scratch(name)), 1000U) << name;
   }
 }
 
 TEST(SeriesFigure, WhatCannotBeDrawnIsRefused) {
-  EXPECT_THROW(draw_series_figure({}, scratch("none.png")), std::invalid_argument);
-  SeriesFigure figure = figure_of({1.0});
+  EXPECT_THROW(draw_series_figure({}, series_scratch("none.png")), std::invalid_argument);
+  SeriesFigure figure = series_of({1.0});
   figure.names.emplace_back("another");
-  EXPECT_THROW(draw_series_figure(figure, scratch("none.png")), std::invalid_argument);
-  figure = figure_of({1.0});
+  EXPECT_THROW(draw_series_figure(figure, series_scratch("none.png")), std::invalid_argument);
+  figure = series_of({1.0});
   figure.panels[0].curves[0].values.pop_back();
-  EXPECT_THROW(draw_series_figure(figure, scratch("none.png")), std::invalid_argument);
-  EXPECT_THROW(draw_series_figure(figure_of({1.0}), "/nowhere/at/all.png"), std::runtime_error);
+  EXPECT_THROW(draw_series_figure(figure, series_scratch("none.png")), std::invalid_argument);
+  EXPECT_THROW(draw_series_figure(series_of({1.0}), "/nowhere/at/all.png"), std::runtime_error);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace surefoot::simulation::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kScannerDegree = std::numbers::pi / 180.0;
 
 struct Studio {
   explicit Studio(Scene of, const char* robot = "trot", const ScannerOptions& options = {},
@@ -41,9 +41,9 @@ TEST(LidarModelTest, Vlp16FiresAsItsManualSays) {
   ASSERT_EQ(model.lasers.size(), 16U);
   for (std::size_t laser = 0; laser < 16; ++laser) {
     EXPECT_DOUBLE_EQ(model.lasers[laser].offset_ns, 2304.0 * static_cast<double>(laser));
-    EXPECT_NEAR(model.lasers[laser].elevation / kDegree, elevation[laser], 1e-12);
+    EXPECT_NEAR(model.lasers[laser].elevation / kScannerDegree, elevation[laser], 1e-12);
     EXPECT_NEAR(model.lasers[laser].vertical_origin,
-                -0.04191 * std::tan(elevation[laser] * kDegree), 6e-5);
+                -0.04191 * std::tan(elevation[laser] * kScannerDegree), 6e-5);
     EXPECT_EQ(model.lasers[laser].ring, (elevation[laser] + 15.0) / 2.0);
   }
   EXPECT_DOUBLE_EQ(model.sequence_ns, 55296.0);
@@ -76,8 +76,8 @@ TEST(LidarModelTest, LasersAreTheMakersToTheDigit) {
     const LidarModel model = lidar_model(expected.lidar);
     const Laser& laser = model.lasers.at(expected.laser);
     const std::string which = expected.lidar + (" laser " + std::to_string(expected.laser));
-    EXPECT_NEAR(laser.elevation / kDegree, expected.elevation_deg, 1e-9) << which;
-    EXPECT_NEAR(laser.azimuth_offset / kDegree, expected.azimuth_deg, 1e-9) << which;
+    EXPECT_NEAR(laser.elevation / kScannerDegree, expected.elevation_deg, 1e-9) << which;
+    EXPECT_NEAR(laser.azimuth_offset / kScannerDegree, expected.azimuth_deg, 1e-9) << which;
     EXPECT_NEAR(1e-3 * laser.offset_ns, expected.offset_us, 1e-9) << which;
   }
   EXPECT_EQ(lidar_model("vlp32").lasers.size(), 32U);
@@ -120,7 +120,7 @@ TEST(ScannerTest, FiringTimesAndAzimuthsAreTheSensors) {
                                                      studio.scanner.options().start_ns),
                           1.0);
     const Eigen::Vector3f& p = scan.scan.points[i];
-    const double seen = -std::atan2(p.y(), p.x()) / kDegree;
+    const double seen = -std::atan2(p.y(), p.x()) / kScannerDegree;
     ASSERT_NEAR(std::remainder(seen - turned, 360.0), 0.0, 0.0051 + 1e-4);
   }
 }

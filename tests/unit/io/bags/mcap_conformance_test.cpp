@@ -24,7 +24,7 @@ using Fields = std::map<std::string, Json>;
 
 std::uint64_t number(const Json& value) { return std::stoull(value.get<std::string>()); }
 
-std::string bytes_of(const Json& values) {
+std::string bytes_of_values(const Json& values) {
   std::string bytes;
   for (const Json& value : values) bytes += static_cast<char>(number(value));
   return bytes;
@@ -67,7 +67,7 @@ void write_case(const Json& test, const fs::path& file) {
     if (type == "DataEnd") break;
     if (type == "Schema") {
       writer->add_schema(f["name"].get<std::string>(), f["encoding"].get<std::string>(),
-                         bytes_of(f["data"]));
+                         bytes_of_values(f["data"]));
     } else if (type == "Channel") {
       writer->add_channel(static_cast<std::uint16_t>(number(f["schema_id"])),
                           f["topic"].get<std::string>(), f["message_encoding"].get<std::string>(),
@@ -75,10 +75,10 @@ void write_case(const Json& test, const fs::path& file) {
     } else if (type == "Message") {
       writer->write(static_cast<std::uint16_t>(number(f["channel_id"])),
                     static_cast<std::uint32_t>(number(f["sequence"])), number(f["log_time"]),
-                    number(f["publish_time"]), bytes_of(f["data"]));
+                    number(f["publish_time"]), bytes_of_values(f["data"]));
     } else if (type == "Attachment") {
       writer->attach(number(f["log_time"]), number(f["create_time"]), f["name"].get<std::string>(),
-                     f["media_type"].get<std::string>(), bytes_of(f["data"]));
+                     f["media_type"].get<std::string>(), bytes_of_values(f["data"]));
     } else if (type == "Metadata") {
       writer->add_metadata(f["name"].get<std::string>(), map_of(f["metadata"]));
     }
@@ -91,7 +91,7 @@ std::vector<std::string> messages_of(const Json& test) {
   for (const Json& record : test["records"]) {
     if (record["type"] != "Message") continue;
     for (const Json& field : record["fields"]) {
-      if (field[0] == "data") data.push_back(bytes_of(field[1]));
+      if (field[0] == "data") data.push_back(bytes_of_values(field[1]));
     }
   }
   return data;

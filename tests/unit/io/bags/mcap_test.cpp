@@ -53,7 +53,7 @@ struct Outcome {
   std::vector<ReadMessage> messages;
   std::string notes;
 };
-Outcome read(const std::string& bytes, const std::string& topic = {}) {
+Outcome read_bytes(const std::string& bytes, const std::string& topic = {}) {
   const auto source = read_mcap(std::make_unique<MemoryStream>(test::bytes_of(bytes)));
   source->want(topic);
   Outcome outcome{test::read_all_messages(*source), {}};
@@ -79,7 +79,7 @@ std::vector<McapOptions> flavours() {
 
 TEST(Mcap, WhatIsWrittenIsReadBack) {
   for (const McapOptions& options : flavours()) {
-    const Outcome outcome = read(file_with(options));
+    const Outcome outcome = read_bytes(file_with(options));
     ASSERT_EQ(outcome.messages.size(), kMessages);
     for (int i = 0; i < kMessages; ++i) {
       EXPECT_EQ(outcome.messages[static_cast<std::size_t>(i)], expected(i));
@@ -89,7 +89,7 @@ TEST(Mcap, WhatIsWrittenIsReadBack) {
 }
 
 TEST(Mcap, OneTopicAlone) {
-  const Outcome outcome = read(file_with(small_chunks(Compression::zstd)), "/odd");
+  const Outcome outcome = read_bytes(file_with(small_chunks(Compression::zstd)), "/odd");
   ASSERT_EQ(outcome.messages.size(), kMessages / 2);
   EXPECT_EQ(outcome.messages[0], expected(1));
 }
@@ -100,7 +100,7 @@ TEST(Mcap, CutAnywhere) {
     const std::string whole = file_with(options);
     std::size_t before = 0;
     for (std::size_t size = mcap::kMagic.size(); size < whole.size(); ++size) {
-      const Outcome outcome = read(whole.substr(0, size));
+      const Outcome outcome = read_bytes(whole.substr(0, size));
       ASSERT_GE(outcome.messages.size(), before) << size;
       before = outcome.messages.size();
       for (std::size_t i = 0; i < before; ++i) {
@@ -113,7 +113,7 @@ TEST(Mcap, CutAnywhere) {
 
 TEST(Mcap, CutIsSaid) {
   const std::string whole = file_with(small_chunks(Compression::none));
-  EXPECT_NE(read(whole.substr(0, 300)).notes.find("cut short"), std::string::npos);
+  EXPECT_NE(read_bytes(whole.substr(0, 300)).notes.find("cut short"), std::string::npos);
 }
 
 // As a recorder leaves it that was stopped: the chunk's lengths and checksum were to be filled in.
@@ -132,7 +132,7 @@ TEST(Mcap, ChunkThatWasNeverClosed) {
     const std::string open(8, '\xff');
     bytes.replace(chunk + 1, 8, open);
     bytes.replace(content, 8, open);
-    const Outcome outcome = read(bytes);
+    const Outcome outcome = read_bytes(bytes);
     EXPECT_EQ(outcome.messages.size(), kMessages);
     EXPECT_NE(outcome.notes.find("cut short"), std::string::npos) << outcome.notes;
   }
@@ -152,7 +152,7 @@ TEST(Mcap, DamagedChunkIsNotedAndTheNextOneRead) {
   for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
     std::string bytes = file_with(small_chunks(compression));
     bytes[chunk_at(bytes, 1) + 80] ^= '\x55';
-    const Outcome outcome = read(bytes);
+    const Outcome outcome = read_bytes(bytes);
     EXPECT_NE(outcome.notes.find("chunk 1"), std::string::npos) << outcome.notes;
     ASSERT_GE(outcome.messages.size(), 6U);
     EXPECT_EQ(outcome.messages.front(), expected(0));
@@ -169,7 +169,7 @@ TEST(Mcap, MessageThatClaimsMoreThanItsChunkHoldsIsNoted) {
     const std::size_t content = chunk + 9 + 8 + 8 + 8 + 4 + 4 + 8;
     ASSERT_EQ(bytes[content], '\x05');
     bytes.replace(content + 1, 8, little(std::uint64_t{100'000'000}));
-    const Outcome outcome = read(bytes, topic);
+    const Outcome outcome = read_bytes(bytes, topic);
     EXPECT_NE(outcome.notes.find("chunk 1 is damaged, read as far as it goes: a message of "
                                  "100000000 bytes"),
               std::string::npos)
@@ -182,14 +182,14 @@ TEST(Mcap, ChunkThatHoldsLessThanItSaysIsNoted) {
     std::string bytes = file_with(small_chunks(compression));
     const std::size_t size = chunk_at(bytes, 1) + 9 + 16;
     bytes.replace(size, 8, little(std::uint64_t{12'345}));
-    const std::string notes = read(bytes).notes;
+    const std::string notes = read_bytes(bytes).notes;
     EXPECT_NE(notes.find("where 12345 were announced"), std::string::npos) << notes;
   }
 }
 
 TEST(Mcap, AnotherFileBehindTheEndIsNoted) {
   const std::string bytes = file_with(small_chunks(Compression::zstd));
-  const Outcome outcome = read(bytes + bytes);
+  const Outcome outcome = read_bytes(bytes + bytes);
   EXPECT_EQ(outcome.messages.size(), kMessages);
   EXPECT_NE(outcome.notes.find("goes on after its end"), std::string::npos) << outcome.notes;
 }
@@ -208,7 +208,7 @@ TEST(Mcap, MessageThatIsAllCompressionIsPassedOverByName) {
     writer.write(channel, 0, 1, 1, one_by_one ? compress(Compression::zstd, zeros) : zeros);
     writer.write(channel, 1, 2, 2, "good");
     writer.finish();
-    const Outcome outcome = read(test::content_of(file));
+    const Outcome outcome = read_bytes(test::content_of(file));
     ASSERT_EQ(outcome.messages.size(), 1U);
     EXPECT_EQ(outcome.messages[0].data, "good");
     EXPECT_NE(outcome.notes.find("a message of /zeros is passed over: it is more than 32 times"),
@@ -222,14 +222,14 @@ TEST(Mcap, ChecksumOfTheData) {
   options.chunks = false;
   std::string bytes = file_with(options);
   bytes[bytes.find("aaaa")] = 'A';
-  EXPECT_NE(read(bytes).notes.find("checksum of the whole data"), std::string::npos);
+  EXPECT_NE(read_bytes(bytes).notes.find("checksum of the whole data"), std::string::npos);
 }
 
 TEST(Mcap, UnknownRecordsArePassedOver) {
   std::string bytes = file_with(small_chunks(Compression::none));
   const std::string unknown = "\x91" + little(std::uint64_t{5}) + "hello";
   bytes.insert(bytes.find('\x06', 30), unknown);
-  EXPECT_EQ(read(bytes).messages.size(), kMessages);
+  EXPECT_EQ(read_bytes(bytes).messages.size(), kMessages);
 }
 
 TEST(Mcap, LengthsThatLieTakeNoMemory) {
@@ -239,13 +239,13 @@ TEST(Mcap, LengthsThatLieTakeNoMemory) {
   for (std::size_t at = mcap::kMagic.size(); at + 9 < good.size(); ++at) {
     std::string bad = good;
     bad.replace(at, 8, little(std::uint64_t{1} << 40));
-    EXPECT_LE(read(bad).messages.size(), kMessages);
+    EXPECT_LE(read_bytes(bad).messages.size(), kMessages);
   }
 }
 
 TEST(Mcap, SomethingElseIsRefused) {
-  EXPECT_THROW((void)read("#ROSBAG V2.0\n and so on"), ReadError);
-  EXPECT_THROW((void)read(""), ReadError);
+  EXPECT_THROW((void)read_bytes("#ROSBAG V2.0\n and so on"), ReadError);
+  EXPECT_THROW((void)read_bytes(""), ReadError);
 }
 
 // rosbag2 does so, and only its metadata.yaml tells.
@@ -265,7 +265,7 @@ TEST(Mcap, MessagesThatAreCompressedOneByOne) {
   writer.write(cdr, 2, 3, 3, "plain");
   writer.write(other, 3, 4, 4, compressed);
   writer.finish();
-  const Outcome outcome = read(test::content_of(file));
+  const Outcome outcome = read_bytes(test::content_of(file));
   ASSERT_EQ(outcome.messages.size(), 3U);
   EXPECT_EQ(outcome.messages[0].data, large);
   EXPECT_EQ(outcome.messages[1].data, "plain");
@@ -281,7 +281,7 @@ TEST(Mcap, MessagesOfAChannelWithoutSchemaAndOfNoChannel) {
   writer.write(channel, 0, 1, 1, "{}");
   writer.write(99, 0, 2, 2, "lost");
   writer.finish();
-  const Outcome outcome = read(test::content_of(file));
+  const Outcome outcome = read_bytes(test::content_of(file));
   ASSERT_EQ(outcome.messages.size(), 1U);
   EXPECT_EQ(outcome.messages[0], (ReadMessage{"/bare", "", 1, "{}"}));
   EXPECT_NE(outcome.notes.find("not announced"), std::string::npos);

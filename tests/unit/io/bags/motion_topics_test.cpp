@@ -11,7 +11,7 @@
 namespace surefoot::io {
 namespace {
 
-constexpr std::int64_t kStart = 1'600'000'000'000'000'000;
+constexpr std::int64_t kFirstStamp = 1'600'000'000'000'000'000;
 constexpr std::int64_t kStep = 5'000'000;  // [ns] 200 Hz
 
 std::string imu(std::int64_t stamp_ns, const Eigen::Vector3d& rate) {
@@ -36,16 +36,17 @@ TEST(Gyroscope, ItsTurnsAreThoseOfTheBag) {
   const auto bag = make_mcap_bag(folder.path() / "a.mcap");
   const std::size_t topic = bag->add_topic("/imu", {"sensor_msgs/Imu", "", "", ""});
   for (int i = 0; i <= 200; ++i) {
-    bag->write(topic, kStart + i * kStep, imu(kStart + i * kStep, {0.0, 0.0, 0.5}));
+    bag->write(topic, kFirstStamp + i * kStep, imu(kFirstStamp + i * kStep, {0.0, 0.0, 0.5}));
   }
-  bag->write(topic, kStart + 201 * kStep, "damaged");
+  bag->write(topic, kFirstStamp + 201 * kStep, "damaged");
   bag->finish();
-  const Gyroscope all = read_gyroscope(folder.path() / "a.mcap", kStart, kStart + 1'000'000'000);
+  const Gyroscope all =
+      read_gyroscope(folder.path() / "a.mcap", kFirstStamp, kFirstStamp + 1'000'000'000);
   EXPECT_EQ(all.topic, "/imu");
   ASSERT_EQ(all.turning.size(), 201U);
   EXPECT_NEAR(so3_log(all.turning.back().pose.rotation).z(), 0.5, 1e-9);
-  const Gyroscope half =
-      read_gyroscope(folder.path() / "a.mcap", kStart + 500'000'000, kStart + 1'000'000'000);
+  const Gyroscope half = read_gyroscope(folder.path() / "a.mcap", kFirstStamp + 500'000'000,
+                                        kFirstStamp + 1'000'000'000);
   EXPECT_EQ(half.turning.size(), 101U);
 }
 
@@ -53,9 +54,9 @@ TEST(Gyroscope, ThereIsNoneWhereThereIsNone) {
   const test::TemporaryFolder folder;
   const auto bag = make_mcap_bag(folder.path() / "a.mcap");
   const std::size_t topic = bag->add_topic("/pose", {"geometry_msgs/PoseStamped", "", "", ""});
-  bag->write(topic, kStart, pose(kStart, {1, 2, 3}, true));
+  bag->write(topic, kFirstStamp, pose(kFirstStamp, {1, 2, 3}, true));
   bag->finish();
-  EXPECT_TRUE(read_gyroscope(folder.path() / "a.mcap", 0, kStart + 1).topic.empty());
+  EXPECT_TRUE(read_gyroscope(folder.path() / "a.mcap", 0, kFirstStamp + 1).topic.empty());
 }
 
 TEST(PoseTopic, PosesAndPointsAreRead) {
@@ -64,11 +65,12 @@ TEST(PoseTopic, PosesAndPointsAreRead) {
   const std::size_t poses = bag->add_topic("/poses", {"geometry_msgs/PoseStamped", "", "", ""});
   const std::size_t prism = bag->add_topic("/prism", {"geometry_msgs/PointStamped", "", "", ""});
   for (int i = 0; i < 3; ++i) {
-    const std::int64_t stamp = kStart + i * kStep;
+    const std::int64_t stamp = kFirstStamp + i * kStep;
     bag->write(poses, stamp, pose(stamp, {1.0 * i, 2, 3}, true));
     bag->write(prism, stamp, pose(stamp, {4, 1.0 * i, 6}, false));
   }
-  bag->write(poses, kStart + kStep, pose(kStart + kStep, {9, 9, 9}, true));  // out of order
+  bag->write(poses, kFirstStamp + kStep,
+             pose(kFirstStamp + kStep, {9, 9, 9}, true));  // out of order
   bag->finish();
   const auto file = folder.path() / "a.mcap";
   const Trajectory path = read_pose_topic(file, "/poses");

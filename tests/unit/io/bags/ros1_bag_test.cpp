@@ -27,20 +27,20 @@ std::string record(const std::vector<std::string>& fields, const std::string& da
   return sized(header) + sized(data);
 }
 std::string op(int number) { return std::string("op=") + static_cast<char>(number); }
-std::string u32(std::uint32_t value) { return little(value); }
+std::string ros1_u32(std::uint32_t value) { return little(value); }
 
 std::string connection(std::uint32_t id, const std::string& topic, const std::string& type) {
-  return record({op(7), "conn=" + u32(id), "topic=" + topic},
+  return record({op(7), "conn=" + ros1_u32(id), "topic=" + topic},
                 sized("topic=" + topic) + sized("type=" + type) + sized("md5sum=0"));
 }
 std::string message(std::uint32_t id, std::uint32_t seconds, const std::string& data) {
-  return record({op(2), "conn=" + u32(id), "time=" + u32(seconds) + u32(7)}, data);
+  return record({op(2), "conn=" + ros1_u32(id), "time=" + ros1_u32(seconds) + ros1_u32(7)}, data);
 }
 std::string chunk(const std::string& name, const std::string& content,
                   const std::string& compressed) {
-  return record(
-      {op(5), "compression=" + name, "size=" + u32(static_cast<std::uint32_t>(content.size()))},
-      compressed);
+  return record({op(5), "compression=" + name,
+                 "size=" + ros1_u32(static_cast<std::uint32_t>(content.size()))},
+                compressed);
 }
 std::string file_header() {
   return "#ROSBAG V2.0\n" +
@@ -64,7 +64,7 @@ std::string content(int first) {
   return bytes;
 }
 
-ReadMessage expected(int i) {
+ReadMessage expected_of_ros1(int i) {
   return {i % 2 == 0 ? "/a" : "/b", i % 2 == 0 ? "pkg/A" : "pkg/B", (100 + i) * 1'000'000'000LL + 7,
           std::string(50, static_cast<char>('a' + i))};
 }
@@ -74,28 +74,28 @@ std::string bag(const std::string& name) {
     return name == "bz2" ? bzip2(bytes) : name == "lz4" ? compress(Compression::lz4, bytes) : bytes;
   };
   const std::string index =
-      record({op(4), "ver=" + u32(1), "conn=" + u32(0), "count=" + u32(0)}, "");
+      record({op(4), "ver=" + ros1_u32(1), "conn=" + ros1_u32(0), "count=" + ros1_u32(0)}, "");
   return file_header() + chunk(name, content(0), pack(content(0))) + index +
          chunk(name, content(4), pack(content(4))) + index + connection(0, "/a", "pkg/A");
 }
 
-struct Outcome {
+struct Ros1Outcome {
   std::vector<ReadMessage> messages;
   std::string notes;
 };
-Outcome read(const std::string& bytes) {
+Ros1Outcome read_ros1(const std::string& bytes) {
   const auto source = read_ros1_bag(std::make_unique<MemoryStream>(test::bytes_of(bytes)));
-  Outcome outcome{test::read_all_messages(*source), {}};
+  Ros1Outcome outcome{test::read_all_messages(*source), {}};
   outcome.notes = test::joined(source->notes());
   return outcome;
 }
 
 TEST(Ros1Bag, EveryCompression) {
   for (const char* name : {"none", "bz2", "lz4"}) {
-    const Outcome outcome = read(bag(name));
+    const Ros1Outcome outcome = read_ros1(bag(name));
     ASSERT_EQ(outcome.messages.size(), 8U) << name;
     for (int i = 0; i < 8; ++i) {
-      EXPECT_EQ(outcome.messages[static_cast<std::size_t>(i)], expected(i));
+      EXPECT_EQ(outcome.messages[static_cast<std::size_t>(i)], expected_of_ros1(i));
     }
     EXPECT_EQ(outcome.notes, "") << name;
   }
@@ -106,11 +106,11 @@ TEST(Ros1Bag, CutAnywhere) {
     const std::string whole = bag(name);
     std::size_t before = 0;
     for (std::size_t size = kRos1BagMagic.size(); size < whole.size(); ++size) {
-      const Outcome outcome = read(whole.substr(0, size));
+      const Ros1Outcome outcome = read_ros1(whole.substr(0, size));
       ASSERT_GE(outcome.messages.size(), before) << size;
       before = outcome.messages.size();
       for (std::size_t i = 0; i < before; ++i) {
-        ASSERT_EQ(outcome.messages[i], expected(static_cast<int>(i))) << size;
+        ASSERT_EQ(outcome.messages[i], expected_of_ros1(static_cast<int>(i))) << size;
       }
     }
     EXPECT_EQ(before, 8U);
@@ -121,9 +121,9 @@ TEST(Ros1Bag, DamagedChunkIsNotedAndTheNextOneRead) {
   std::string bytes = bag("lz4");
   const std::size_t at = bytes.find("\x04\x22\x4d\x18");
   bytes[at] = '\x05';
-  const Outcome outcome = read(bytes);
+  const Ros1Outcome outcome = read_ros1(bytes);
   ASSERT_EQ(outcome.messages.size(), 4U);
-  EXPECT_EQ(outcome.messages[0], expected(4));
+  EXPECT_EQ(outcome.messages[0], expected_of_ros1(4));
   EXPECT_NE(outcome.notes.find("chunk 0 is damaged"), std::string::npos) << outcome.notes;
 }
 
@@ -131,11 +131,11 @@ TEST(Ros1Bag, MessageThatClaimsMoreThanItsChunkHoldsIsNoted) {
   for (const char* name : {"none", "bz2", "lz4"}) {
     std::string inside = content(0);
     const std::size_t data = inside.find(std::string(50, 'b'));
-    inside.replace(data - 4, 4, u32(100'000'000));
+    inside.replace(data - 4, 4, ros1_u32(100'000'000));
     const auto packed = name[0] == 'b'   ? bzip2(inside)
                         : name[0] == 'l' ? compress(Compression::lz4, inside)
                                          : inside;
-    const Outcome outcome = read(file_header() + chunk(name, inside, packed));
+    const Ros1Outcome outcome = read_ros1(file_header() + chunk(name, inside, packed));
     EXPECT_EQ(outcome.messages.size(), 1U);
     EXPECT_NE(outcome.notes.find("chunk 0 is damaged, read as far as it goes: a record of "
                                  "100000000 bytes"),
@@ -148,27 +148,27 @@ TEST(Ros1Bag, ChunkThatHoldsLessThanItSaysIsNoted) {
   const std::string inside = content(0);
   const std::string half = inside.substr(0, connection(0, "/a", "pkg/A").size());
   const std::string notes =
-      read(file_header() + chunk("lz4", inside, compress(Compression::lz4, half))).notes;
+      read_ros1(file_header() + chunk("lz4", inside, compress(Compression::lz4, half))).notes;
   EXPECT_NE(notes.find(std::to_string(inside.size()) + " were announced"), std::string::npos)
       << notes;
 }
 
 TEST(Ros1Bag, AnotherCompressionIsNamed) {
-  EXPECT_NE(read(bag("rar")).notes.find("'rar'"), std::string::npos);
+  EXPECT_NE(read_ros1(bag("rar")).notes.find("'rar'"), std::string::npos);
 }
 
 TEST(Ros1Bag, LengthsThatLieTakeNoMemory) {
   const std::string good = bag("none");
   for (std::size_t at = kRos1BagMagic.size(); at + 4 < good.size(); ++at) {
     std::string bad = good;
-    bad.replace(at, 4, u32(0xf000'0000));
-    EXPECT_LE(read(bad).messages.size(), 8U);
+    bad.replace(at, 4, ros1_u32(0xf000'0000));
+    EXPECT_LE(read_ros1(bad).messages.size(), 8U);
   }
 }
 
 TEST(Ros1Bag, SomethingElseIsRefused) {
-  EXPECT_THROW((void)read("#ROSBAG V1.2\n"), ReadError);
-  EXPECT_THROW((void)read(""), ReadError);
+  EXPECT_THROW((void)read_ros1("#ROSBAG V1.2\n"), ReadError);
+  EXPECT_THROW((void)read_ros1(""), ReadError);
 }
 
 TEST(Ros1Bag, WhatIsWrittenIsReadBack) {
@@ -178,7 +178,7 @@ TEST(Ros1Bag, WhatIsWrittenIsReadBack) {
   const std::string large(500'000, 'x');
   for (int i = 0; i < 5; ++i) bag->write(topic, 1'500'000'000 + i, large);
   bag->finish();
-  const Outcome outcome = read(test::content_of(folder.path() / "a.bag"));
+  const Ros1Outcome outcome = read_ros1(test::content_of(folder.path() / "a.bag"));
   ASSERT_EQ(outcome.messages.size(), 5U);
   EXPECT_EQ(outcome.messages[4],
             (ReadMessage{"/points", "sensor_msgs/PointCloud2", 1'500'000'004, large}));

@@ -52,7 +52,7 @@ void make_bag(const fs::path& file, const char* topics, const std::vector<std::s
   sqlite3_close(database);
 }
 
-ReadMessage expected(int i, const std::string& blob) {
+ReadMessage expected_row(int i, const std::string& blob) {
   return {"/p", "sensor_msgs/PointCloud2", i, blob};
 }
 
@@ -64,7 +64,7 @@ TEST(SqliteBag, EveryVersionOfTheTables) {
     const auto source = read_sqlite_bag(file);
     const auto messages = test::read_all_messages(*source);
     ASSERT_EQ(messages.size(), 2U);
-    EXPECT_EQ(messages[1], expected(1, "two"));
+    EXPECT_EQ(messages[1], expected_row(1, "two"));
     EXPECT_EQ(source->progress(), 1.0);
     EXPECT_TRUE(source->rewind());
     EXPECT_EQ(test::read_all_messages(*source), messages);
@@ -80,8 +80,8 @@ TEST(SqliteBag, MessagesThatAreCompressed) {
   make_bag(file, kTopics[1], {compress(Compression::zstd, large), damaged, "plain"});
   const auto source = read_sqlite_bag(file);
   const auto messages = test::read_all_messages(*source);
-  EXPECT_EQ(messages.front(), expected(0, large));
-  EXPECT_EQ(messages.back(), expected(2, "plain"));
+  EXPECT_EQ(messages.front(), expected_row(0, large));
+  EXPECT_EQ(messages.back(), expected_row(2, "plain"));
 }
 
 TEST(SqliteBag, FileThatIsCompressedAsAWhole) {
@@ -139,8 +139,8 @@ TEST(SqliteBag, RowsBehindDamageAreReadByTheirNumbers) {
   const auto source = read_sqlite_bag(folder.write("b.db3", bytes));
   std::vector<ReadMessage> messages = test::read_all_messages(*source);
   ASSERT_EQ(messages.size(), 19U);
-  EXPECT_EQ(messages[6], expected(6, blobs[6]));
-  EXPECT_EQ(messages[7], expected(8, blobs[8]));
+  EXPECT_EQ(messages[6], expected_row(6, blobs[6]));
+  EXPECT_EQ(messages[7], expected_row(8, blobs[8]));
   EXPECT_TRUE(source->rewind());
   EXPECT_EQ(test::read_all_messages(*source), messages);
   ASSERT_EQ(source->notes().size(), 2U) << test::joined(source->notes());  // each once

@@ -64,7 +64,7 @@ T get(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-std::span<const std::byte> bytes_of(const std::string& text) {
+std::span<const std::byte> las_bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
@@ -81,7 +81,7 @@ TEST(Las, EveryVersionAndFormatIsRead) {
   for (int minor = 0; minor <= 4; ++minor) {
     for (unsigned format = 0; format < (minor < 4 ? 6U : 11U); ++format) {
       const std::string file = las(minor, format);
-      const PointTable table = parse_las(bytes_of(file));
+      const PointTable table = parse_las(las_bytes_of(file));
       ASSERT_EQ(table.size, 2U) << minor << " " << format;
       EXPECT_EQ(values(table, "x"), (std::vector<double>{101.0, 103.25}));
       EXPECT_EQ(values(table, "y"), (std::vector<double>{-2.0, 4.0}));
@@ -97,14 +97,14 @@ TEST(Las, EveryVersionAndFormatIsRead) {
 // A map's grid begins far away: floats would hold its points to half a metre.
 TEST(Las, AGridsOffsetIsLeftOutAndSaid) {
   const std::string file = las(2, 1, 500'000.0);
-  const PointTable table = parse_las(bytes_of(file));
+  const PointTable table = parse_las(las_bytes_of(file));
   EXPECT_EQ(values(table, "x"), (std::vector<double>{1.0, 3.25}));
   EXPECT_NE(table.format.find("500000"), std::string::npos) << table.format;
 }
 
-std::string error_of(const std::string& file) {
+std::string las_error_of(const std::string& file) {
   try {
-    (void)parse_las(bytes_of(file));
+    (void)parse_las(las_bytes_of(file));
   } catch (const ReadError& error) {
     return error.what();
   }
@@ -114,26 +114,26 @@ std::string error_of(const std::string& file) {
 TEST(Las, WhatIsNotSoIsRefusedWithAWord) {
   std::string file = las(2, 1);
   file[104] = static_cast<char>(1 | 0x80);
-  EXPECT_NE(error_of(file).find("LAZ"), std::string::npos);
+  EXPECT_NE(las_error_of(file).find("LAZ"), std::string::npos);
   file = las(2, 1);
   put(file, 107, std::uint32_t{0xffffffff});
-  EXPECT_NE(error_of(file).find("4294967295 points"), std::string::npos) << error_of(file);
+  EXPECT_NE(las_error_of(file).find("4294967295 points"), std::string::npos) << las_error_of(file);
   file = las(4, 6);
   put(file, 247, ~std::uint64_t{0});
-  EXPECT_NE(error_of(file).find("points of 30 bytes"), std::string::npos) << error_of(file);
+  EXPECT_NE(las_error_of(file).find("points of 30 bytes"), std::string::npos) << las_error_of(file);
   file = las(2, 1);
   put(file, 105, std::uint16_t{4});
-  EXPECT_NE(error_of(file).find("at least 28"), std::string::npos) << error_of(file);
+  EXPECT_NE(las_error_of(file).find("at least 28"), std::string::npos) << las_error_of(file);
   file = las(2, 1);
   file[25] = 9;
-  EXPECT_NE(error_of(file).find("1.9"), std::string::npos) << error_of(file);
-  EXPECT_NE(error_of("LASF").find("no header"), std::string::npos);
+  EXPECT_NE(las_error_of(file).find("1.9"), std::string::npos) << las_error_of(file);
+  EXPECT_NE(las_error_of("LASF").find("no header"), std::string::npos);
   file = las(2, 1);
   put(file, 131, 0.0);
-  EXPECT_NE(error_of(file).find("scale"), std::string::npos);
+  EXPECT_NE(las_error_of(file).find("scale"), std::string::npos);
   file = las(3, 5);
   for (std::size_t size = 0; size < file.size(); size += 7) {
-    EXPECT_NE(error_of(file.substr(0, size)), "taken") << size;
+    EXPECT_NE(las_error_of(file.substr(0, size)), "taken") << size;
   }
 }
 
@@ -141,7 +141,7 @@ TEST(Las, WhatIsWrittenIsReadBackToTheMillimetre) {
   const std::vector<Eigen::Vector3d> points = {
       {1.0004, -2.5, 0.25}, {-30.7, 4000.1236, 12.0}, {8.0, 0.0, -3.0}};
   const std::string file = format_las(points);
-  const PointTable table = parse_las(bytes_of(file));
+  const PointTable table = parse_las(las_bytes_of(file));
   ASSERT_EQ(table.size, 3U);
   EXPECT_EQ(file.size(), 375U + 3 * 20U);
   EXPECT_EQ(table.format, "LAS 1.4, point format 0");
@@ -170,11 +170,11 @@ TEST(Las, AMapFarFromItsOriginKeepsItsDigits) {
   const std::string file = format_las(points);
   EXPECT_EQ(get<double>(file, 155), 448'262.0);
   EXPECT_EQ(get<double>(file, 163), 5'412'040.0);
-  EXPECT_EQ(values(parse_las(bytes_of(file)), "x"), (std::vector<double>{0.125, 1.375}));
+  EXPECT_EQ(values(parse_las(las_bytes_of(file)), "x"), (std::vector<double>{0.125, 1.375}));
 }
 
 TEST(Las, WhatTheFormatCannotHoldIsNotWritten) {
-  EXPECT_EQ(parse_las(bytes_of(format_las({}))).size, 0U);
+  EXPECT_EQ(parse_las(las_bytes_of(format_las({}))).size, 0U);
   const std::vector<Eigen::Vector3d> nowhere = {{0.0, std::nan(""), 0.0}};
   EXPECT_THROW((void)format_las(nowhere), std::invalid_argument);
   const std::vector<Eigen::Vector3d> apart = {{0.0, 0.0, 0.0}, {3e6, 0.0, 0.0}};

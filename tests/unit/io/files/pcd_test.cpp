@@ -108,7 +108,7 @@ TEST(PcdCompressed, FieldAfterField) {
   EXPECT_EQ(value(table, "ring", 1), 8.0);
 }
 
-std::string error_of(const std::string& file) {
+std::string pcd_error_of(const std::string& file) {
   try {
     (void)parse_pcd(bytes_of(file));
   } catch (const ReadError& error) {
@@ -124,10 +124,10 @@ TEST(PcdCompressed, SizesBeyondWhatPointsCompressToAreRefused) {
                   types) +
            little(std::uint32_t{1'000'000}) + little(plain) + std::string(1'000'000, '\0');
   };
-  EXPECT_NE(error_of(file(96'000'000, "F F F", "4 4 4")).find("at most 32 times"),
+  EXPECT_NE(pcd_error_of(file(96'000'000, "F F F", "4 4 4")).find("at most 32 times"),
             std::string::npos);
   // And coordinates of one byte would become twelve times as large.
-  EXPECT_NE(error_of(file(3'000'000, "U U U", "1 1 1")).find("x is u8"), std::string::npos);
+  EXPECT_NE(pcd_error_of(file(3'000'000, "U U U", "1 1 1")).find("x is u8"), std::string::npos);
 }
 
 TEST(Pcd, AHeaderOfMoreFieldsThanAnyDriverWritesIsRefused) {
@@ -138,11 +138,11 @@ TEST(Pcd, AHeaderOfMoreFieldsThanAnyDriverWritesIsRefused) {
     types += "U ";
   }
   const std::string many = header("WIDTH 1\n", "binary", names, sizes, types);
-  EXPECT_NE(error_of(many).find("1100 FIELDS; expected at most 1000"), std::string::npos)
-      << error_of(many);
+  EXPECT_NE(pcd_error_of(many).find("1100 FIELDS; expected at most 1000"), std::string::npos)
+      << pcd_error_of(many);
   const std::string longer =
       header("WIDTH 1\n", "binary", "x y z " + std::string(200'000, '_'), "4 4 4", "F F F");
-  EXPECT_NE(error_of(longer).find("characters"), std::string::npos);
+  EXPECT_NE(pcd_error_of(longer).find("characters"), std::string::npos);
 }
 
 TEST(Pcd, EveryTruncationOfEveryFlavourIsAnError) {

@@ -20,7 +20,7 @@ using test::bytes_of;
 using test::little;
 using Encoding = MessageEncoding;
 
-std::string u32(std::uint32_t value) { return little(value); }
+std::string word(std::uint32_t value) { return little(value); }
 std::string zeros(std::size_t count) { return std::string(count, '\0'); }
 const std::string kCdr("\0\1\0\0", 4);
 
@@ -50,29 +50,29 @@ std::string padded(std::string bytes, std::size_t unit) {
 }
 
 std::string cdr_cloud(char big_endian = 0, std::uint32_t height = 1) {
-  std::string m = kCdr + u32(100) + u32(5) + u32(6) + "lidar" + zeros(1);
-  m = padded(m, 4) + u32(height) + u32(2) + u32(5);
+  std::string m = kCdr + word(100) + word(5) + word(6) + "lidar" + zeros(1);
+  m = padded(m, 4) + word(height) + word(2) + word(5);
   for (const FieldBytes& field : kFields) {
     const std::string name(field.name);
-    m = padded(m, 4) + u32(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
-    m = padded(m, 4) + u32(field.offset) + field.type;
-    m = padded(m, 4) + u32(1);
+    m = padded(m, 4) + word(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
+    m = padded(m, 4) + word(field.offset) + field.type;
+    m = padded(m, 4) + word(1);
   }
   m += big_endian;
-  m = padded(m, 4) + u32(18) + u32(40);
+  m = padded(m, 4) + word(18) + word(40);
   std::string data;
   for (std::uint32_t row = 0; row < height; ++row) data += points(4);
-  return m + u32(static_cast<std::uint32_t>(data.size())) + data + '\1' + zeros(2);
+  return m + word(static_cast<std::uint32_t>(data.size())) + data + '\1' + zeros(2);
 }
 
 std::string ros1_cloud() {
-  std::string m = u32(9) + u32(100) + u32(5) + u32(5) + "lidar" + u32(1) + u32(2) + u32(5);
+  std::string m = word(9) + word(100) + word(5) + word(5) + "lidar" + word(1) + word(2) + word(5);
   for (const FieldBytes& field : kFields) {
     const std::string name(field.name);
-    m += u32(static_cast<std::uint32_t>(name.size())) + name + u32(field.offset) + field.type +
-         u32(1);
+    m += word(static_cast<std::uint32_t>(name.size())) + name + word(field.offset) + field.type +
+         word(1);
   }
-  return m + zeros(1) + u32(18) + u32(36) + u32(36) + points(0) + '\1';
+  return m + zeros(1) + word(18) + word(36) + word(36) + points(0) + '\1';
 }
 
 CloudMessage read(Encoding encoding, const std::string& bytes) {
@@ -110,8 +110,8 @@ TEST(PointCloud2, CoordinatesOfAByteOrThatShareBytesAreRefused) {
   const std::string good = ros1_cloud();
   const std::size_t y = good.find("\1\0\0\0y", 0, 5) + 5;
   for (const auto& [bytes, message] :
-       {std::pair{u32(4) + '\2', "field 'y' is u8; expected coordinates of 2, 4 or 8 bytes"},
-        std::pair{u32(2) + '\7', "fields 'x' and 'y' share bytes"}}) {
+       {std::pair{word(4) + '\2', "field 'y' is u8; expected coordinates of 2, 4 or 8 bytes"},
+        std::pair{word(2) + '\7', "fields 'x' and 'y' share bytes"}}) {
     std::string bad = good;
     bad.replace(y, 5, bytes);
     const CloudMessage cloud = read(Encoding::ros1, bad);
@@ -141,7 +141,7 @@ TEST(PointCloud2, SizesThatLieAreRefused) {
   const std::size_t fields_at = width_at + 4;
   for (const std::size_t at : {width_at, width_at - 4, fields_at, std::size_t{12}}) {
     std::string bad = good;
-    bad.replace(at, 4, u32(0xffff'fff0));
+    bad.replace(at, 4, word(0xffff'fff0));
     EXPECT_THROW((void)read(Encoding::ros1, bad), ReadError) << at;
   }
 }
@@ -149,18 +149,18 @@ TEST(PointCloud2, SizesThatLieAreRefused) {
 // CDR 2 aligns to 4 at most, and has a size before a sequence of structures; "delimited" before
 // every structure. The sizes' values are not needed.
 std::string cdr2_cloud(bool delimited) {
-  const std::string size = delimited ? u32(0) : "";
+  const std::string size = delimited ? word(0) : "";
   std::string m = std::string("\0", 1) + (delimited ? '\x09' : '\x07') + zeros(2);
-  m += size + size + size + u32(100) + u32(5) + u32(6) + "lidar" + zeros(1);
-  m = padded(m, 4) + u32(1) + u32(2) + u32(0) + u32(5);
+  m += size + size + size + word(100) + word(5) + word(6) + "lidar" + zeros(1);
+  m = padded(m, 4) + word(1) + word(2) + word(0) + word(5);
   for (const FieldBytes& field : kFields) {
     const std::string name(field.name);
-    m = padded(m, 4) + size + u32(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
-    m = padded(m, 4) + u32(field.offset) + field.type;
-    m = padded(m, 4) + u32(1);
+    m = padded(m, 4) + size + word(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
+    m = padded(m, 4) + word(field.offset) + field.type;
+    m = padded(m, 4) + word(1);
   }
   m += zeros(1);
-  m = padded(m, 4) + u32(18) + u32(36) + u32(36);
+  m = padded(m, 4) + word(18) + word(36) + word(36);
   return m + points(0) + '\1';
 }
 
@@ -172,11 +172,11 @@ TEST(PointCloud2, Cdr2) {
 }
 
 TEST(MessageReader, AlignsEightBytesByVersion) {
-  const std::string cdr = kCdr + u32(1) + zeros(4) + little(std::uint64_t{77});
+  const std::string cdr = kCdr + word(1) + zeros(4) + little(std::uint64_t{77});
   MessageReader first(Encoding::cdr, bytes_of(cdr));
   (void)first.number<std::uint32_t>("a");
   EXPECT_EQ(first.number<std::uint64_t>("b"), 77U);
-  const std::string cdr2 = std::string("\0\7\0\0", 4) + u32(1) + little(std::uint64_t{77});
+  const std::string cdr2 = std::string("\0\7\0\0", 4) + word(1) + little(std::uint64_t{77});
   MessageReader second(Encoding::cdr, bytes_of(cdr2));
   (void)second.number<std::uint32_t>("a");
   EXPECT_EQ(second.number<std::uint64_t>("b"), 77U);
@@ -195,13 +195,13 @@ TEST(MessageReader, RefusesOtherRepresentations) {
 
 // Three points, 1 ms apart; the time base 3 ns after the header's stamp.
 std::string livox(bool cdr, std::int64_t base) {
-  std::string m = cdr ? kCdr : u32(0);
-  m += u32(100) + u32(0) + (cdr ? u32(2) + "l" + zeros(1) : u32(1) + "l");
+  std::string m = cdr ? kCdr : word(0);
+  m += word(100) + word(0) + (cdr ? word(2) + "l" + zeros(1) : word(1) + "l");
   if (cdr) m = padded(m, 8);
-  m += little(base) + u32(3) + zeros(4) + u32(3);
+  m += little(base) + word(3) + zeros(4) + word(3);
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (cdr) m = padded(m, 4);
-    m += u32(i * 1'000'000) + little(1.0F) + little(2.0F) + little(static_cast<float>(i));
+    m += word(i * 1'000'000) + little(1.0F) + little(2.0F) + little(static_cast<float>(i));
     m += std::string("\x09\x10", 2) + static_cast<char>(i);
   }
   return m;
@@ -247,18 +247,18 @@ std::vector<MessagePacket> packets_of(const Topic& topic, const std::string& byt
 }
 
 TEST(PacketMessage, EveryType) {
-  const std::string header = kCdr + u32(1) + u32(2) + u32(1) + zeros(4);
-  std::string velodyne = header + u32(2);
-  std::string pandar = header + u32(2);
-  std::string hesai = header + u32(2);
-  std::string nebula = header + u32(2);
+  const std::string header = kCdr + word(1) + word(2) + word(1) + zeros(4);
+  std::string velodyne = header + word(2);
+  std::string pandar = header + word(2);
+  std::string hesai = header + word(2);
+  std::string nebula = header + word(2);
   for (std::uint32_t i = 0; i < 2; ++i) {
-    const std::string stamp = u32(10 + i) + u32(7);
+    const std::string stamp = word(10 + i) + word(7);
     velodyne = padded(velodyne, 4) + stamp + std::string(1206, 'a');
-    pandar = padded(pandar, 4) + stamp + std::string(1500, 'b') + u32(568);
-    hesai = padded(hesai, 4) + stamp + u32(5) + "abcde";
-    hesai = padded(hesai, 4) + u32(5);
-    nebula = padded(nebula, 4) + stamp + u32(3) + "xyz";
+    pandar = padded(pandar, 4) + stamp + std::string(1500, 'b') + word(568);
+    hesai = padded(hesai, 4) + stamp + word(5) + "abcde";
+    hesai = padded(hesai, 4) + word(5);
+    nebula = padded(nebula, 4) + stamp + word(3) + "xyz";
   }
   const struct {
     const char* type;
@@ -277,7 +277,7 @@ TEST(PacketMessage, EveryType) {
     EXPECT_THROW((void)packets_of(topic, one.bytes.substr(0, one.bytes.size() / 2)), ReadError);
   }
   const Topic ouster{"/t", "ouster_ros/PacketMsg", Encoding::ros1};
-  const auto packets = packets_of(ouster, u32(4) + "abcd");
+  const auto packets = packets_of(ouster, word(4) + "abcd");
   ASSERT_EQ(packets.size(), 1U);
   EXPECT_EQ(packets[0].stamp_ns, 42);
   EXPECT_EQ(packets[0].bytes.size(), 4U);

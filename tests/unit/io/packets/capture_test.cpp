@@ -11,12 +11,12 @@
 namespace surefoot::io {
 namespace {
 
-constexpr std::int64_t kStart = 1'453'363'200'000'000'000;  // a whole hour
-constexpr std::int64_t kPeriod = 1'327'104;
+constexpr std::int64_t kCaptureStart = 1'453'363'200'000'000'000;  // a whole hour
+constexpr std::int64_t kPacketPeriod = 1'327'104;
 
 std::string payload(unsigned i, unsigned product = 0x22) {
   return test::vlp16_payload(
-      i * 480 % 36000, 40, static_cast<std::uint32_t>(i * kPeriod / 1000), 0x37,
+      i * 480 % 36000, 40, static_cast<std::uint32_t>(i * kPacketPeriod / 1000), 0x37,
       [](auto, auto) {
         return test::Measured{500, 1};
       },
@@ -27,7 +27,8 @@ std::string payload(unsigned i, unsigned product = 0x22) {
 test::PcapFile two_turns(bool nanoseconds, bool big_endian) {
   test::PcapFile file(1, nanoseconds, big_endian);
   for (unsigned i = 0; i < 150; ++i) {
-    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+    file.add(kCaptureStart + i * kPacketPeriod,
+             test::ethernet_frame(test::ip_packet(payload(i), 2368)));
   }
   return file;
 }
@@ -42,10 +43,10 @@ TEST(Capture, EveryMagicGivesTheSame) {
       const auto second = recording->next();
       ASSERT_TRUE(first && second);
       EXPECT_FALSE(recording->next());
-      EXPECT_EQ(first->scan->stamp_ns, kStart);
+      EXPECT_EQ(first->scan->stamp_ns, kCaptureStart);
       EXPECT_EQ(first->scan->points.size(), 75U * 384U);
       EXPECT_EQ(first->remark, "");
-      EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
+      EXPECT_EQ(second->scan->stamp_ns, kCaptureStart + 75 * kPacketPeriod / 1000 * 1000);
       EXPECT_EQ(recording->capture_counts().lost, 0U);
       EXPECT_EQ(recording->progress(), 1.0);
     }
@@ -58,16 +59,17 @@ TEST(Capture, PcapngGivesTheSame) {
     for (const bool big_endian : {false, true}) {
       test::PcapngFile file(1, decimals, big_endian);
       for (unsigned i = 0; i < 150; ++i) {
-        file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+        file.add(kCaptureStart + i * kPacketPeriod,
+                 test::ethernet_frame(test::ip_packet(payload(i), 2368)));
       }
       const auto recording = open_recording(folder.write("a.pcapng", file.content()));
       const auto first = recording->next();
       const auto second = recording->next();
       ASSERT_TRUE(first && second);
       EXPECT_FALSE(recording->next());
-      EXPECT_EQ(first->scan->stamp_ns, kStart);
+      EXPECT_EQ(first->scan->stamp_ns, kCaptureStart);
       EXPECT_EQ(first->scan->points.size(), 75U * 384U);
-      EXPECT_EQ(second->scan->stamp_ns, kStart + 75 * kPeriod / 1000 * 1000);
+      EXPECT_EQ(second->scan->stamp_ns, kCaptureStart + 75 * kPacketPeriod / 1000 * 1000);
       EXPECT_EQ(recording->capture_counts().data_packets, 150U);
     }
   }
@@ -76,7 +78,8 @@ TEST(Capture, PcapngGivesTheSame) {
 // Without GPS the capture's own stamp gives the start, to the last digit it has.
 TEST(Capture, StampsAreReadToTheirResolution) {
   const test::TemporaryFolder folder;
-  constexpr std::int64_t kOdd = kStart + 1'800'000'000'000 + 123'456'789;  // half past the hour
+  constexpr std::int64_t kOdd =
+      kCaptureStart + 1'800'000'000'000 + 123'456'789;  // half past the hour
   const std::string frame = test::ethernet_frame(test::ip_packet(payload(0), 2368));
   const auto stamp_of = [&](auto file) {
     file.add(kOdd, frame);
@@ -113,14 +116,14 @@ TEST(Capture, EveryLinkLayerGivesTheSame) {
     test::PcapngFile next_generation(link.type);
     for (unsigned i = 0; i < 75; ++i) {
       const std::string frame = link.header + test::ip_packet(payload(i), 2368);
-      classic.add(kStart + i * kPeriod, frame);
-      next_generation.add(kStart + i * kPeriod, frame);
+      classic.add(kCaptureStart + i * kPacketPeriod, frame);
+      next_generation.add(kCaptureStart + i * kPacketPeriod, frame);
     }
     for (const std::string& content : {classic.content(), next_generation.content()}) {
       const auto recording = open_recording(folder.write("a.pcap", content));
       const auto item = recording->next();
       ASSERT_TRUE(item);
-      EXPECT_EQ(item->scan->stamp_ns, kStart);
+      EXPECT_EQ(item->scan->stamp_ns, kCaptureStart);
       EXPECT_EQ(item->scan->points.size(), 75U * 384U);
       EXPECT_EQ(recording->capture_counts().other, 0U);
     }
@@ -133,12 +136,13 @@ TEST(Capture, OtherTrafficIsCountedAndSkipped) {
   for (unsigned i = 0; i < 75; ++i) {
     const std::string frame = test::ethernet_frame(test::ip_packet(payload(i), 2368));
     if (i != 40) {
-      file.add(kStart + i * kPeriod, frame, i == 50 ? 100 : 0);  // one lost, one cut short
+      file.add(kCaptureStart + i * kPacketPeriod, frame,
+               i == 50 ? 100 : 0);  // one lost, one cut short
     }
   }
-  file.add(kStart, test::ethernet_frame(test::ip_packet(std::string(512, 'p'), 8308)));
-  file.add(kStart, test::ethernet_frame(test::ip_packet(payload(1), 9999)));
-  file.add(kStart, "arp");
+  file.add(kCaptureStart, test::ethernet_frame(test::ip_packet(std::string(512, 'p'), 8308)));
+  file.add(kCaptureStart, test::ethernet_frame(test::ip_packet(payload(1), 9999)));
+  file.add(kCaptureStart, "arp");
   const auto recording = open_recording(folder.write("a.pcap", file.content()));
   const auto item = recording->next();
   EXPECT_NE(item->remark.find("partial"), std::string::npos);
@@ -173,7 +177,8 @@ TEST(Capture, AClockThatIsSetAtEveryPacketIsNotNotedWithoutEnd) {
         test::vlp16_payload(i * 480, 40, i % 2 * 600'000'000U + i * 1327, 0x37, [](auto, auto) {
           return test::Measured{500, 1};
         });
-    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(packet, 2368)));
+    file.add(kCaptureStart + i * kPacketPeriod,
+             test::ethernet_frame(test::ip_packet(packet, 2368)));
   }
   const auto recording = open_recording(folder.write("a.pcap", file.content()));
   while (recording->next()) {
@@ -188,7 +193,8 @@ TEST(Capture, AStampBeyondAllTimesEndsTheCapture) {
   const std::int64_t ticks = std::numeric_limits<std::int64_t>::max();
   test::PcapngFile file(1, 9);  // the header's digit says that stamps are nanoseconds
   for (unsigned i = 0; i < 75; ++i) {
-    file.add(kStart + i * kPeriod, test::ethernet_frame(test::ip_packet(payload(i), 2368)));
+    file.add(kCaptureStart + i * kPacketPeriod,
+             test::ethernet_frame(test::ip_packet(payload(i), 2368)));
   }
   file.add(ticks, frame);  // the year 2262: whole nanoseconds, but no difference to 1970 minus it
   const auto recording = open_recording(folder.write("late.pcapng", file.content()));
@@ -215,11 +221,11 @@ TEST(Capture, ErrorsNameWhatWasSeen) {
   EXPECT_NE(error_of(test::PcapFile().content()).find("0 packets"), std::string::npos);
   EXPECT_NE(error_of(test::PcapFile(105).content()).find("link layer 105"), std::string::npos);
   test::PcapFile velarray;
-  velarray.add(kStart, test::ethernet_frame(test::ip_packet(payload(0, 0x31), 2368)));
+  velarray.add(kCaptureStart, test::ethernet_frame(test::ip_packet(payload(0, 0x31), 2368)));
   const std::string product = error_of(velarray.content());
   EXPECT_NE(product.find("0x31 (Velarray)"), std::string::npos) << product;
   test::PcapFile elsewhere;
-  elsewhere.add(kStart, test::ethernet_frame(test::ip_packet(payload(0), 2369)));
+  elsewhere.add(kCaptureStart, test::ethernet_frame(test::ip_packet(payload(0), 2369)));
   const auto file = folder.write("a.pcap", elsewhere.content());
   OpenOptions options;
   options.udp_port = 2368;
@@ -275,9 +281,9 @@ TEST(Capture, ASecondSensorIsLeftOut) {
   test::PcapFile file;
   for (unsigned i = 0; i < 75; ++i) {
     std::string ip = test::ip_packet(payload(i), 2368);
-    file.add(kStart + i * kPeriod, test::ethernet_frame(ip));
+    file.add(kCaptureStart + i * kPacketPeriod, test::ethernet_frame(ip));
     ip[15] = '\x02';  // of the source address
-    file.add(kStart + i * kPeriod + 1000, test::ethernet_frame(ip));
+    file.add(kCaptureStart + i * kPacketPeriod + 1000, test::ethernet_frame(ip));
   }
   const auto recording = open_recording(folder.write("a.pcap", file.content()));
   const auto item = recording->next();

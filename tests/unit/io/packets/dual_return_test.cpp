@@ -66,7 +66,7 @@ struct Decoded {
 // By ring, distance [2 mm] and reflectivity.
 using Key = std::tuple<int, int, int>;
 
-std::multimap<Key, Decoded> decode(const std::vector<std::string>& payloads) {
+std::multimap<Key, Decoded> decode_all(const std::vector<std::string>& payloads) {
   sensors::DecoderOptions options;
   options.returns = sensors::ReturnChoice::both;
   options.beam_origins = false;
@@ -106,7 +106,7 @@ TEST(DualReturn, AgreesWithAnotherDecoder) {
     payloads.push_back(std::move(payload));
   }
   ASSERT_EQ(payloads.size(), 152U);
-  const std::multimap<Key, Decoded> decoded = decode(payloads);
+  const std::multimap<Key, Decoded> decoded = decode_all(payloads);
 
   std::ifstream stream(kFolder / "1673400472138016708.pcd", std::ios::binary);
   const std::string file((std::istreambuf_iterator<char>(stream)), {});

@@ -16,7 +16,7 @@ namespace {
 
 using Cell = std::tuple<int, int, int, int>;
 
-Cell cell_of(const Eigen::Vector3d& point, double size, bool floor, int group = 0) {
+Cell sampling_cell_of(const Eigen::Vector3d& point, double size, bool floor, int group = 0) {
   const auto index = [&](double x) {
     return static_cast<int>(floor ? std::floor(x / size) : std::trunc(x / size));
   };
@@ -40,10 +40,10 @@ TEST(CtIcpSampling, KeepsOnePointOfEveryCellWithItsTime) {
     config.floor_voxels = floor;
     std::set<Cell> expected, seen;
     for (const auto& point : scan.points) {
-      expected.insert(cell_of(point.cast<double>(), 0.7, floor));
+      expected.insert(sampling_cell_of(point.cast<double>(), 0.7, floor));
     }
     for (const CtIcpPoint& kept : CtIcpSampler(config).thin(scan, false, 0.7)) {
-      EXPECT_TRUE(seen.insert(cell_of(kept.point, 0.7, floor)).second);
+      EXPECT_TRUE(seen.insert(sampling_cell_of(kept.point, 0.7, floor)).second);
       const auto index = static_cast<std::size_t>(std::lround(kept.alpha * 4999.0));
       EXPECT_EQ(scan.points[index].cast<double>(), kept.point);
     }
@@ -110,7 +110,7 @@ TEST(CtIcpSampling, AdaptiveCellsGrowWithTheDistance) {
                       : range <= 8.0  ? 2
                       : range <= 16.0 ? 3
                                       : 4;
-    return cells.insert(cell_of(point, 0.1 * (1 << shell), false, shell)).second;
+    return cells.insert(sampling_cell_of(point, 0.1 * (1 << shell), false, shell)).second;
   };
   for (const auto& point : points) add(expected, point.point);
   for (const std::size_t i : adaptive_sample(points, CellRounding::to_zero)) {

@@ -14,7 +14,7 @@
 namespace surefoot {
 namespace {
 
-FloamParameters defaults() { return test::default_parameters<FloamParameters>(); }
+FloamParameters floam_defaults() { return test::default_parameters<FloamParameters>(); }
 
 /// One line of points, seen from a square room's middle: four corners.
 PreparedScan square_room(int columns, double half_side, double elevation_deg = 1.0) {
@@ -42,7 +42,7 @@ TEST(FloamFeatures, CurvatureIsThatOfLoam) {
 
 TEST(FloamFeatures, CornersAreEdgesAndWallsAreSurfaces) {
   const PreparedScan scan = square_room(720, 5.0);
-  const FloamFeatures features = extract_features(scan, defaults());
+  const FloamFeatures features = extract_features(scan, floam_defaults());
   ASSERT_FALSE(features.edges.empty());
   for (const std::uint32_t edge : features.edges) {
     const Eigen::Vector2f p = scan.points[edge].head<2>().cwiseAbs();
@@ -57,7 +57,7 @@ TEST(FloamFeatures, CornersAreEdgesAndWallsAreSurfaces) {
 
 TEST(FloamFeatures, TheOriginalLosesEachSectorsLastPoint) {
   const PreparedScan scan = square_room(300, 5.0);
-  FloamParameters config = defaults();
+  FloamParameters config = floam_defaults();
   const auto kept = [&] {
     const FloamFeatures features = extract_features(scan, config);
     return features.edges.size() + features.surfaces.size();
@@ -69,10 +69,10 @@ TEST(FloamFeatures, TheOriginalLosesEachSectorsLastPoint) {
 }
 
 TEST(FloamFeatures, ShortLinesAndFarPointsAreLeftOut) {
-  EXPECT_TRUE(extract_features(square_room(130, 5.0), defaults()).surfaces.empty());
-  EXPECT_FALSE(extract_features(square_room(131, 5.0), defaults()).surfaces.empty());
-  EXPECT_TRUE(extract_features(square_room(300, 95.0), defaults()).surfaces.empty());
-  EXPECT_TRUE(extract_features(square_room(300, 0.3), defaults()).surfaces.empty());
+  EXPECT_TRUE(extract_features(square_room(130, 5.0), floam_defaults()).surfaces.empty());
+  EXPECT_FALSE(extract_features(square_room(131, 5.0), floam_defaults()).surfaces.empty());
+  EXPECT_TRUE(extract_features(square_room(300, 95.0), floam_defaults()).surfaces.empty());
+  EXPECT_TRUE(extract_features(square_room(300, 0.3), floam_defaults()).surfaces.empty());
 }
 
 TEST(FloamFeatures, LinesAreCountedByElevationOrRing) {
@@ -94,7 +94,7 @@ TEST(FloamFeatures, LinesAreCountedByElevationOrRing) {
 
   PreparedScan scan = square_room(300, 5.0, 40.0);  // no laser of a VLP-16 looks up so steeply
   scan.rings.assign(scan.points.size(), 3);
-  FloamParameters config = defaults();
+  FloamParameters config = floam_defaults();
   EXPECT_TRUE(extract_features(scan, config).surfaces.empty());
   config.use_rings = true;
   EXPECT_FALSE(extract_features(scan, config).surfaces.empty());

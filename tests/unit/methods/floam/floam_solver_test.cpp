@@ -15,7 +15,7 @@ namespace {
 using Kind = FloamResidual::Kind;
 using Five = std::array<Eigen::Vector3d, 5>;
 
-FloamResidual random_residual(test::Random& random, Kind kind) {
+FloamResidual random_floam_residual(test::Random& random, Kind kind) {
   FloamResidual residual;
   residual.kind = kind;
   residual.point = random.vector(10.0);
@@ -28,13 +28,13 @@ FloamResidual random_residual(test::Random& random, Kind kind) {
 TEST(FloamSolver, ResidualsAreDistances) {
   test::Random random(1);
   for (int i = 0; i < 20; ++i) {
-    const FloamResidual edge = random_residual(random, Kind::edge);
+    const FloamResidual edge = random_floam_residual(random, Kind::edge);
     const Eigen::Vector3d p = random.vector(10.0);
     // As the original writes it, with two points of the line.
     const Eigen::Vector3d a = edge.anchor + 0.1 * edge.direction;
     const Eigen::Vector3d b = edge.anchor - 0.1 * edge.direction;
     EXPECT_NEAR(floam_residual(edge, p), (p - a).cross(p - b).norm() / (a - b).norm(), 1e-9);
-    const FloamResidual surface = random_residual(random, Kind::surface);
+    const FloamResidual surface = random_floam_residual(random, Kind::surface);
     const Eigen::Vector3d foot = -surface.offset * surface.direction;
     EXPECT_NEAR(floam_residual(surface, p), (p - foot).dot(surface.direction), 1e-9);
   }
@@ -44,7 +44,7 @@ TEST(FloamSolver, JacobiansAreDerivatives) {
   test::Random random(2);
   for (const Kind kind : {Kind::edge, Kind::surface}) {
     for (int i = 0; i < 20; ++i) {
-      const FloamResidual residual = random_residual(random, kind);
+      const FloamResidual residual = random_floam_residual(random, kind);
       const Eigen::Vector3d p = random.vector(10.0);
       const auto J = floam_jacobian(residual, p);
       for (int k = 0; k < 6; ++k) {
@@ -60,7 +60,7 @@ TEST(FloamSolver, JacobiansAreDerivatives) {
 
 TEST(FloamSolver, APointOnItsLineHasNoDerivativeButNumbers) {
   test::Random random(3);
-  FloamResidual edge = random_residual(random, Kind::edge);
+  FloamResidual edge = random_floam_residual(random, Kind::edge);
   EXPECT_TRUE(floam_jacobian(edge, edge.anchor).allFinite());
 }
 
@@ -111,7 +111,7 @@ std::vector<FloamResidual> consistent_with(const Pose& truth, int count) {
   test::Random random(5);
   std::vector<FloamResidual> residuals;
   for (int i = 0; i < count; ++i) {
-    FloamResidual residual = random_residual(random, i % 3 == 0 ? Kind::edge : Kind::surface);
+    FloamResidual residual = random_floam_residual(random, i % 3 == 0 ? Kind::edge : Kind::surface);
     const Eigen::Vector3d placed = truth * residual.point;
     residual.anchor = placed + random.uniform(-1.0, 1.0) * residual.direction;
     residual.offset = -residual.direction.dot(placed);
@@ -147,7 +147,7 @@ TEST(FloamSolver, NeverMakesTheCostWorse) {
   for (int i = 0; i < 30; ++i) {
     std::vector<FloamResidual> residuals;
     for (int k = 0; k < 40; ++k) {
-      residuals.push_back(random_residual(random, k % 2 ? Kind::edge : Kind::surface));
+      residuals.push_back(random_floam_residual(random, k % 2 ? Kind::edge : Kind::surface));
     }
     const FloamSolution solution = solve_floam(residuals, Pose{}, Workers(1));
     EXPECT_LE(cost(residuals, solution.T_map_lidar), cost(residuals, Pose{}) * (1.0 + 1e-12));

@@ -98,7 +98,7 @@ TEST(KissIcp, DeskewingGoesToTheAskedInstant) {
 }
 
 /// Points on the walls of a room.
-std::vector<Eigen::Vector3d> room() {
+std::vector<Eigen::Vector3d> room_points() {
   std::vector<Eigen::Vector3d> points;
   for (double a = -4.9; a < 5.0; a += 0.35) {
     for (double b = -1.4; b < 1.5; b += 0.35) {
@@ -111,9 +111,9 @@ std::vector<Eigen::Vector3d> room() {
 
 TEST(KissIcp, RegistrationFindsAKnownMotion) {
   VoxelMap map({1.0, 20, 0.0, 100.0});
-  for (const auto& point : room()) map.insert(point);
+  for (const auto& point : room_points()) map.insert(point);
   const Pose truth{so3_exp({0.01, -0.02, 0.03}), {0.1, -0.08, 0.05}};
-  const auto seen = transformed(truth.inverse(), room());
+  const auto seen = transformed(truth.inverse(), room_points());
   const Alignment found = align_points_to_map(
       seen, map, Pose{}, 1.0, test::default_parameters<KissIcpParameters>(), Workers(1));
   EXPECT_TRUE(found.converged);
@@ -127,7 +127,7 @@ TEST(KissIcp, WithoutMatchesThePredictionStands) {
   map.insert({50.0, 50.0, 50.0});
   const Pose guess{so3_exp({0.1, 0.0, 0.0}), {1.0, 2.0, 3.0}};
   const Alignment found = align_points_to_map(
-      room(), map, guess, 1.0, test::default_parameters<KissIcpParameters>(), Workers(1));
+      room_points(), map, guess, 1.0, test::default_parameters<KissIcpParameters>(), Workers(1));
   EXPECT_EQ(found.equations.count, 0);
   EXPECT_TRUE(found.finite);
   EXPECT_LT((found.T_map_lidar.translation - guess.translation).norm(), 1e-12);

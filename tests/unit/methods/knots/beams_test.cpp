@@ -14,10 +14,10 @@ namespace {
 
 using test::Random;
 
-const Eigen::Vector3d kSensor(3.0, -2.0, 0.6);
+const Eigen::Vector3d kBeamOrigin(3.0, -2.0, 0.6);
 
 Beams one_beam(const Eigen::Vector3d& towards, double range) {
-  return {kSensor, {(towards - kSensor).normalized()}, {range}};
+  return {kBeamOrigin, {(towards - kBeamOrigin).normalized()}, {range}};
 }
 
 Surfel ball(const Eigen::Vector3d& mean, double deviation) {
@@ -47,7 +47,7 @@ TEST(Beams, ABeamThroughTheMiddlePassesIfItEndsWellBehind) {
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d ray = random.unit_vector();
     const double distance = random.uniform(1.0, 29.0);
-    const Eigen::Vector3d mean = kSensor + distance * ray;
+    const Eigen::Vector3d mean = kBeamOrigin + distance * ray;
     for (const Surfel& surfel : {ball(mean, 0.1), disc(mean, ray, 0.1)}) {
       const double behind = 0.5 + 0.2 * distance;
       EXPECT_TRUE(pass(one_beam(mean, distance + 1.01 * behind), surfel));
@@ -67,7 +67,7 @@ TEST(Beams, ABeamBesideItDoesNot) {
             .normalized();
     const Eigen::Vector3d aside = ray.unitOrthogonal();
     const double deviation = random.uniform(0.15, 0.3);  // more than the least
-    const Eigen::Vector3d mean = kSensor + random.uniform(18.0, 29.0) * ray;
+    const Eigen::Vector3d mean = kBeamOrigin + random.uniform(18.0, 29.0) * ray;
     const auto beam = [&](double off) { return one_beam(mean + off * deviation * aside, 50.0); };
     EXPECT_TRUE(pass(beam(0.70), ball(mean, deviation)));  // half the variance
     EXPECT_FALSE(pass(beam(0.72), ball(mean, deviation)));
@@ -86,14 +86,14 @@ TEST(Beams, APlaneSeenEdgeOnIsNotPassed) {
 
 TEST(Beams, WhatIsTooNearOrTooFarIsNotAskedFor) {
   for (const double distance : {0.3, 31.0}) {
-    const Eigen::Vector3d mean = kSensor + Eigen::Vector3d(distance, 0.0, 0.0);
+    const Eigen::Vector3d mean = kBeamOrigin + Eigen::Vector3d(distance, 0.0, 0.0);
     EXPECT_FALSE(one_beam(mean, 100.0).may_pass(mean.cast<float>())) << distance;
   }
 }
 
 TEST(Beams, NoBeamsPassNothing) {
-  const Beams none(kSensor, {}, {});
-  const Eigen::Vector3d mean = kSensor + Eigen::Vector3d(5.0, 0.0, 0.0);
+  const Beams none(kBeamOrigin, {}, {});
+  const Eigen::Vector3d mean = kBeamOrigin + Eigen::Vector3d(5.0, 0.0, 0.0);
   EXPECT_FALSE(pass(none, ball(mean, 0.1)));
 }
 

@@ -18,10 +18,10 @@ namespace {
 using test::Random;
 using Points = std::vector<Eigen::Vector3d>;
 
-const Eigen::Vector3d kSensor(-6.0, 3.0, 1.0);
+const Eigen::Vector3d kCloudSensor(-6.0, 3.0, 1.0);
 const Eigen::Vector3d kMiddle(0.2, 0.2, 0.2);  // of the finest voxel at the origin
 
-Config::Knots knots_config() {
+Config::Knots cloud_config() {
   Config::Knots config = Config().knots;
   config.finest_voxel = 0.4;
   config.levels = 4;
@@ -29,15 +29,15 @@ Config::Knots knots_config() {
   return config;
 }
 
-SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config()) {
+SurfelMap cloud_map_of(const Points& points, const Config::Knots& config = cloud_config()) {
   SurfelMap map(config, 100.0);
-  map.insert(points, kSensor);
+  map.insert(points, kCloudSensor);
   return map;
 }
 
-const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
+const Surfel* cloud_surfel(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
   SurfelMap::Place fresh;
-  return map.find(place, place - kSensor, finest, fresh);
+  return map.find(place, place - kCloudSensor, finest, fresh);
 }
 
 Points shrub(Random& random, int count, double radius) {
@@ -58,16 +58,16 @@ Eigen::Matrix3d covariance_of(const Surfel& surfel) {
 TEST(Cloud, ItIsItsPointsGaussianAndWhatTheRingsLeaveUnseen) {
   Random random(21);
   const Points points = shrub(random, 100, 0.15);
-  const SurfelMap map = map_of(points);
-  const Surfel* const cloud = find(map, kMiddle);
+  const SurfelMap map = cloud_map_of(points);
+  const Surfel* const cloud = cloud_surfel(map, kMiddle);
   ASSERT_NE(cloud, nullptr);
   ASSERT_TRUE(cloud->cloud());
   Eigen::Vector3d mean = Eigen::Vector3d::Zero(), rays = Eigen::Vector3d::Zero();
   double squared_range = 0.0;
   for (const auto& point : points) {
     mean += point / 100.0;
-    rays += (point - kSensor).normalized();
-    squared_range += (point - kSensor).squaredNorm() / 100.0;
+    rays += (point - kCloudSensor).normalized();
+    squared_range += (point - kCloudSensor).squaredNorm() / 100.0;
   }
   Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
   for (const auto& p : points) expected += (p - mean) * (p - mean).transpose() / 100.0;
@@ -83,11 +83,11 @@ TEST(Cloud, OneRingTellsNothingBetweenTheRings) {
   Random random(22);
   Points ring;  // along y, as one beam sweeps it over a leaf: no height at all
   for (int i = 0; i < 40; ++i) ring.emplace_back(0.2, random.uniform(0.02, 0.38), 0.2);
-  const SurfelMap map = map_of(ring);
-  const Surfel* const cloud = find(map, kMiddle);
+  const SurfelMap map = cloud_map_of(ring);
+  const Surfel* const cloud = cloud_surfel(map, kMiddle);
   ASSERT_NE(cloud, nullptr);
   ASSERT_TRUE(cloud->cloud());
-  const double range = (kMiddle - kSensor).norm();
+  const double range = (kMiddle - kCloudSensor).norm();
   EXPECT_GT(covariance_of(*cloud)(2, 2), 0.9 * 0.03 * 0.03 * range * range / 3.0);
   // The farther, the less is known.
   EXPECT_LT(covariance_of(*cloud)(2, 2), 1.1 * 0.03 * 0.03 * range * range / 3.0);
@@ -107,7 +107,7 @@ TEST(Cloud, OneRingIsWorthNothingAlongItsRaysAndWhatFillsAVoxelNothingInIt) {
   const Eigen::Vector3d ahead(-6.0, 0.2, 0.2);
   Points ring;  // sweeps the voxel from end to end, at one range
   for (int i = 0; i < 40; ++i) ring.emplace_back(0.2, 0.005 + 0.01 * i, 0.2);
-  SurfelMap map(knots_config(), 100.0);
+  SurfelMap map(cloud_config(), 100.0);
   map.insert(ring, ahead);
   SurfelMap::Place fresh;
   const Surfel* const cloud = map.find(kMiddle, kMiddle - ahead, 0, fresh);
@@ -120,10 +120,10 @@ TEST(Cloud, OneRingIsWorthNothingAlongItsRaysAndWhatFillsAVoxelNothingInIt) {
 TEST(Cloud, WhatManyRingsMeetIsWorthAllThatItDoesNotFillOfItsVoxel) {
   Random random(25);
   const Points points = shrub(random, 200, 0.08);
-  Config::Knots dense = knots_config();
+  Config::Knots dense = cloud_config();
   dense.ring_gap = 0.003;  // of a LiDAR of 128 rings
-  const SurfelMap few = map_of(points), many = map_of(points, dense);
-  const Surfel* const cloud = find(many, kMiddle);
+  const SurfelMap few = cloud_map_of(points), many = cloud_map_of(points, dense);
+  const Surfel* const cloud = cloud_surfel(many, kMiddle);
   ASSERT_NE(cloud, nullptr);
   ASSERT_TRUE(cloud->cloud());
   for (int i = 0; i < 3; ++i) {
@@ -131,8 +131,8 @@ TEST(Cloud, WhatManyRingsMeetIsWorthAllThatItDoesNotFillOfItsVoxel) {
     EXPECT_NEAR(cloud->worth[i], 1.0 - known * 12.0 / (0.4 * 0.4), 1e-9);
     EXPECT_GT(cloud->worth[i], 0.7);
   }
-  const Eigen::Vector3d ray = (kMiddle - kSensor).normalized();
-  EXPECT_LT(worth_along(*find(few, kMiddle), ray), 0.3) << "16 rings: one or two";
+  const Eigen::Vector3d ray = (kMiddle - kCloudSensor).normalized();
+  EXPECT_LT(worth_along(*cloud_surfel(few, kMiddle), ray), 0.3) << "16 rings: one or two";
 }
 
 TEST(Cloud, PlanesAndPolesComeFirstOnWhicheverGrid) {
@@ -140,45 +140,46 @@ TEST(Cloud, PlanesAndPolesComeFirstOnWhicheverGrid) {
   for (int row = 0; row < 4; ++row) {
     for (int i = 0; i < 60; ++i) rings.emplace_back(0.053 * i, 0.2 + 0.8 * row, 0.1);
   }
-  const SurfelMap map = map_of(rings);
+  const SurfelMap map = cloud_map_of(rings);
   for (const Eigen::Vector3d& place : {Eigen::Vector3d(0.5, 0.2, 0.1), {0.5, 0.6, 0.1}}) {
-    const Surfel* const surfel = find(map, place);
+    const Surfel* const surfel = cloud_surfel(map, place);
     ASSERT_NE(surfel, nullptr);
     EXPECT_EQ(surfel->directions, 1);
   }
-  Config::Knots fine = knots_config();
+  Config::Knots fine = cloud_config();
   fine.levels = 1;
-  const SurfelMap lines = map_of(rings, fine);
-  const Surfel* const line = find(lines, {0.5, 0.2, 0.1});
+  const SurfelMap lines = cloud_map_of(rings, fine);
+  const Surfel* const line = cloud_surfel(lines, {0.5, 0.2, 0.1});
   ASSERT_NE(line, nullptr);
   EXPECT_TRUE(line->cloud());
 }
 
 TEST(Cloud, TheFinestOneAnswersAgainAndAgain) {
   Random random(23);
-  const SurfelMap map = map_of(shrub(random, 200, 0.6));
+  const SurfelMap map = cloud_map_of(shrub(random, 200, 0.6));
   for (int finest = 0; finest < 4; ++finest) {
     SurfelMap::Place remembered;
     const Eigen::Vector3d place = kMiddle + Eigen::Vector3d(0.45, 0.3, 0.2);
-    const Surfel* const first = map.find(place, place - kSensor, finest, remembered);
+    const Surfel* const first = map.find(place, place - kCloudSensor, finest, remembered);
     if (first == nullptr) continue;
-    EXPECT_EQ(map.find(place, place - kSensor, finest, remembered), first);
-    EXPECT_EQ(find(map, place, finest), first);
+    EXPECT_EQ(map.find(place, place - kCloudSensor, finest, remembered), first);
+    EXPECT_EQ(cloud_surfel(map, place, finest), first);
     if (first->cloud()) {
       EXPECT_GE(remembered.level, finest);
     }
   }
-  ASSERT_NE(find(map, kMiddle, 2), nullptr);
-  EXPECT_TRUE(find(map, kMiddle, 2)->cloud());
+  ASSERT_NE(cloud_surfel(map, kMiddle, 2), nullptr);
+  EXPECT_TRUE(cloud_surfel(map, kMiddle, 2)->cloud());
 }
 
 TEST(Cloud, NoneOfTooFewPointsAndNoneWithoutWeight) {
   Random random(24);
   const Points points = shrub(random, 100, 0.15);
-  EXPECT_EQ(find(map_of(Points(points.begin(), points.begin() + 5)), kMiddle), nullptr);
-  Config::Knots without = knots_config();
+  EXPECT_EQ(cloud_surfel(cloud_map_of(Points(points.begin(), points.begin() + 5)), kMiddle),
+            nullptr);
+  Config::Knots without = cloud_config();
   without.cloud_weight = 0.0;
-  EXPECT_EQ(find(map_of(points, without), kMiddle), nullptr);
+  EXPECT_EQ(cloud_surfel(cloud_map_of(points, without), kMiddle), nullptr);
 }
 
 }  // namespace

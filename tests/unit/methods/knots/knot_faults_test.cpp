@@ -20,16 +20,16 @@ namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
 
-constexpr int kScans = 45;
+constexpr int kFaultScans = 45;
 constexpr int kEvent = 20;
-const Pose kStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+const Pose kFaultStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
 
 MotionFunction walk() {
-  return constant_velocity(kStart, (Twist() << 0.5, 0, 0, 0, 0, 0).finished());
+  return constant_velocity(kFaultStart, (Twist() << 0.5, 0, 0, 0, 0, 0).finished());
 }
 
 const std::vector<Scan>& walk_scans() {
-  static const std::vector<Scan> scans = take_scans(furnished_hall(), walk(), kScans);
+  static const std::vector<Scan> scans = take_scans(furnished_hall(), walk(), kFaultScans);
   return scans;
 }
 
@@ -64,8 +64,8 @@ void make_floor(Scan& scan) {
 double distance(const Pose& a, const Pose& b) { return (a.translation - b.translation).norm(); }
 
 /// [m] of an estimate against the first of its segment that the run has.
-double error_of(const std::vector<Estimate>& all, const Estimate& last,
-                const MotionFunction& motion) {
+double end_error(const std::vector<Estimate>& all, const Estimate& last,
+                 const MotionFunction& motion) {
   const auto first = std::find_if(all.begin(), all.end(), [&](const Estimate& e) {
     return e.trusted() && e.segment == last.segment;
   });
@@ -96,15 +96,15 @@ TEST(KnotFaults, CarriedItFindsItselfAgainInItsMap) {
   for (const Pose& by : {Pose{Eigen::Quaterniond::Identity(), {2.0, 1.5, 0.0}},
                          Pose{so3_exp({0.0, 0.0, 1.0}), {1.0, -0.5, 0.0}}}) {
     const MotionFunction motion = carried(by);
-    const std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans);
+    const std::vector<Scan> scans = take_scans(furnished_hall(), motion, kFaultScans);
     Odometry odometry;
     std::vector<Estimate> all;
     int again = -1;
-    for (int i = 0; i < kScans; ++i) {
+    for (int i = 0; i < kFaultScans; ++i) {
       all.push_back(odometry.add_scan(scans[static_cast<std::size_t>(i)]));
       const Estimate& estimate = all.back();
       if (estimate.status == Status::ok) {
-        EXPECT_LT(error_of(all, estimate, motion), 0.1) << i;
+        EXPECT_LT(end_error(all, estimate, motion), 0.1) << i;
       }
       if (i >= kEvent && again < 0 && estimate.trusted()) again = i;
     }
@@ -126,7 +126,7 @@ TEST(KnotFaults, AGarbageFirstScanIsDropped) {
   EXPECT_TRUE(all[6].trusted()) << statuses(all);
   EXPECT_GT(all.back().segment, 0);
   EXPECT_EQ(all.back().segment, all[6].segment) << statuses(all);
-  EXPECT_LT(error_of({all.begin() + 6, all.end()}, all.back(), walk()), 0.05);
+  EXPECT_LT(end_error({all.begin() + 6, all.end()}, all.back(), walk()), 0.05);
 }
 
 // Of two scans that do not fit, neither is believed: where the third speaks against the map of the
@@ -144,7 +144,7 @@ TEST(KnotFaults, AMapOfOneScanFromElsewhereIsDropped) {
     const auto all = add_scans(odometry, take_scans(furnished_hall(), motion, 12));
     for (std::size_t i = 4; i < all.size(); ++i) {
       EXPECT_TRUE(all[i].trusted()) << i << ' ' << statuses(all);
-      EXPECT_LT(error_of(all, all[i], motion), 0.05) << i << ' ' << statuses(all);
+      EXPECT_LT(end_error(all, all[i], motion), 0.05) << i << ' ' << statuses(all);
     }
   }
 }
@@ -154,12 +154,12 @@ TEST(KnotFaults, OneScanOfGarbageDoesNotLoseIt) {
   make_garbage(scans[kEvent]);
   Odometry odometry;
   const auto all = add_scans(odometry, scans);
-  for (int i = 1; i < kScans; ++i) {
+  for (int i = 1; i < kFaultScans; ++i) {
     const Estimate& estimate = all[static_cast<std::size_t>(i)];
     EXPECT_EQ(estimate.trusted(), i != kEvent) << statuses(all);
     EXPECT_EQ(estimate.segment, 0);
   }
-  EXPECT_LT(error_of(all, all.back(), walk()), 0.05);
+  EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
 }
 
 // As one who looks about with a sensor in the hand, of which every fifth scan was kept.
@@ -167,7 +167,7 @@ TEST(KnotFaults, TurnsByHandAreRightOrNotOk) {
   std::vector<Scan> scans(walk_scans().begin(), walk_scans().begin() + kEvent);
   std::vector<Pose> turns(kEvent);
   double yaw = 0.0;
-  for (int i = kEvent; i < kScans; i += 5) {
+  for (int i = kEvent; i < kFaultScans; i += 5) {
     yaw += i % 2 == 0 ? 0.6 : -0.5;
     turns.push_back({so3_exp({0.0, 0.0, yaw}), {0.0, 0.0, 0.0}});
     scans.push_back(walk_scans()[static_cast<std::size_t>(i)]);
@@ -204,20 +204,20 @@ TEST(KnotFaults, AFrozenSensorIsLost) {
     EXPECT_FALSE(all[static_cast<std::size_t>(i)].trusted());
   }
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
-  EXPECT_LT(error_of(all, all.back(), walk()), 0.05);
+  EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
 }
 
 // Its rings go with the sensor: of the way along it they tell nothing, and nothing says so but
 // that.
 TEST(KnotFaults, ABareFloorHoldsNoPlaceAndItSaysSo) {
   std::vector<Scan> scans = walk_scans();
-  for (int i = kEvent; i < kScans; ++i) make_floor(scans[static_cast<std::size_t>(i)]);
+  for (int i = kEvent; i < kFaultScans; ++i) make_floor(scans[static_cast<std::size_t>(i)]);
   Odometry odometry;
   const auto all = add_scans(odometry, scans);
-  for (int i = kEvent; i < kScans; ++i) {
+  for (int i = kEvent; i < kFaultScans; ++i) {
     const Estimate& estimate = all[static_cast<std::size_t>(i)];
     EXPECT_EQ(estimate.status, Status::degenerate) << i << ' ' << statuses(all);
-    const double error = error_of(all, estimate, walk());
+    const double error = end_error(all, estimate, walk());
     EXPECT_LT(error, 3.0 * std::sqrt(estimate.covariance(0, 0))) << i;
     if (error > 0.4) {
       EXPECT_GT(estimate.wrong_probability, 0.5) << i;
@@ -230,7 +230,7 @@ TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {
   config.knots.search_scans = 5;
   Odometry odometry(config);
   std::vector<Scan> scans = walk_scans();
-  for (int i = kEvent; i < kScans; ++i) {
+  for (int i = kEvent; i < kFaultScans; ++i) {
     for (Eigen::Vector3f& point : scans[static_cast<std::size_t>(i)].points) {
       point = Eigen::Vector3f(2.5F * point.x(), 0.4F * point.y(), point.z());
     }

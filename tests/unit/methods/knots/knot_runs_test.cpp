@@ -22,7 +22,7 @@ namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRunDegree = std::numbers::pi / 180.0;
 constexpr int kScans = 40;
 const Pose kStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
 
@@ -38,7 +38,7 @@ MotionFunction trotting_up(double slope_deg) {
 }
 
 MotionFunction pitched(const MotionFunction& motion) {
-  return mounted(motion, {from_roll_pitch_yaw({0.0, 15.0 * kDegree, 0.0}), {0.0, 0.0, 0.0}});
+  return mounted(motion, {from_roll_pitch_yaw({0.0, 15.0 * kRunDegree, 0.0}), {0.0, 0.0, 0.0}});
 }
 
 /// Root mean squares over a run. Not from the first pose on, since nobody can tell how the first
@@ -361,7 +361,7 @@ TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
   }
   const auto rms = [&](double squares) { return std::sqrt(squares / count); };
   std::printf("within a scan: %.4f m, %.3f deg of %.3f deg\n", rms(translation),
-              rms(rotation) / kDegree, rms(sway) / kDegree);
+              rms(rotation) / kRunDegree, rms(sway) / kRunDegree);
   EXPECT_LT(rms(translation), 0.017);         // measured: 0.011
   EXPECT_LT(rms(rotation), 0.8 * rms(sway));  // measured: 0.77 of 1.16 deg, while still learning
 }

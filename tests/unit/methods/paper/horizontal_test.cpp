@@ -18,13 +18,13 @@ namespace {
 
 using test::Random;
 
-struct Scene {
+struct HorizontalScene {
   PaperParameters config = test::step_config();
   Pose T{so3_exp({0.02, -0.03, 0.4}), {1.0, -0.5, 0.2}};
   LocalMap map = test::make_map(test::room_points(1, 1000), config);
   Source source;
 
-  Scene() {
+  HorizontalScene() {
     const Pose T_true = apply_update(T, (Twist() << 0.1, 0.05, -0.1, 0.01, -0.02, 0.03).finished());
     source = test::make_source(test::room_points(2, 150), T_true);
     test::match_by_brute_force(source, map.points(), T, 0.8);
@@ -41,7 +41,7 @@ struct DenseRow {
   Eigen::Matrix<double, 3, 6> J;
   Eigen::Vector3d r;
 };
-std::vector<DenseRow> dense_rows(const Scene& scene) {
+std::vector<DenseRow> dense_rows(const HorizontalScene& scene) {
   std::vector<DenseRow> rows;
   for (std::size_t i = 0; i < scene.source.points.size(); ++i) {
     if (!scene.source.matches[i].found) continue;
@@ -55,7 +55,7 @@ std::vector<DenseRow> dense_rows(const Scene& scene) {
 }
 
 TEST(Horizontal, NormalEquationsEqualTheDenseSum) {
-  const Scene scene;
+  const HorizontalScene scene;
   Eigen::Matrix<double, 6, 3> S_H;
   S_H << 1, 0, 0, /**/ 0, 1, 0, /**/ 0, 0, 0, /**/ 0, 0, 0, /**/ 0, 0, 0, /**/ 0, 0, 1;
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
@@ -80,7 +80,7 @@ TEST(Horizontal, NormalEquationsEqualTheDenseSum) {
 }
 
 TEST(Horizontal, ThreadsDoNotChangeABit) {
-  const Scene scene;
+  const HorizontalScene scene;
   const auto alone =
       horizontal_equations(scene.source, scene.T, scene.config.horizontal, Workers(1));
   for (const int threads : {2, 3, 8}) {
@@ -105,7 +105,7 @@ TEST(Horizontal, RobustWeightIsTheSquaredLorentzian) {
 }
 
 TEST(Horizontal, WithoutMatchesNothingMoves) {
-  Scene scene;
+  HorizontalScene scene;
   for (Match& match : scene.source.matches) match.found = false;
   const auto sum = horizontal_equations(scene.source, scene.T, scene.config.horizontal, Workers(1));
   EXPECT_EQ(sum.count, 0);
@@ -122,7 +122,7 @@ TEST(Horizontal, ADirectionThatNothingConstrainsStays) {
 }
 
 TEST(Coupled, PointToPointEqualsTheDenseSumWithItsFourBlocks) {
-  Scene scene;
+  HorizontalScene scene;
   scene.config.registration.coupled_residual = Residual::point_to_point;
   Matrix6 H = Matrix6::Zero();
   Twist g = Twist::Zero();
@@ -152,7 +152,7 @@ TEST(Coupled, PointToPointEqualsTheDenseSumWithItsFourBlocks) {
 }
 
 TEST(Coupled, PointToPlaneEqualsTheDenseSum) {
-  Scene scene;
+  HorizontalScene scene;
   scene.config.registration.coupled_residual = Residual::point_to_plane;
   Matrix6 H = Matrix6::Zero();
   Twist g = Twist::Zero();

@@ -13,21 +13,21 @@
 namespace surefoot {
 namespace {
 
-const Pose kTrue{so3_exp({0.0, 0.0, 0.4}), {1.0, -0.5, 0.2}};
-const Twist kOffset = (Twist() << 0.35, -0.25, 0.15, 0.02, -0.03, 0.06).finished();
+const Pose kTruePose{so3_exp({0.0, 0.0, 0.4}), {1.0, -0.5, 0.2}};
+const Twist kFarOffset = (Twist() << 0.35, -0.25, 0.15, 0.02, -0.03, 0.06).finished();
 
-struct Scene {
+struct ReuseScene {
   PaperParameters config = test::step_config();
   LocalMap map;
   std::vector<Eigen::Vector3d> points;  // the map's
   Pose T_true;
 
-  explicit Scene(const std::function<void(PaperParameters&)>& set,
-                 const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
+  explicit ReuseScene(const std::function<void(PaperParameters&)>& set,
+                      const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
       : config(configure(set)),
         map(test::make_map(test::room_points(1, 1500), config, shift)),
         points(map.points()),
-        T_true{kTrue.rotation, kTrue.translation + shift} {}
+        T_true{kTruePose.rotation, kTruePose.translation + shift} {}
 
   static PaperParameters configure(const std::function<void(PaperParameters&)>& set) {
     PaperParameters config = test::step_config();
@@ -39,8 +39,8 @@ struct Scene {
   /// Pose and source after so many iterations.
   std::pair<Pose, Source> run(int iterations) {
     config.registration.max_iterations = iterations;
-    Source source = test::make_source(test::room_points(2, 60), kTrue);
-    const Registration result = register_scan(source, map, apply_update(T_true, kOffset), config,
+    Source source = test::make_source(test::room_points(2, 60), kTruePose);
+    const Registration result = register_scan(source, map, apply_update(T_true, kFarOffset), config,
                                               test::kMinMatches, Workers(1), [](Step) {});
     EXPECT_EQ(result.horizontal.iterations, iterations);
     return {result.T_map_lidar, std::move(source)};
@@ -79,7 +79,7 @@ void compare(const Source& source, const std::vector<Eigen::Vector3d>& points, c
 }
 
 /// Matches of the iteration after so many, for many a number of them.
-Tally expect_exact_matches(Scene scene) {
+Tally expect_exact_matches(ReuseScene scene) {
   Tally tally;
   for (const int iterations : {1, 2, 3, 4, 6, 9, 14, 22, 35}) {
     const Pose before = scene.run(iterations).first;
@@ -97,13 +97,13 @@ Tally expect_exact_matches(Scene scene) {
 }
 
 TEST(SearchReuse, MatchesAreTheNearestPointsAtEveryIteration) {
-  const Tally tally = expect_exact_matches(Scene([](PaperParameters&) {}));
+  const Tally tally = expect_exact_matches(ReuseScene([](PaperParameters&) {}));
   EXPECT_GT(tally.matched, 3000);
   EXPECT_GT(tally.reused, 1000) << "the test should hold answers that were kept";
 }
 
 TEST(SearchReuse, PointsWithoutAMatchStayWithoutOneJustAsLongAsTheyShould) {
-  const Tally tally = expect_exact_matches(Scene([](PaperParameters& config) {
+  const Tally tally = expect_exact_matches(ReuseScene([](PaperParameters& config) {
     config.registration.max_distance = 0.12;  // less than the spacing of the map's points
     config.registration.relaxed_distance = 0.3;
   }));
@@ -114,7 +114,7 @@ TEST(SearchReuse, PointsWithoutAMatchStayWithoutOneJustAsLongAsTheyShould) {
 
 TEST(SearchReuse, LongMovesAndShortOnesAlike) {
   // Early iterations reach far; the vertical trust region makes a long way of many short moves.
-  const Tally tally = expect_exact_matches(Scene([](PaperParameters& config) {
+  const Tally tally = expect_exact_matches(ReuseScene([](PaperParameters& config) {
     config.registration.early_iterations = 10;
     config.registration.relaxed_distance = 3.0;
     config.vertical.trust_region = 0.004;
@@ -126,19 +126,19 @@ TEST(SearchReuse, LongMovesAndShortOnesAlike) {
 
 TEST(SearchReuse, TenKilometresAway) {
   const Tally tally =
-      expect_exact_matches(Scene([](PaperParameters&) {}, {10'000.3, -10'000.7, 500.1}));
+      expect_exact_matches(ReuseScene([](PaperParameters&) {}, {10'000.3, -10'000.7, 500.1}));
   EXPECT_GT(tally.matched, 3000);
   EXPECT_GT(tally.reused, 1000);
 }
 
 TEST(SearchReuse, ASourceThatWasUsedBeforeBringsNothingAlong) {
   // Registered to one map, then to another: nothing that was known of the first may remain.
-  Scene scene([](PaperParameters&) {}), other([](PaperParameters&) {}, {0.31, 0.17, 0.05});
+  ReuseScene scene([](PaperParameters&) {}), other([](PaperParameters&) {}, {0.31, 0.17, 0.05});
   scene.run(1);
-  Source source = test::make_source(test::room_points(2, 60), kTrue);
-  const auto register_to = [&](Scene& to) {
-    return register_scan(source, to.map, apply_update(kTrue, kOffset), to.config, test::kMinMatches,
-                         Workers(1), [](Step) {});
+  Source source = test::make_source(test::room_points(2, 60), kTruePose);
+  const auto register_to = [&](ReuseScene& to) {
+    return register_scan(source, to.map, apply_update(kTruePose, kFarOffset), to.config,
+                         test::kMinMatches, Workers(1), [](Step) {});
   };
   (void)register_to(other);
   const Pose again = register_to(scene).T_map_lidar;

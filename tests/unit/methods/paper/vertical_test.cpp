@@ -16,13 +16,13 @@ namespace {
 
 using test::Random;
 
-struct Scene {
+struct VerticalScene {
   PaperParameters config = test::step_config();
   Pose T{so3_exp({0.02, -0.03, 0.4}), {1.0, -0.5, 0.2}};
   LocalMap map = test::make_map(test::room_points(1, 1000), config);
   Source source;
 
-  Scene() {
+  VerticalScene() {
     config.vertical.near_distance = 4.0;  // points on both sides of d_0
     config.vertical.near_gate = 0.05;     // and of epsilon_0
     const Pose T_true = apply_update(T, (Twist() << 0.1, 0.05, -0.1, 0.01, -0.02, 0.03).finished());
@@ -32,8 +32,8 @@ struct Scene {
 };
 
 /// Eqs. (28)-(32) as printed.
-double paper_weight(double d, double r, const Eigen::Vector3d& n,
-                    const PaperParameters::Vertical& c) {
+double vertical_weight(double d, double r, const Eigen::Vector3d& n,
+                       const PaperParameters::Vertical& c) {
   const double excess = d - c.near_distance;
   const double gamma = d < c.near_distance ? 1.0 : 1.0 / (1.0 + c.distance_decay * excess * excess);
   const double eta = std::abs(n.z());
@@ -44,7 +44,7 @@ double paper_weight(double d, double r, const Eigen::Vector3d& n,
 }
 
 TEST(Vertical, NormalEquationsEqualTheDenseSum) {
-  Scene scene;
+  VerticalScene scene;
   const PaperParameters::Vertical& c = scene.config.vertical;
   Eigen::Matrix<double, 6, 3> S_V;
   S_V << 0, 0, 0, /**/ 0, 0, 0, /**/ 1, 0, 0, /**/ 0, 1, 0, /**/ 0, 0, 1, /**/ 0, 0, 0;
@@ -67,7 +67,7 @@ TEST(Vertical, NormalEquationsEqualTheDenseSum) {
     J_V << n.transpose(), n.transpose() * (-test::skew(s));
     const Eigen::Matrix<double, 1, 3> J = J_V * S_V;
     const double r = n.dot(place - match.target);
-    const double w = paper_weight(s.norm(), r, n, c);
+    const double w = vertical_weight(s.norm(), r, n, c);
     H += w * J.transpose() * J;
     g += w * J.transpose() * r;
     ++count;
@@ -87,7 +87,7 @@ TEST(Vertical, NormalEquationsEqualTheDenseSum) {
 
 // The same correspondences and weights with the whole residual of eq. (13) in its place.
 TEST(Vertical, PointToPointResidualsEqualTheDenseSum) {
-  Scene scene;
+  VerticalScene scene;
   PaperParameters::Vertical& c = scene.config.vertical;
   const int planes = vertical_equations(scene.source, scene.map, scene.T, c, Workers(1)).count;
   c.residual = Residual::point_to_point;
@@ -106,7 +106,7 @@ TEST(Vertical, PointToPointResidualsEqualTheDenseSum) {
     J_p << Eigen::Matrix3d::Identity(), -test::skew(s);
     const Eigen::Matrix3d J = J_p * S_V;
     const Eigen::Vector3d r = place - match.target;
-    const double w = paper_weight(s.norm(), r.norm(), surface.normal, c);
+    const double w = vertical_weight(s.norm(), r.norm(), surface.normal, c);
     H += w * J.transpose() * J;
     g += w * J.transpose() * r;
   }
@@ -117,7 +117,7 @@ TEST(Vertical, PointToPointResidualsEqualTheDenseSum) {
 }
 
 TEST(Vertical, ThreadsAndCachedSurfacesDoNotChangeABit) {
-  Scene scene;
+  VerticalScene scene;
   const auto& c = scene.config.vertical;
   const auto alone = vertical_equations(scene.source, scene.map, scene.T, c, Workers(1));
   for (const int threads : {1, 2, 3, 8}) {  // the first finds every surface cached
@@ -129,7 +129,7 @@ TEST(Vertical, ThreadsAndCachedSurfacesDoNotChangeABit) {
 }
 
 TEST(Vertical, CachedSurfaceIsRenewedWhenAPointChangesItsVoxel) {
-  Scene scene;
+  VerticalScene scene;
   CachedSurface cached;
   for (double x = -5.0; x < 5.0; x += 0.3) {
     const Eigen::Vector3d place(x, 0.2, -0.4);

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
 
-const Pose kStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
+const Pose kScanStart{Eigen::Quaterniond::Identity(), {-3.0, 0.5, 0.45}};
 
 void keep(Scan& scan, std::size_t count) {
   scan.points.resize(count);
@@ -78,7 +78,7 @@ std::vector<Scan> short_walk() {
   const Twist velocity = (Twist() << 0.5, 0, 0, 0, 0, 0).finished();
   Scanner scanner;
   scanner.columns = 180;
-  return take_scans(furnished_hall(), constant_velocity(kStart, velocity), 4, scanner);
+  return take_scans(furnished_hall(), constant_velocity(kScanStart, velocity), 4, scanner);
 }
 
 void expect_numbers(const Estimate& estimate, const char* name) {
