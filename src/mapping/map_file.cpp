@@ -15,6 +15,7 @@ namespace {
 constexpr std::string_view kMagic = "SUREFOOT-MAP\n";
 constexpr std::uint32_t kVersion = 1;
 constexpr float kPerMetre = 512.0F;
+constexpr double kFarthest = 1e8;  // [m] cubes of a submap can still be counted
 
 /// FNV-1a, 64 bits: enough to find what went wrong on a disk.
 std::uint64_t checksum(std::string_view bytes) {
@@ -79,6 +80,9 @@ class Reader {
   Pose pose() {
     Pose result;
     for (int i = 0; i < 3; ++i) result.translation[i] = number();
+    if (result.translation.cwiseAbs().maxCoeff() > kFarthest) {
+      throw MapFileError("holds a pose more than 100,000 km from the origin");
+    }
     for (int i = 0; i < 4; ++i) result.rotation.coeffs()[i] = number();
     if (std::abs(result.rotation.norm() - 1.0) > 1e-6) {
       throw MapFileError("holds a pose whose quaternion is not of unit length");
@@ -200,11 +204,14 @@ std::string format_map(const SavedMap& map) {
     content.put_matrix(edge.information);
     content.put(static_cast<std::uint8_t>(edge.inlier ? 1 : 0));
   }
-  const std::string bytes = content.take();
-  Writer file;
-  file.put(kVersion);
-  file.put(checksum(bytes));
-  return std::string(kMagic) + file.take() + bytes;
+  return sealed(content.take());
+}
+
+std::string sealed(std::string_view content) {
+  Writer head;
+  head.put(kVersion);
+  head.put(checksum(content));
+  return std::string(kMagic) + head.take() + std::string(content);
 }
 
 SavedMap parse_map(std::string_view bytes) {

@@ -30,6 +30,8 @@ class MapFileError : public std::runtime_error {
 };
 
 [[nodiscard]] std::string format_map(const SavedMap& map);
+/// A map file of this content: with its head, the checksum in it.
+[[nodiscard]] std::string sealed(std::string_view content);
 /// Throws MapFileError that says what was seen and what was expected.
 [[nodiscard]] SavedMap parse_map(std::string_view bytes);
 

@@ -20,6 +20,7 @@ struct Target {
 
 [[nodiscard]] std::span<const Target> file_targets();
 [[nodiscard]] std::span<const Target> packet_targets();
+[[nodiscard]] std::span<const Target> map_targets();
 [[nodiscard]] std::span<const Target> bag_targets();  // and of the messages in them
 [[nodiscard]] std::vector<Target> targets();          // all of them
 

@@ -81,6 +81,10 @@ TEST(MapFile, WhatIsCutShortOrChangedIsRefused) {
     changed[at] = static_cast<char>(changed[at] ^ 0x10);
     EXPECT_NE(refusal(changed), "") << at;
   }
+  SavedMap far = small_map();
+  far.pieces[1].T_world_piece.translation.x() = 1e9;
+  EXPECT_NE(refusal(format_map(far)).find("100,000 km"), std::string::npos);
+  EXPECT_EQ(refusal(sealed(bytes.substr(25))), "");
   std::string newer = bytes;
   newer[13] = 9;
   EXPECT_NE(refusal(newer).find("version 9"), std::string::npos);
