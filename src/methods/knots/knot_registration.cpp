@@ -45,12 +45,13 @@ struct Look {
 /// the error of their surfel and of their instant, so that many count as few; within a cloud, fewer
 /// yet.
 SurfelResidual residual_of(const Eigen::Vector3d& place, const Surfel& surfel, int direction,
-                           const Look& look, const Config::Knots& config) {
+                           const Look& look, const KnotProblem& problem) {
+  const Config::Knots& config = problem.config;
   SurfelResidual residual;
   residual.normal = surfel.across[direction];
   residual.value = residual.normal.dot(place - surfel.mean);  // [K2]
   residual.variance = look.inflation * (config.noise * config.noise + surfel.variance[direction]);
-  residual.weight = static_cast<double>(look.stride) * config.independence *
+  residual.weight = static_cast<double>(look.stride) * problem.independence *
                     (surfel.cloud() ? config.cloud_weight : 1.0);
   residual.part = 1.0 / surfel.directions;
   return residual;
@@ -73,7 +74,7 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
     const Surfel* const surfel = problem.map.find(place, s, look.finest, point.place);
     ++(surfel == nullptr ? sum.unseen : sum.matches);
     for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-      SurfelResidual residual = residual_of(place, *surfel, d, look, problem.config);
+      SurfelResidual residual = residual_of(place, *surfel, d, look, problem);
       residual.arm = s;
       residual.u = u;
       rows.add(residual);
@@ -249,8 +250,8 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
       result.last_two = system.last_two_information();
-      result.dependence = dependence_of(sums, result.rigid, config.independence);
-      result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);
+      result.dependence = dependence_of(sums, result.rigid, problem.independence);
+      result.solved = count_in_full(assumed, surfels, sums, steps, problem.independence, result);
       return result;
     }
     kernel *= annealing.decay;

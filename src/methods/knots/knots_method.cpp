@@ -54,7 +54,7 @@ const ConfigField kFields[] = {
      kMethod},
     {"knots.noise", SLOT(knots.noise), "0.02", "m", 1e-4, 1.0,
      "standard deviation of a point's distance to its surfel", kMethod},
-    {"knots.independence", SLOT(knots.independence), "0.1", "", 1e-6, 1.0,
+    {"knots.independence", SLOT(knots.independence), "0.3", "", 1e-6, 1.0,
      "share of the residuals that count as independent", kMethod},
     {"knots.correlation_time", SLOT(knots.correlation_time), "0.1", "s", 1e-3, 10.0,
      "time after which the velocity's fluctuation is forgotten", kMethod},
