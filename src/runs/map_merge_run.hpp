@@ -18,7 +18,7 @@ struct MergedMap {
   std::size_t compared = 0;  ///< places
   std::size_t taken = 0;     ///< loops
   std::size_t near = 0;      ///< places that both have seen
-  std::string message;       ///< why not
+  std::string message = {};  ///< why not
 };
 
 struct MergeOutcome {

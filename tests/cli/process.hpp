@@ -25,7 +25,7 @@ std::ostream& operator<<(std::ostream& out, const ProcessResult& result);
 
 /// What a program finds around it.
 struct Surroundings {
-  std::string program;                         ///< looked for as a shell does; empty: surefoot
+  std::string program = {};                    ///< looked for as a shell does; empty: surefoot
   std::string output = "stdout.txt";           ///< file that what it prints goes to
   std::uint64_t most_file_bytes = UINT64_MAX;  ///< that it can write into a file: a full disk
   unsigned most_seconds = 60;                  ///< that it may take
