@@ -60,7 +60,7 @@ const ConfigField kFields[] = {
      "time after which the velocity's fluctuation is forgotten", kMethod},
     {"knots.learning_rate", SLOT(knots.learning_rate), "0.05", "", 0.0, 1.0,
      "how fast mean velocity and fluctuation are learnt, per scan", kMethod},
-    {"knots.memory", SLOT(knots.memory), "0.3", "", 0.0, 1.0,
+    {"knots.memory", SLOT(knots.memory), "0.1", "", 0.0, 1.0,
      "share of what is known of the last knots that the next scan relies on", kMethod},
     {"knots.kernel_start", SLOT(knots.kernel_start), "1.5", "m", 1e-3, 10.0,
      "the first iterations' kernel is wider than the last ones' by this over knots.kernel_end, and "
