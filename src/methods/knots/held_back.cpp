@@ -12,10 +12,10 @@ namespace {
 
 // [rad/s] The tilt's fluctuation at which poses are off by as much as they are held back. A smooth
 // ride is off by less, a run by more: its velocity fluctuates more than the model takes it to.
-constexpr double kAsMuch = 0.45, kLeast = 0.1;
+constexpr double kAsMuch = 0.5, kLeast = 0.1;
 
 // The usual counts as so many of this pose's own.
-constexpr double kUsual = 2.0;
+constexpr double kUsual = 0.5;
 
 }  // namespace
 
@@ -23,9 +23,9 @@ Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
                              const Eigen::Quaterniond& rotation) const {
   Matrix6 turn = Matrix6::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation.toRotationMatrix();
-  const double ratio = std::max({fluctuation[3], fluctuation[4], kLeast}) / kAsMuch;
+  const double tilt = std::max({fluctuation[3], fluctuation[4], kLeast});
   // [K23]
-  return ratio * ratio *
+  return tilt / kAsMuch *
          (held_back * held_back.transpose() + kUsual * turn * usual_ * turn.transpose());
 }
 

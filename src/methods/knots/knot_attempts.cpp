@@ -36,6 +36,12 @@ KnotPoints every(std::size_t stride, const KnotPoints& points) {
   return some;
 }
 
+/// Each of the points that are left counts as so many.
+Config::Knots weighed(Config::Knots config, std::size_t stride) {
+  config.independence *= static_cast<double>(stride);
+  return config;
+}
+
 bool same_end(const KnotWindow& a, const KnotWindow& b) {
   for (std::size_t k = 2; k < a.knots.size(); ++k) {
     if ((a.knots[k].translation - b.knots[k].translation).norm() > kSame) return false;
@@ -55,7 +61,7 @@ class Attempts {
   Attempts(const KnotPoints& points, const KnotProblem& problem, const KnotRegistration& first)
       : stride_(std::max<std::size_t>(points.points.size() / kProbed, 1)),
         points_(every(stride_, points)),
-        config_(problem.config),
+        config_(weighed(problem.config, stride_)),
         first_(first) {
     // By one look from where it ended, how much of these points disagrees there.
     const Annealing look{config_.kernel_end, 1.0, 1};
@@ -89,14 +95,14 @@ class Attempts {
   KnotRegistration register_from(const KnotWindow& start, const KnotProblem& problem,
                                  const Annealing& annealing) {
     for (KnotPoints::Point& point : points_.points) point.place = {};
-    KnotProblem some = problem;  // each of the points that are left counts as so many
-    some.independence *= static_cast<double>(stride_);
+    const KnotProblem some{problem.map, problem.prior,   problem.model,
+                           config_,     problem.workers, problem.begin_step};
     return register_knots(points_, some, start, annealing);
   }
 
   std::size_t stride_;
   KnotPoints points_;
-  const Config::Knots& config_;
+  Config::Knots config_;
   const KnotRegistration& first_;
   double least_ = 1.0;
   std::optional<KnotWindow> best_;
@@ -163,8 +169,8 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
   attempts.add(problem, steady, wide_annealing(config));
   // A sudden turn: the velocity fluctuates more than it was ever seen to.
   const VelocityModel looser = problem.model.looser(config.looser);
-  const KnotProblem loose{problem.map,        problem.prior,       looser, config, problem.workers,
-                          problem.begin_step, problem.independence};
+  const KnotProblem loose{problem.map, problem.prior,   looser,
+                          config,      problem.workers, problem.begin_step};
   const bool wrong = first.misfit_of_seen() > usual.most_misfit_of_seen(config);
   if (wrong) {
     const Annealing patient = patient_annealing(config);

@@ -38,15 +38,9 @@ PointChoice::Cubes cubes_of_map(const Config::Knots& config) {
 }
 
 /// The residuals' variance as a share of the one that was assumed (reduced chi squared).
-double residual_variance(const KnotRegistration& found, double independence) {
-  return found.rigid.weighted_squares / (independence * std::max(found.rigid.count, 1));
+double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
+  return found.rigid.weighted_squares / (config.independence * std::max(found.rigid.count, 1));
 }
-
-// [K35] The first scan of a map counts so much less, until the map is made of many.
-constexpr double kFewer = 3.0, kManyScans = 20.0;
-
-// By which the noise's part of the covariance falls short: docs/method.md, [K22].
-constexpr double kNoise = 1.25;
 
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
@@ -73,7 +67,7 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       model_(config_.knots),
       map_choice_(config_.knots.map_points, cubes_of_map(config_.knots)),
       choice_(config_.knots.points, {config_.knots.map_voxel, kFirstCube, kCoarsestCube}),
-      dependence_(kFewer / config_.knots.independence) {}
+      dependence_(1.0 / config_.knots.independence) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   emptied_.centres.clear();
@@ -149,14 +143,7 @@ void KnotFrontEnd::let_drift(Registered& registered) {
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
-  return {map_,          begin.prior, model_, config_.knots, session_.workers, session_.begin_step,
-          independence()};
-}
-
-/// What a map of few scans gets wrong, many residuals share: there fewer of them are independent.
-double KnotFrontEnd::independence() const {
-  const double share = std::min(agreed_ / kManyScans, 1.0);
-  return config_.knots.independence * (1.0 + (kFewer - 1.0) * share) / kFewer;  // [K35]
+  return {map_, begin.prior, model_, config_.knots, session_.workers, session_.begin_step};
 }
 
 /// What speaks against a registration; returns how probably this scan went wrong.
@@ -222,8 +209,7 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   const std::int64_t mid_ns = trajectory.mid_ns();
   // [K22]
   estimate.covariance =
-      kNoise * dependence_ * residual_variance(found, independence()) *
-          found.covariance_at(mid_ns) +
+      dependence_ * residual_variance(found, config_.knots) * found.covariance_at(mid_ns) +
       held_back_.covariance(found.held_back_at(mid_ns), model_.fluctuation(), T_map_lidar.rotation);
   NormalEquations<6> held = found.rigid;
   held.H -= found.doubtful;
@@ -279,8 +265,7 @@ Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
   const KnotPrior anywhere = at_rest(middle, elapsed);
   const VelocityModel any_speed(config_.knots, kAnyFluctuation);
   const KnotProblem two_scans{map_,          anywhere,         any_speed,
-                              config_.knots, session_.workers, session_.begin_step,
-                              independence()};
+                              config_.knots, session_.workers, session_.begin_step};
   const KnotRegistration found =
       register_knots(points, two_scans, standing, patient_annealing(config_.knots));
   if (!found.solved || found.matches < config_.health.min_matches) return Twist::Zero();

@@ -62,7 +62,6 @@ class KnotFrontEnd : public FrontEnd {
 
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotProblem problem(const KnotEnd& begin) const;
-  [[nodiscard]] double independence() const;
   [[nodiscard]] Registered register_scan(const PreparedScan& scan,
                                          const std::vector<std::uint32_t>& thinned,
                                          const KnotEnd& begin);

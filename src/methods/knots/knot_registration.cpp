@@ -45,13 +45,12 @@ struct Look {
 /// the error of their surfel and of their instant, so that many count as few; within a cloud, fewer
 /// yet.
 SurfelResidual residual_of(const Eigen::Vector3d& place, const Surfel& surfel, int direction,
-                           const Look& look, const KnotProblem& problem) {
-  const Config::Knots& config = problem.config;
+                           const Look& look, const Config::Knots& config) {
   SurfelResidual residual;
   residual.normal = surfel.across[direction];
   residual.value = residual.normal.dot(place - surfel.mean);  // [K2]
   residual.variance = look.inflation * (config.noise * config.noise + surfel.variance[direction]);
-  residual.weight = static_cast<double>(look.stride) * problem.independence *
+  residual.weight = static_cast<double>(look.stride) * config.independence *
                     (surfel.cloud() ? config.cloud_weight : 1.0);
   residual.part = 1.0 / surfel.directions;
   return residual;
@@ -74,7 +73,7 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProble
     const Surfel* const surfel = problem.map.find(place, s, look.finest, point.place);
     ++(surfel == nullptr ? sum.unseen : sum.matches);
     for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-      SurfelResidual residual = residual_of(place, *surfel, d, look, problem);
+      SurfelResidual residual = residual_of(place, *surfel, d, look, problem.config);
       residual.arm = s;
       residual.u = u;
       rows.add(residual);
@@ -250,8 +249,8 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
       result.last_two = system.last_two_information();
-      result.dependence = dependence_of(sums, result.rigid, problem.independence);
-      result.solved = count_in_full(assumed, surfels, sums, steps, problem.independence, result);
+      result.dependence = dependence_of(sums, result.rigid, config.independence);
+      result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);
       return result;
     }
     kernel *= annealing.decay;

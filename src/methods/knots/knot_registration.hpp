@@ -22,7 +22,6 @@ struct KnotProblem {
   const Config::Knots& config;
   const Workers& workers;
   const StepObserver& begin_step;
-  double independence;  ///< share of the residuals that counts as independent
 };
 
 /// How the robust kernel narrows.

@@ -84,8 +84,8 @@ KnotRegistration find_motion(const Halves& halves) {
   const VelocityModel model(config);
   const Workers workers(1);
   const StepObserver nobody = [](Step) {};
-  return register_knots(points, {map, prior, model, config, workers, nobody, config.independence},
-                        still, patient_annealing(config));
+  return register_knots(points, {map, prior, model, config, workers, nobody}, still,
+                        patient_annealing(config));
 }
 
 TEST(HandMotion, AScansKnotsDeskewItAsTheReferenceDoes) {

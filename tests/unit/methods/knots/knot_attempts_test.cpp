@@ -22,9 +22,8 @@ KnotRegistration attempts_from(const KnotWindow& start, const KnotPrior& prior,
     if (searches != nullptr && step == Step::search) ++*searches;
   };
   KnotPoints points = scan_points();
-  return register_in_attempts(
-      points, {true_map(), prior, model, config, workers, count, config.independence}, start,
-      usual);
+  return register_in_attempts(points, {true_map(), prior, model, config, workers, count}, start,
+                              usual);
 }
 
 TEST(KnotAttempts, AUsualScanNeedsOne) {

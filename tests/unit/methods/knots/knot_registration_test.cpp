@@ -217,9 +217,8 @@ TEST(KnotRegistration, WithoutAMapThePredictionStays) {
   const KnotPrior prior = prior_at(start, 0.01);
   const VelocityModel model(config);
   const Workers workers(1);
-  const KnotRegistration found =
-      register_knots(points, {empty, prior, model, config, workers, kNobody, config.independence},
-                     start, usual_annealing(config));
+  const KnotRegistration found = register_knots(
+      points, {empty, prior, model, config, workers, kNobody}, start, usual_annealing(config));
   EXPECT_TRUE(found.solved);
   EXPECT_EQ(found.matches, 0);
   EXPECT_EQ(found.misfit, 1.0);

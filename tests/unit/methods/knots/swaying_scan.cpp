@@ -88,9 +88,8 @@ KnotRegistration register_from(const KnotWindow& start, const KnotPrior& prior,
   KnotPoints points = scan_points();
   const VelocityModel model(config);
   const Workers workers(threads);
-  return register_knots(points,
-                        {true_map(), prior, model, config, workers, kNobody, config.independence},
-                        start, usual_annealing(config));
+  return register_knots(points, {true_map(), prior, model, config, workers, kNobody}, start,
+                        usual_annealing(config));
 }
 
 KnotError error_of(const KnotWindow& window) {
