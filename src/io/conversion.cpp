@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "io/conversion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "io/file_writer.hpp"
+#include "io/printable.hpp"
+#include "surefoot/seconds.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+ScanFormat wanted_format(const ConversionRequest& request) {
+  if (!request.format.empty()) return scan_format_named(request.format);
+  const fs::path extension = request.output.extension();
+  if (extension == ".mcap") return ScanFormat::mcap;
+  if (extension == ".bag") return ScanFormat::ros1_bag;
+  if (extension.empty()) return ScanFormat::pcd;
+  throw std::invalid_argument(request.output.string() + ": extension '" + extension.string() +
+                              "'; expected .mcap, .bag, or a folder (PCD, or --to says what)");
+}
+
+/// One recording turned into another.
+class Conversion {
+ public:
+  Conversion(const ConversionRequest& request, const ConversionListener& listener)
+      : request_(request),
+        listener_(listener),
+        format_(wanted_format(request)),
+        recording_(open_recording(request.input, request.reader)) {
+    std::error_code ignored;
+    const bool is_empty_folder = is_folder(format_) && fs::is_directory(request.output, ignored) &&
+                                 fs::is_empty(request.output, ignored);
+    if (fs::exists(fs::symlink_status(request.output, ignored)) && !is_empty_folder) {
+      throw std::invalid_argument(request.output.string() + ": is there already");
+    }
+  }
+
+  ConversionOutcome execute();
+
+ private:
+  void open_output(const ScanItem& first);
+  void add(const ScanItem& item);
+  /// False where the end of the time range is reached.
+  bool use(const ScanItem& item);
+  [[nodiscard]] std::vector<std::string> losses() const;
+
+  const ConversionRequest& request_;
+  const ConversionListener& listener_;
+  ScanFormat format_;
+  std::unique_ptr<Recording> recording_;
+  std::optional<UnfinishedOutput> output_;
+  std::unique_ptr<ScanSink> sink_;
+  ConversionOutcome outcome_;
+  std::optional<std::int64_t> first_ns_;
+  std::size_t dropped_points_ = 0;
+  std::size_t late_in_a_row_ = 0;
+  std::set<std::string> unused_;  ///< fields, as scans have them
+  double rounded_by_ = 0.0;       ///< [m]
+};
+
+// What is not asked for is the source's.
+void Conversion::open_output(const ScanItem& first) {
+  const SinkOptions usual;
+  SinkOptions sink = request_.sink;
+  if (sink.topic.empty()) sink.topic = recording_->topic();
+  if (sink.topic.empty()) sink.topic = usual.topic;
+  if (sink.frame.empty()) sink.frame = first.frame;
+  if (sink.frame.empty()) sink.frame = usual.frame;
+  output_.emplace(request_.output, is_folder(format_));
+  sink_ = make_scan_sink(output_->path(), format_, sink);
+}
+
+void Conversion::add(const ScanItem& item) {
+  if (!sink_) open_output(item);
+  sink_->add(*item.scan);
+  ++outcome_.scans;
+  outcome_.points += item.scan->points.size();
+  dropped_points_ += item.dropped_points;
+  rounded_by_ = std::max(rounded_by_, item.rounded_by);
+  constexpr std::size_t kMostNamed = 10;
+  if (!item.unused.empty() && unused_.size() < kMostNamed) unused_.insert(item.unused);
+  listener_.progress(outcome_.scans, recording_->progress());
+}
+
+bool Conversion::use(const ScanItem& item) {
+  if (!item.scan) {
+    ++outcome_.unreadable;
+    listener_.complain("left out: " + printable(item.error));
+    return true;
+  }
+  if (!first_ns_) first_ns_ = item.scan->stamp_ns;
+  const double at = seconds(item.scan->stamp_ns - *first_ns_);
+  if (at < request_.begin) return true;
+  // A single wild stamp is not the end.
+  constexpr std::size_t kSurelyLate = 20;
+  if (at > request_.end) return ++late_in_a_row_ < kSurelyLate;
+  late_in_a_row_ = 0;
+  add(item);
+  return true;
+}
+
+std::vector<std::string> Conversion::losses() const {
+  std::vector<std::string> lines;
+  if (!sink_->lost().empty()) lines.push_back("lost: " + sink_->lost());
+  for (const std::string& fields : unused_) {
+    lines.push_back("lost: fields that are not written: " + printable(fields));
+  }
+  if (rounded_by_ > 0.0) {
+    std::array<char, 32> metres;
+    std::snprintf(metres.data(), metres.size(), "%.2g", rounded_by_);
+    lines.push_back(std::string("lost: coordinates become floats, which changes them by up to ") +
+                    metres.data() + " m");
+  }
+  if (dropped_points_ > 0) {
+    lines.push_back("left out: " + std::to_string(dropped_points_) +
+                    " points without a usable time");
+  }
+  return lines;
+}
+
+ConversionOutcome Conversion::execute() {
+  recording_->skip(request_.start);
+  std::optional<ScanItem> item = recording_->next();
+  while (item && !listener_.interrupted() && use(*item) && outcome_.scans < request_.count) {
+    recording_->skip(request_.stride - 1);
+    item = recording_->next();
+  }
+  outcome_.interrupted = listener_.interrupted();
+  if (!sink_ && outcome_.interrupted) return std::move(outcome_);
+  if (!sink_) throw ReadError(request_.input.string() + ": no scan in what is asked for");
+  sink_->finish();
+  output_->finish();
+  outcome_.notes = recording_->notes();
+  outcome_.losses = losses();
+  return std::move(outcome_);
+}
+
+}  // namespace
+
+ConversionOutcome convert_recording(const ConversionRequest& request,
+                                    const ConversionListener& listener) {
+  return Conversion(request, listener).execute();
+}
+
+}  // namespace surefoot::io

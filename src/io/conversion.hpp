@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A recording's scans in another format.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "io/recording.hpp"
+#include "io/scan_sink.hpp"
+
+namespace surefoot::io {
+
+struct ConversionRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  OpenOptions reader;
+  SinkOptions sink{.topic = "", .frame = ""};  ///< empty: the source's, else SinkOptions' own
+  std::string format;                          ///< empty: by the output's name
+  double begin = 0.0;                          ///< [s] after the first scan's stamp
+  double end = std::numeric_limits<double>::infinity();
+  std::size_t start = 0;
+  std::size_t count = std::numeric_limits<std::size_t>::max();
+  std::size_t stride = 1;
+};
+
+/// Who is told what goes on.
+struct ConversionListener {
+  std::function<void(std::size_t scans, double share)> progress;
+  std::function<void(const std::string& text)> complain;  ///< of a scan that is left out
+  std::function<bool()> interrupted;                      ///< true ends it in good order
+};
+
+struct ConversionOutcome {
+  std::size_t scans = 0;
+  std::size_t points = 0;
+  std::size_t unreadable = 0;  ///< scans
+  bool interrupted = false;    ///< with no scan: nothing is written
+  std::vector<std::string> notes;
+  std::vector<std::string> losses;  ///< what the source has and the output has not, a line each
+};
+
+/// Throws ReadError, WriteError, std::invalid_argument where the output is there already or has a
+/// name that tells no format.
+[[nodiscard]] ConversionOutcome convert_recording(const ConversionRequest& request,
+                                                  const ConversionListener& listener);
+
+}  // namespace surefoot::io
