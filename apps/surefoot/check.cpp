@@ -13,9 +13,9 @@
 #include "checks/check_json.hpp"
 #include "checks/check_page.hpp"
 #include "checks/check_text.hpp"
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "io/file_writer.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -91,7 +91,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       ->add_option("--truth", options->check.truth,
                    "TUM file, or a bag with poses, that tells what the stamps name (a gyroscope in "
                    "the bag, else gt.tum in the folder)")
-      ->type_name(kFileType);
+      ->type_name(command_line::kFileType);
   command->add_option("--truth-topic", options->check.truth_topic, "topic of that bag's poses");
   command
       ->add_option("--threads", options->check.threads, "threads at most; the result is the same")

@@ -6,8 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/option_group.hpp"
 #include "evaluation_options.hpp"
-#include "option_checks.hpp"
 #include "surefoot/config.hpp"
 
 namespace surefoot::app {
@@ -41,41 +42,32 @@ void add_work_options(CLI::App& command, experiments::CompareOptions& options) {
 }
 
 void add_run_options(CLI::App& command, experiments::CompareOptions& options) {
-  constexpr const char* kGroup = "Runs";
-  command.add_option("--threads", options.threads, "Threads of each run")
-      ->check(CLI::Range(1, 1024))
-      ->group(kGroup);
-  command.add_option("--start", options.start, "Scans to pass over at first")
-      ->check(whole_number(0))
-      ->group(kGroup);
-  command.add_option("--count", options.count, "Scans to use at most")
-      ->check(whole_number(1))
-      ->group(kGroup);
-  command.add_option("--stride", options.stride, "Use every n-th scan")
-      ->check(whole_number(1))
-      ->group(kGroup);
-  command
-      .add_option("--pass", options.passed,
-                  "A further argument of 'surefoot run': --pass=--rate=10; may be repeated")
-      ->allow_extra_args(false)
-      ->group(kGroup);
+  command_line::OptionGroup group(command, "Runs");
+  group.add("--threads", options.threads, "Threads of each run")->check(CLI::Range(1, 1024));
+  group.add("--start", options.start, "Scans to pass over at first")
+      ->check(command_line::whole_number(0));
+  group.add("--count", options.count, "Scans to use at most")->check(command_line::whole_number(1));
+  group.add("--stride", options.stride, "Use every n-th scan")
+      ->check(command_line::whole_number(1));
+  group
+      .add("--pass", options.passed,
+           "A further argument of 'surefoot run': --pass=--rate=10; may be repeated")
+      ->allow_extra_args(false);
 }
 
 void add_verdict_options(CLI::App& command, experiments::CompareOptions& options) {
-  constexpr const char* kGroup = "Evaluation";
+  command_line::OptionGroup group(command, "Evaluation");
   using experiments::Cover;
-  add_choice<Cover>(
-      command, "--cover", options.cover,
+  group.add_choice<Cover>(
+      "--cover", options.cover,
       "What a run has to cover: truth, recording (the truth from its first scan to its last), or "
       "auto: the truth, unless --start or --count leave scans out",
-      {{"auto", Cover::automatic}, {"truth", Cover::truth}, {"recording", Cover::recording}})
-      ->group(kGroup);
-  command
-      .add_option("--full-coverage", options.rules.full_coverage,
-                  "Share of it that a run must have an estimate for to be ranked")
-      ->check(number_within(0.0, 1.0))
-      ->capture_default_str()
-      ->group(kGroup);
+      {{"auto", Cover::automatic}, {"truth", Cover::truth}, {"recording", Cover::recording}});
+  group
+      .add("--full-coverage", options.rules.full_coverage,
+           "Share of it that a run must have an estimate for to be ranked")
+      ->check(command_line::number_within(0.0, 1.0))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -105,7 +97,8 @@ void add_compare_options(CLI::App& command, experiments::CompareOptions& options
           "Do this share of the runs and make no tables, beside others that do theirs: 3/8; each "
           "once at a time. The same call without it makes the tables")
       ->type_name("NUMBER/OF");
-  command.add_flag("--no-map", options.no_map, "Do not write map.ply")->group("Runs");
+  command_line::OptionGroup(command, "Runs")
+      .add_flag("--no-map", options.no_map, "Do not write map.ply");
 }
 
 }  // namespace surefoot::app

@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "io/conversion.hpp"
 #include "io/printable.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -66,13 +66,15 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_option("--to", request.format, "format (by the output's name; a folder: pcd)")
       ->check(CLI::IsMember(io::scan_format_names()));
   command->add_option("--begin", request.begin, "leave out what is before [s after the first scan]")
-      ->check(number_within(0.0, 1e9));
+      ->check(command_line::number_within(0.0, 1e9));
   command->add_option("--end", request.end, "leave out what is after [s after the first scan]")
-      ->check(number_within(0.0, 1e9));
+      ->check(command_line::number_within(0.0, 1e9));
   command->add_option("--start", request.start, "scans to pass over at first")
-      ->check(whole_number(0));
-  command->add_option("--count", request.count, "scans to write at most")->check(whole_number(1));
-  command->add_option("--stride", request.stride, "every n-th scan")->check(whole_number(1));
+      ->check(command_line::whole_number(0));
+  command->add_option("--count", request.count, "scans to write at most")
+      ->check(command_line::whole_number(1));
+  command->add_option("--stride", request.stride, "every n-th scan")
+      ->check(command_line::whole_number(1));
   command->add_option("--out-topic", request.sink.topic,
                       "topic in a bag (the source's, else /points)");
   command->add_option("--frame", request.sink.frame, "frame in a bag (the source's, else lidar)");

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "io/datasets.hpp"
-#include "option_checks.hpp"
 
 namespace surefoot::app {
 namespace {
@@ -49,7 +49,8 @@ void add_datasets_command(CLI::App& app, int&) {
   const auto name = std::make_shared<std::string>();
   CLI::App* command =
       app.add_subcommand("datasets", "Tell of the public data sets that --dataset knows");
-  command->add_option("name", *name, "one of them (all)")->check(one_of(io::dataset_names()));
+  command->add_option("name", *name, "one of them (all)")
+      ->check(command_line::one_of(io::dataset_names()));
   command->callback([name] {
     for (const io::Dataset& set : io::datasets()) {
       if (name->empty() || *name == set.name) print(set);

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "evaluation/evaluate.hpp"
 #include "evaluation/tables.hpp"
 #include "evaluation_options.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "runs/trajectory_inputs.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
@@ -109,10 +109,11 @@ int evaluate_all(EvalOptions options) {
 }
 
 void add_format_option(CLI::App& command, TrajectoryFormat& format) {
-  add_choice<TrajectoryFormat>(command, "--format", format, "Of all files: auto, tum or kitti",
-                               {{"auto", TrajectoryFormat::automatic},
-                                {"tum", TrajectoryFormat::tum},
-                                {"kitti", TrajectoryFormat::kitti}});
+  command_line::add_choice<TrajectoryFormat>(command, "--format", format,
+                                             "Of all files: auto, tum or kitti",
+                                             {{"auto", TrajectoryFormat::automatic},
+                                              {"tum", TrajectoryFormat::tum},
+                                              {"kitti", TrajectoryFormat::kitti}});
 }
 
 }  // namespace
@@ -134,7 +135,7 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       ->add_option("--dataset", options->reference.dataset,
                    "The reference is this data set's: its file, its columns, and where what it "
                    "tells sits on the LiDAR; 'surefoot datasets' tells of each")
-      ->check(one_of(io::dataset_names()))
+      ->check(command_line::one_of(io::dataset_names()))
       ->type_name("NAME");
   command->add_option("--truth-topic", options->reference.topic,
                       "Topic of the reference, where that is a bag");

@@ -7,13 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "io/file_writer.hpp"
 #include "io/files/las_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "mapping/grid_map.hpp"
-#include "option_checks.hpp"
 #include "runs/saved_map.hpp"
 
 namespace surefoot::app {
@@ -92,12 +92,12 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   command->add_option("--grid", options->grid,
                       "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
   command->add_option("--cell", options->occupancy.cell, "of the occupancy grid [m]")
-      ->check(number_within(0.01, 10.0))
+      ->check(command_line::number_within(0.01, 10.0))
       ->capture_default_str();
   command->add_option("--elevation", options->elevation,
                       "heights of the ground, to FILE.asc and FILE_variance.asc (ESRI ASCII grid)");
   command->add_option("--elevation-cell", options->elevation_cell, "[m]")
-      ->check(number_within(0.02, 10.0))
+      ->check(command_line::number_within(0.02, 10.0))
       ->capture_default_str();
   command->callback([options] { export_map(*options); });
 }

@@ -22,8 +22,9 @@
 #ifdef SUREFOOT_HAS_LIVE_PAGE
 #include "live_viewers.hpp"
 #endif
+#include "command_line/option_checks.hpp"
+#include "command_line/option_group.hpp"
 #include "map_outcome.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "recorded_options.hpp"
@@ -144,44 +145,34 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
 }
 
 void add_source_options(CLI::App& command, LiveArguments& arguments) {
-  constexpr const char* kSourceGroup = "Source";
-  command.add_option("--udp", arguments.udp, "port that the sensor sends its packets to")
-      ->check(CLI::Range(1, 65535))
-      ->group(kSourceGroup);
-  command
-      .add_option("--address", arguments.address,
-                  "address of the interface to listen on (default: all of them)")
-      ->needs("--udp")
-      ->group(kSourceGroup);
-  command
-      .add_option("--replay", arguments.replay,
-                  "a capture or a bag, played at its own pace, instead")
-      ->excludes("--udp")
-      ->group(kSourceGroup);
-  command
-      .add_option("--speed", arguments.speed,
-                  "times that pace; 0: as fast as it is used, nothing is dropped")
-      ->check(number_within(0.0, 1000.0))
+  command_line::OptionGroup group(command, "Source");
+  group.add("--udp", arguments.udp, "port that the sensor sends its packets to")
+      ->check(CLI::Range(1, 65535));
+  group
+      .add("--address", arguments.address,
+           "address of the interface to listen on (default: all of them)")
+      ->needs("--udp");
+  group.add("--replay", arguments.replay, "a capture or a bag, played at its own pace, instead")
+      ->excludes("--udp");
+  group
+      .add("--speed", arguments.speed,
+           "times that pace; 0: as fast as it is used, nothing is dropped")
+      ->check(command_line::number_within(0.0, 1000.0))
       ->needs("--replay")
-      ->capture_default_str()
-      ->group(kSourceGroup);
-  command
-      .add_option("--queue", arguments.live.queue,
-                  "scans that may wait; beyond that the oldest is dropped, and told")
+      ->capture_default_str();
+  group
+      .add("--queue", arguments.live.queue,
+           "scans that may wait; beyond that the oldest is dropped, and told")
       ->check(CLI::Range(1, 10000))
-      ->capture_default_str()
-      ->group(kSourceGroup);
-  command
-      .add_option("--record", arguments.record,
-                  "also write all packets to this capture, from which the run can be repeated; "
-                  "of a topic all messages, to an MCAP file (ROS 1: a bag)")
-      ->group(kSourceGroup);
-  command
-      .add_option("--silence", arguments.live.silence,
-                  "end after so long without a packet or message [s]; without it Ctrl-C or SIGTERM "
-                  "ends it")
-      ->check(number_within(0.1, 1e6))
-      ->group(kSourceGroup);
+      ->capture_default_str();
+  group.add("--record", arguments.record,
+            "also write all packets to this capture, from which the run can be repeated; "
+            "of a topic all messages, to an MCAP file (ROS 1: a bag)");
+  group
+      .add("--silence", arguments.live.silence,
+           "end after so long without a packet or message [s]; without it Ctrl-C or SIGTERM "
+           "ends it")
+      ->check(command_line::number_within(0.1, 1e6));
 }
 
 }  // namespace

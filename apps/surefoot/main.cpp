@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 
+#include "command_line/program.hpp"
 #include "commands.hpp"
 #include "process/exit_codes.hpp"
-#include "program.hpp"
 
 namespace {
 
@@ -40,5 +40,5 @@ int main(int argc, char** argv) {
   CLI::App app{"Surefoot: LiDAR odometry for robots that walk"};
   int exit_code = surefoot::process::kDone;
   add_commands(app, exit_code);
-  return surefoot::app::run_program(app, argc, argv, exit_code);
+  return surefoot::command_line::run_program(app, SUREFOOT_VERSION, argc, argv, exit_code);
 }

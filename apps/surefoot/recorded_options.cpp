@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 
+#include "command_line/option_checks.hpp"
 #include "io/recording.hpp"
-#include "option_checks.hpp"
 #include "surefoot/config.hpp"
 
 namespace surefoot::app {
@@ -38,7 +38,9 @@ runs::OptionTexts recorded_options(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->empty() || !is_recorded(*option)) continue;
     std::string value = option->results().back();
-    if (option->get_type_name() == kFileType) value = std::filesystem::absolute(value).string();
+    if (option->get_type_name() == command_line::kFileType) {
+      value = std::filesystem::absolute(value).string();
+    }
     result.emplace_back(option->get_lnames().front(), value);
   }
   return result;

@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "experiments/comparison_folder.hpp"
 #include "io/recording.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "runs/report_maker.hpp"
 #include "runs/run_files.hpp"

@@ -4,54 +4,45 @@
 
 #include <CLI/CLI.hpp>
 
-#include "option_checks.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/option_group.hpp"
 
 namespace surefoot::app {
 
 void add_ros2_options(CLI::App& command, Ros2Arguments& arguments) {
-  constexpr const char* kRos2Group = "ROS 2";
+  command_line::OptionGroup group(command, "ROS 2");
   constexpr int kMostDomain = 232;
-  command
-      .add_option("--ros2-topic", arguments.topic,
-                  "a topic of scans or of a sensor's packets, instead of its packets themselves")
+  group
+      .add("--ros2-topic", arguments.topic,
+           "a topic of scans or of a sensor's packets, instead of its packets themselves")
       ->type_name("TOPIC")
       ->excludes("--udp")
-      ->excludes("--replay")
-      ->group(kRos2Group);
-  add_choice<bool>(command, "--ros2-qos", arguments.reliable,
-                   "how that topic is read: best_effort gets what it gets; reliable asks again, "
-                   "and hears nothing of who offers best effort",
-                   {{"best_effort", false}, {"reliable", true}})
-      ->group(kRos2Group);
-  command
-      .add_flag("--ros2-publish", arguments.publish,
-                "publish odometry, transforms, path, deskewed scans, local map and diagnostics")
-      ->group(kRos2Group);
-  command
-      .add_flag("--ros2-commands", arguments.commands,
-                "do what others of the domain ask by service: /surefoot/reset, pause, resume, "
-                "save_map, localize")
-      ->group(kRos2Group);
-  command.add_option("--ros2-domain", arguments.participant.domain, "domain of both")
+      ->excludes("--replay");
+  group.add_choice<bool>(
+      "--ros2-qos", arguments.reliable,
+      "how that topic is read: best_effort gets what it gets; reliable asks again, "
+      "and hears nothing of who offers best effort",
+      {{"best_effort", false}, {"reliable", true}});
+  group.add_flag("--ros2-publish", arguments.publish,
+                 "publish odometry, transforms, path, deskewed scans, local map and diagnostics");
+  group.add_flag("--ros2-commands", arguments.commands,
+                 "do what others of the domain ask by service: /surefoot/reset, pause, resume, "
+                 "save_map, localize");
+  group.add("--ros2-domain", arguments.participant.domain, "domain of both")
       ->envname("ROS_DOMAIN_ID")
       ->check(CLI::Range(0, kMostDomain))
-      ->capture_default_str()
-      ->group(kRos2Group);
-  command
-      .add_option("--ros2-interface", arguments.participant.interface,
-                  "network interface of both, by name or address (default: CYCLONEDDS_URI's, or "
-                  "the likeliest); lo: this machine alone, without multicast")
-      ->type_name("NAME")
-      ->group(kRos2Group);
-  command
-      .add_option("--ros2-peer", arguments.participant.peers,
-                  "address to look for others at, where multicast is missing; may be repeated")
+      ->capture_default_str();
+  group
+      .add("--ros2-interface", arguments.participant.interface,
+           "network interface of both, by name or address (default: CYCLONEDDS_URI's, or "
+           "the likeliest); lo: this machine alone, without multicast")
+      ->type_name("NAME");
+  group
+      .add("--ros2-peer", arguments.participant.peers,
+           "address to look for others at, where multicast is missing; may be repeated")
       ->allow_extra_args(false)
-      ->type_name("ADDRESS")
-      ->group(kRos2Group);
-  command.add_option("--ros2-node", arguments.participant.node, "name of the node")
-      ->capture_default_str()
-      ->group(kRos2Group);
+      ->type_name("ADDRESS");
+  group.add("--ros2-node", arguments.participant.node, "name of the node")->capture_default_str();
 }
 
 }  // namespace surefoot::app

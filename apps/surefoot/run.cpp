@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "evaluation/statistics.hpp"
 #include "map_outcome.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -113,7 +113,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--like", options->like,
                    "a live run's live.log: use only the scans that it used, to repeat it")
-      ->type_name(kFileType);
+      ->type_name(command_line::kFileType);
 #endif
   command->callback(
       [command, options, &exit_code] { exit_code = run_recording(*command, *options); });

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "option_checks.hpp"
+#include "command_line/option_checks.hpp"
 #include "reader_options.hpp"
 
 namespace surefoot::app {
@@ -43,21 +43,23 @@ void add_run_options(CLI::App& command, runs::RunOptions& options) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command.add_option("--start", options.start, "scans to pass over at first")
-      ->check(whole_number(0));
-  command.add_option("--count", options.count, "scans to use at most")->check(whole_number(1));
-  command.add_option("--stride", options.stride, "use every n-th scan")->check(whole_number(1));
+      ->check(command_line::whole_number(0));
+  command.add_option("--count", options.count, "scans to use at most")
+      ->check(command_line::whole_number(1));
+  command.add_option("--stride", options.stride, "use every n-th scan")
+      ->check(command_line::whole_number(1));
   command
       .add_option("--pose-of", options.pose_of,
                   "frame whose poses are written (base needs --extrinsic)")
       ->check(CLI::IsMember({"lidar", "base"}))
       ->capture_default_str();
   command.add_option("--map-voxel", options.map_voxel, "one point per cube in map.ply [m]")
-      ->check(number_within(0.01, 10.0))
+      ->check(command_line::number_within(0.01, 10.0))
       ->capture_default_str();
   command
       .add_option("--pose-rate", options.pose_rate,
                   "also write trajectory_dense.tum with so many poses a second, within scans [Hz]")
-      ->check(number_within(0.1, 100000.0));
+      ->check(command_line::number_within(0.1, 100000.0));
   command.add_flag("--loop-closure", options.loop_closure,
                    "also find places that were visited before, and write trajectory_optimized.tum, "
                    "map_optimized.ply and loops.csv");

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "command_line/option_checks.hpp"
 #include "commands.hpp"
-#include "option_checks.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -112,9 +112,9 @@ void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--robot", request.robot, "How it moves; absent: what suits the scene")
       ->check(CLI::IsMember(simulation::gait_names()));
   command.add_option("--speed", request.speed, "Walking speed [m/s]; absent: the robot's own")
-      ->check(number_within(0.3, 3.0));
+      ->check(command_line::number_within(0.3, 3.0));
   command.add_option("--gait-scale", request.gait_scale, "All gait amplitudes times this")
-      ->check(number_within(0.0, 10.0))
+      ->check(command_line::number_within(0.0, 10.0))
       ->capture_default_str();
   command.add_option("--route", request.route_file,
                      "For a mesh file: corners of a closed way, 'x y z' a line [m]");
@@ -127,14 +127,16 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
       ->capture_default_str();
   command.add_option("--mount", arguments.mount, "LiDAR in the body's frame: x y z [m]")
       ->expected(3)
-      ->check(number_within(-5.0, 5.0));
+      ->check(command_line::number_within(-5.0, 5.0));
   command.add_option("--tilt", arguments.tilt_deg, "LiDAR's roll pitch yaw on the body [deg]")
       ->expected(3)
-      ->check(number_within(-180.0, 180.0));
+      ->check(command_line::number_within(-180.0, 180.0));
   command.add_flag("--dual", request.dual_return, "Two returns: the strongest and the last");
   command.add_flag("--body", request.robot_body, "The robot's own body is in view");
   const auto share = [&](const char* flag, double& value, const char* help) {
-    command.add_option(flag, value, help)->check(number_within(0.0, 0.5))->capture_default_str();
+    command.add_option(flag, value, help)
+        ->check(command_line::number_within(0.0, 0.5))
+        ->capture_default_str();
   };
   share("--rain", request.air.rain, "Share of the beams that end in a drop");
   share("--dust", request.air.dust, "Share of the beams that end in a cloud of dust");
@@ -151,16 +153,16 @@ void add_output_options(CLI::App& command, SimulateArguments& arguments) {
                     ->check(CLI::Range(1, kMostScans))
                     ->capture_default_str();
   command.add_option("--duration", arguments.duration, "Length of the recording [s]")
-      ->check(number_within(0.1, 0.1 * kMostScans))
+      ->check(command_line::number_within(0.1, 0.1 * kMostScans))
       ->excludes(scans);
   command.add_option("--seed", request.seed, "Same seed, same bytes")
-      ->check(whole_number(0))
+      ->check(command_line::whole_number(0))
       ->capture_default_str();
   command
       .add_option(
           "--layout", request.layout,
           "Buildings, ground, ramps, stairs, route; absent: the seed. 1: as without layouts")
-      ->check(whole_number(0));
+      ->check(command_line::whole_number(0));
   command
       .add_option("--format", arguments.formats,
                   "pcd, pcap (VLP-16 packets), mcap, rosbag2 (both ROS 2), or several with commas")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include "suggestion.hpp"
+#include "command_line/suggestion.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace surefoot::app {
+namespace surefoot::command_line {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::string unknown_word(const std::string& kind, const std::string& word,
                      fmt::join(known, ", "));
 }
 
-}  // namespace surefoot::app
+}  // namespace surefoot::command_line

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::app {
+namespace surefoot::command_line {
 
 /// "no subcommand is called 'runn'; did you mean 'run'? There are: run, info", for `kind`
 /// "subcommand". Nothing is suggested that has little in common with the word.
 [[nodiscard]] std::string unknown_word(const std::string& kind, const std::string& word,
                                        const std::vector<std::string>& known);
 
-}  // namespace surefoot::app
+}  // namespace surefoot::command_line

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace surefoot::app {
+namespace surefoot::command_line {
 
 /// Type name of options that name a file to be read.
 inline constexpr const char* kFileType = "FILE";
@@ -39,4 +39,4 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, Choice& choi
   return command.add_option_function<std::string>(flag, take, help)->check(one_of(names));
 }
 
-}  // namespace surefoot::app
+}  // namespace surefoot::command_line

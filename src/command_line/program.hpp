@@ -5,11 +5,13 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <string>
 
-namespace surefoot::app {
+namespace surefoot::command_line {
 
 /// Parses, runs the sub-command that is named, and says in one line why it could not. What main()
 /// returns; `exit_code` is what the sub-command has set.
-[[nodiscard]] int run_program(CLI::App& app, int argc, char** argv, const int& exit_code);
+[[nodiscard]] int run_program(CLI::App& app, const std::string& version, int argc, char** argv,
+                              const int& exit_code);
 
-}  // namespace surefoot::app
+}  // namespace surefoot::command_line

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include "program.hpp"
+#include "command_line/program.hpp"
 
 #include <fmt/format.h>
 
@@ -16,11 +16,11 @@
 #include <system_error>
 #include <vector>
 
+#include "command_line/suggestion.hpp"
 #include "process/exit_codes.hpp"
 #include "process/standard_streams.hpp"
-#include "suggestion.hpp"
 
-namespace surefoot::app {
+namespace surefoot::command_line {
 namespace {
 
 /// CLI11 only says that something is missing or too much.
@@ -66,9 +66,10 @@ std::string shown(std::string text) {
 
 }  // namespace
 
-int run_program(CLI::App& app, int argc, char** argv, const int& exit_code) {
+int run_program(CLI::App& app, const std::string& version, int argc, char** argv,
+                const int& exit_code) {
   process::guard_standard_streams();
-  app.set_version_flag("--version", SUREFOOT_VERSION);
+  app.set_version_flag("--version", version);
   app.require_subcommand(1);
   try {
     const int parsed = parse(app, argc, argv);
@@ -83,4 +84,4 @@ int run_program(CLI::App& app, int argc, char** argv, const int& exit_code) {
   return process::kBadInput;
 }
 
-}  // namespace surefoot::app
+}  // namespace surefoot::command_line

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include "option_checks.hpp"
+#include "command_line/option_checks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <charconv>
 #include <string>
 
-namespace surefoot::app {
+namespace surefoot::command_line {
 
 CLI::Validator whole_number(std::uint64_t least) {
   const auto check = [least](std::string& text) {
@@ -45,4 +45,4 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return {check, fmt::format("{}", fmt::join(words, "|"))};
 }
 
-}  // namespace surefoot::app
+}  // namespace surefoot::command_line
