@@ -6,42 +6,58 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "commands.hpp"
-#include "live/command_queue.hpp"
-#include "live/live_health.hpp"
-#include "live/live_recording.hpp"
-#include "live_ends.hpp"
-#ifdef SUREFOOT_HAS_LIVE_PAGE
-#include "live_viewers.hpp"
-#endif
 #include "command_line/option_checks.hpp"
 #include "command_line/option_group.hpp"
+#include "commands.hpp"
+#include "io/robots.hpp"
+#include "live/live_health.hpp"
+#include "live_runs/live_run.hpp"
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+#include "live_page/page_viewer.hpp"
+#endif
 #include "map_outcome.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "recorded_options.hpp"
 #include "run_options.hpp"
-#include "runs/odometry_run.hpp"
-#include "runs/run_bag.hpp"
-#include "runs/run_files.hpp"
+#include "topic_options.hpp"
 
 namespace surefoot::app {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+struct LiveArguments {
+  live_runs::LiveRequest request;
+  std::optional<std::uint16_t> page;  ///< port of it; empty: none
+};
 
-void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome, bool of_topic) {
+/// A robot that is named has a topic of its own.
+void complete_source(live::LiveSource& source, const std::string& robot) {
+  live::TopicRequest& topics = source.topics;
+  const bool has_packets = !source.replay.empty() || source.udp != 0;
+  if (topics.network == "ros2" && topics.topic.empty() && !robot.empty() && !has_packets) {
+    topics.topic = io::robot_named(robot).topic;
+  }
+  if (topics.topic.empty() && !has_packets) {
+    throw std::invalid_argument(
+        topics.network.empty()
+            ? "live: expected --udp PORT or --replay CAPTURE"
+            : fmt::format("live: expected --udp PORT, --replay CAPTURE or --{}-topic TOPIC",
+                          topics.network));
+  }
+  if (!source.record.empty() && !source.replay.empty()) {
+    throw std::invalid_argument("live: --record of what --replay plays would be the same");
+  }
+}
+
+void print_end(const live_runs::LiveOutcome& outcome) {
+  const live::LiveFigures& figures = outcome.figures;
   fmt::print("{}\n", live::state_text(figures));
-  if (of_topic) {
+  if (outcome.of_topic) {
     fmt::print("{} messages, {} unreadable; {} lost on the way\n", figures.received,
                figures.unreadable, figures.lost);
   } else {
@@ -49,127 +65,81 @@ void print_end(const live::LiveFigures& figures, const runs::RunOutcome& outcome
         "{} datagrams, {} of them data; {} lost by the sensor's clock, {} by a full socket\n",
         figures.received, figures.packets.data_packets, figures.packets.lost, figures.lost);
   }
-  for (const auto& [status, count] : outcome.statuses) {
+  for (const auto& [status, count] : outcome.run.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
   }
-  if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
-  fmt::print("results: {}\n", outcome.folder.string());
+  if (outcome.run.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.run.partial);
+  fmt::print("results: {}\n", outcome.run.folder.string());
 }
 
-live::CommandAnswer execute(const std::string& command, live::LiveRecording& recording,
-                            runs::RunControl& run) {
-  if (command == "pause" || command == "resume") {
-    recording.pause(command == "pause");
-    return {true, command == "pause" ? "scans are left out" : "scans are used"};
-  }
-  if (command == "save_map") return {true, std::filesystem::absolute(run.save_map()).string()};
-  if (command == "localize" || command.starts_with("localize ")) {
-    run.localize(command.substr(std::min<std::size_t>(command.size(), 9)));
-    return {true, "its place in the map is searched for"};
-  }
-  if (command != "reset") return {false, command + " is not known"};
-  recording.log().reset();
-  run.reset();
-  return {true, "the odometry begins anew with the next scan"};
+#ifdef SUREFOOT_HAS_LIVE_PAGE
+std::unique_ptr<live::LiveViewer> show_page(std::uint16_t port, const std::string& title,
+                                            live::CommandQueue& commands,
+                                            const live::LiveRecording& recording) {
+  auto page =
+      std::make_unique<live_page::PageViewer>(port, title, SUREFOOT_VERSION, commands, recording);
+  fmt::print(stderr, "page: {}\n", page->address());
+  return page;
 }
+#endif
 
 int run_live(CLI::App& command, LiveArguments& arguments) {
-  check_source(arguments);
-  (void)runs::config_of(arguments.run);
+  live_runs::LiveRequest& request = arguments.request;
+  complete_source(request.source, request.run.reader.robot);
   const process::InterruptGuard interrupt;
-  arguments.run.given = recorded_options(command);
-  arguments.live.stopped = [&] { return interrupt.interrupted(); };
-  live::CommandQueue commands;
-  Ends ends = ends_of(arguments, commands);
-  std::function<void()> work = [] {};
-  std::optional<live::HealthPublisher> publisher;
-  std::function<void()> tell_health = [] {};
-  arguments.live.idle = [&] {
-    work();
-    tell_health();
-  };
-  live::LiveRecording recording(std::move(ends.stream), arguments.live);
-  if (ends.messages) {
-    (void)runs::add_run_topics(*ends.messages);
-    publisher.emplace(ends.messages);
-    tell_health = [&] { publisher->tell(recording.figures()); };
-  }
-  std::function<void(const std::string&, const Estimate&, const Odometry&)> answered;
-#ifdef SUREFOOT_HAS_LIVE_PAGE
-  std::optional<LiveViewers> viewers;
-  if (arguments.page) {
-    viewers.emplace(*arguments.page, arguments.run.input.filename().string(), commands, recording);
-    fmt::print(stderr, "page: {}\n", viewers->address());
-    answered = std::bind_front(&LiveViewers::answered, &*viewers);
-  }
-#endif
-  // Whoever still waits for an answer is told before the server that waits for it ends.
-  const std::shared_ptr<void> at_end(nullptr, [&](void*) { commands.close(); });
-
-  const bool quiet = arguments.run.quiet;
-  Clock::time_point told = Clock::now();
-  const auto say = [&](const std::string& text) {
+  request.run.given = recorded_options(command);
+  const bool quiet = request.run.quiet;
+  const auto say = [quiet](const std::string& text) {
     if (!quiet) fmt::print(stderr, "{}\n", text);
   };
-  const auto progress = [&](std::size_t, double) {
-    [[maybe_unused]] const double latency_ms = recording.done();
+  live_runs::LiveListener listener{
+      say, [&](const live::LiveFigures& figures) { say(live::state_text(figures)); },
+      [&] { return interrupt.interrupted(); }};
 #ifdef SUREFOOT_HAS_LIVE_PAGE
-    if (viewers) viewers->used(latency_ms);
-#endif
-    work();
-    tell_health();
-    constexpr auto kPeriod = std::chrono::seconds(10);
-    if (quiet || Clock::now() - told < kPeriod) return;
-    told = Clock::now();
-    say(live::state_text(recording.figures()));
-  };
-  const auto started = [&](const std::filesystem::path& folder, runs::RunControl& run) {
-    work = [&] {
-      commands.work([&](const std::string& one) { return execute(one, recording, run); });
+  if (arguments.page) {
+    listener.watch = [port = *arguments.page](const std::string& title,
+                                              live::CommandQueue& commands,
+                                              const live::LiveRecording& recording) {
+      return show_page(port, title, commands, recording);
     };
-    const std::filesystem::path log = folder / runs::kLiveLogFile;
-    recording.log().open(log);
-    arguments.run.given.emplace_back("like", std::filesystem::absolute(log).string());
-  };
-  // Ctrl-C ends the stream, not the run: what was received is used.
-  const runs::RunOutcome outcome = runs::run_odometry(
-      arguments.run, {say, progress, [] { return false; }, started, answered, ends.messages},
-      recording);
-  if (!quiet) print_end(recording.figures(), outcome, ends.of_topic);
-  if (outcome.poses == 0) {
-    throw io::ReadError(fmt::format("{}: none of {} scans could be used; scans.csv in {} says why",
-                                    arguments.run.input.string(), outcome.scans(),
-                                    outcome.folder.string()));
   }
-  return say_if_apart(outcome) ? process::kSomeFailed : process::kDone;
+#endif
+  const live_runs::LiveOutcome outcome = live_runs::run_live(request, listener);
+  if (!quiet) print_end(outcome);
+  if (outcome.run.poses == 0) {
+    throw io::ReadError(fmt::format("{}: none of {} scans could be used; scans.csv in {} says why",
+                                    outcome.input.string(), outcome.run.scans(),
+                                    outcome.run.folder.string()));
+  }
+  return say_if_apart(outcome.run) ? process::kSomeFailed : process::kDone;
 }
 
 void add_source_options(CLI::App& command, LiveArguments& arguments) {
+  live::LiveSource& source = arguments.request.source;
   command_line::OptionGroup group(command, "Source");
-  group.add("--udp", arguments.udp, "port that the sensor sends its packets to")
+  group.add("--udp", source.udp, "port that the sensor sends its packets to")
       ->check(CLI::Range(1, 65535));
   group
-      .add("--address", arguments.address,
+      .add("--address", source.address,
            "address of the interface to listen on (default: all of them)")
       ->needs("--udp");
-  group.add("--replay", arguments.replay, "a capture or a bag, played at its own pace, instead")
+  group.add("--replay", source.replay, "a capture or a bag, played at its own pace, instead")
       ->excludes("--udp");
   group
-      .add("--speed", arguments.speed,
-           "times that pace; 0: as fast as it is used, nothing is dropped")
+      .add("--speed", source.speed, "times that pace; 0: as fast as it is used, nothing is dropped")
       ->check(command_line::number_within(0.0, 1000.0))
       ->needs("--replay")
       ->capture_default_str();
   group
-      .add("--queue", arguments.live.queue,
+      .add("--queue", arguments.request.live.queue,
            "scans that may wait; beyond that the oldest is dropped, and told")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  group.add("--record", arguments.record,
+  group.add("--record", source.record,
             "also write all packets to this capture, from which the run can be repeated; "
             "of a topic all messages, to an MCAP file (ROS 1: a bag)");
   group
-      .add("--silence", arguments.live.silence,
+      .add("--silence", arguments.request.live.silence,
            "end after so long without a packet or message [s]; without it Ctrl-C or SIGTERM "
            "ends it")
       ->check(command_line::number_within(0.1, 1e6));
@@ -183,15 +153,22 @@ void add_live_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("live", "Run on a sensor's packets or a topic's messages as they come");
   add_source_options(*command, *arguments);
 #ifdef SUREFOOT_HAS_LIVE_PAGE
-  add_page_option(*command, arguments->page);
+  command
+      ->add_option("--page", arguments->page,
+                   "show the run in a browser of this machine, at this port (default: 8017; 0: any "
+                   "that is free)")
+      ->type_name("[PORT]")
+      ->expected(0, 1)
+      ->default_str("8017")
+      ->check(CLI::Range(0, 65535));
 #endif
 #ifdef SUREFOOT_HAS_ROS1
-  add_ros1_options(*command, arguments->ros1);
+  add_ros1_options(*command, arguments->request.source.topics);
 #endif
 #ifdef SUREFOOT_HAS_ROS2
-  add_ros2_options(*command, arguments->ros2);
+  add_ros2_options(*command, arguments->request.source.topics);
 #endif
-  add_run_options(*command, arguments->run);
+  add_run_options(*command, arguments->request.run);
   command->callback(
       [command, arguments, &exit_code] { exit_code = run_live(*command, *arguments); });
 }

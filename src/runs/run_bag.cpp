@@ -8,7 +8,7 @@
 
 #include "io/messages/point_cloud2_writer.hpp"
 #include "io/messages/pose_messages.hpp"
-#include "runs/joined_names.hpp"
+#include "report/joined_names.hpp"
 
 namespace surefoot::runs {
 
@@ -162,7 +162,7 @@ void RunBag::write_diagnosis(const std::string& name, const Estimate& estimate) 
     add(fmt::format("{} iterations", stage.name), stage.iterations);
     add(fmt::format("{} residual [m]", stage.name), stage.residual);
   }
-  add("weak directions", joined_names(estimate.degenerate));
+  add("weak directions", report::joined_names(estimate.degenerate));
   bag_->write(topics_.diagnostics, estimate.stamp_ns,
               io::format_diagnostic(diagnostic, bag_->flavour()));
 }

@@ -14,8 +14,8 @@
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
+#include "report/joined_names.hpp"
 #include "runs/csv_table.hpp"
-#include "runs/joined_names.hpp"
 
 namespace surefoot::runs {
 
@@ -134,10 +134,11 @@ std::vector<Column> make_columns() {
       {"converged", Kind::number,
        [](const ScanRow& row) { return std::string(row.estimate.converged ? "1" : "0"); }}};
   columns.push_back({kStages, Column::Kind::text,
-                     [](const ScanRow& row) { return joined_names(row.estimate.stages); }});
+                     [](const ScanRow& row) { return report::joined_names(row.estimate.stages); }});
   for (std::size_t place = 0; place < StageReports::kMost; ++place) add_stage(place, columns);
-  columns.push_back({kDegenerate, Kind::text,
-                     [](const ScanRow& row) { return joined_names(row.estimate.degenerate); }});
+  columns.push_back({kDegenerate, Kind::text, [](const ScanRow& row) {
+                       return report::joined_names(row.estimate.degenerate);
+                     }});
   columns.push_back(real("least_information", [](const Estimate& e) {
     return e.degenerate.empty() ? 1.0 : e.degenerate.front().information;
   }));

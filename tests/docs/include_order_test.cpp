@@ -75,6 +75,7 @@ const std::vector<Layer> kLayers = {
     {"process", {}},
     {"command_line", {"process"}},
     {"runs", {"io", "mapping", "evaluation", "report", "process"}},
+    {"live_runs", {"io", "live", "runs"}},
     {"checks", {"geometry", "io", "report", "runs"}},
     {"experiments", {"io", "evaluation", "simulation", "report", "process", "runs"}},
     {"recordings", {"sensors", "io", "simulation", "report", "process"}},

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace surefoot::runs {
+namespace surefoot::report {
 
 /// Of weak directions or stages, between blanks.
 template <typename Named>
@@ -17,4 +17,4 @@ template <typename Named>
   return names;
 }
 
-}  // namespace surefoot::runs
+}  // namespace surefoot::report

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "live/live_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "io/bags/bag_files.hpp"
+#include "io/datasets.hpp"
+#include "io/robots.hpp"
+
+namespace surefoot::live {
+namespace {
+
+/// An Ouster's packets are not understood without what it says about itself.
+std::string metadata_beside(std::filesystem::path capture) {
+  std::ifstream stream(capture.replace_extension(".json"), std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// What is not recorded has a name, but cannot be opened again.
+void name_input(LiveInput& input, const LiveSource& source, const std::string& name) {
+  input.is_kept = !source.record.empty();
+  input.path = input.is_kept ? source.record : std::filesystem::path(name);
+}
+
+void open_packets(LiveInput& input, const LiveSource& source, const io::OpenOptions& reader) {
+  input.repeated_by.emplace_back("repair-stamps", "false");  // which would wait for two scans
+  if (!source.replay.empty()) {
+    input.stream = packet_stream(replay_capture(source.replay, source.speed), reader,
+                                 metadata_beside(source.replay), {});
+    return;
+  }
+  name_input(input, source, fmt::format("udp-{}", source.udp));
+  input.stream = packet_stream(listen_udp(source.address, source.udp), reader, "", source.record);
+}
+
+/// The reader's options for messages; what repeats them is noted.
+io::OpenOptions topic_options(LiveInput& input, const io::OpenOptions& reader) {
+  input.of_topic = true;
+  if (!reader.repair_at_once) input.repeated_by.emplace_back("repair-at-once", "true");
+  return io::with_robot(io::with_dataset(reader));
+}
+
+bool is_bag(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? !io::bag_files(path).empty()
+                                                      : io::is_bag_file(path);
+}
+
+/// A topic is named by the network that it is of, and recorded as that network has it.
+void open_topic(LiveInput& input, const LiveSource& source, const io::OpenOptions& reader,
+                const std::function<void(const std::string&)>& say) {
+  const TopicRequest& request = source.topics;
+  if (!source.record.empty() && source.record.extension() != request.extension) {
+    throw std::invalid_argument(
+        fmt::format("live: --record of a topic expects FILE{}", request.extension));
+  }
+  std::string name = request.network + request.topic;
+  std::replace(name.begin(), name.end(), '/', '-');
+  name_input(input, source, name);
+  const io::OpenOptions options = topic_options(input, reader);
+  input.stream = topic_stream(input.network->subscribe(request.topic, say), options, source.record);
+}
+
+void join(LiveInput& input, const TopicRequest& request, CommandQueue& commands) {
+  input.network = request.join();
+  if (request.publish) input.messages = input.network->publisher();
+  if (request.commands) {
+    input.network->serve({"reset", "pause", "resume", "save_map", "localize"},
+                         [&commands](const std::string& command) { return commands.ask(command); });
+  }
+}
+
+}  // namespace
+
+LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reader,
+                          CommandQueue& commands,
+                          const std::function<void(const std::string&)>& say) {
+  LiveInput input;
+  if (source.topics.any()) join(input, source.topics, commands);
+  if (!source.topics.topic.empty()) {
+    open_topic(input, source, reader, say);
+    return input;
+  }
+  if (!source.replay.empty()) {
+    input.path = source.replay;
+    input.is_kept = true;
+  }
+  if (is_bag(source.replay)) {
+    const io::OpenOptions options = topic_options(input, reader);
+    input.stream = topic_stream(replay_bag(source.replay, options, source.speed), options, {});
+  } else {
+    open_packets(input, source, reader);
+  }
+  return input;
+}
+
+}  // namespace surefoot::live

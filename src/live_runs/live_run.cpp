@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "live_runs/live_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "io/printable.hpp"
+#include "live/live_health.hpp"
+#include "runs/run_bag.hpp"
+#include "runs/run_files.hpp"
+
+namespace surefoot::live_runs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+live::CommandAnswer execute(const std::string& command, live::LiveRecording& recording,
+                            runs::RunControl& run) {
+  if (command == "pause" || command == "resume") {
+    recording.pause(command == "pause");
+    return {true, command == "pause" ? "scans are left out" : "scans are used"};
+  }
+  if (command == "save_map") return {true, fs::absolute(run.save_map()).string()};
+  if (command == "localize" || command.starts_with("localize ")) {
+    run.localize(command.substr(std::min<std::size_t>(command.size(), 9)));
+    return {true, "its place in the map is searched for"};
+  }
+  if (command != "reset") return {false, command + " is not known"};
+  recording.log().reset();
+  run.reset();
+  return {true, "the odometry begins anew with the next scan"};
+}
+
+/// Opens what the run reads from; what names and repeats it is noted in the run's options.
+live::LiveInput open_input(LiveRequest& request, live::CommandQueue& commands,
+                           const LiveListener& listener) {
+  live::LiveInput input = live::open_live_input(
+      request.source, request.run.reader, commands,
+      [&listener](const std::string& text) { listener.say("note: " + io::printable(text)); });
+  request.run.input = input.path;
+  request.run.is_live = !input.is_kept;
+  std::copy(input.repeated_by.begin(), input.repeated_by.end(),
+            std::back_inserter(request.run.given));
+  return input;
+}
+
+}  // namespace
+
+LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
+  (void)runs::config_of(request.run);  // what is wrong with it is told before anything is opened
+  live::CommandQueue commands;
+  live::LiveInput input = open_input(request, commands, listener);
+  std::function<void()> work = [] {};
+  std::optional<live::HealthPublisher> publisher;
+  std::function<void()> tell_health = [] {};
+  request.live.stopped = listener.interrupted;
+  request.live.idle = [&] {
+    work();
+    tell_health();
+  };
+  live::LiveRecording recording(std::move(input.stream), request.live);
+  if (input.messages) {
+    (void)runs::add_run_topics(*input.messages);
+    publisher.emplace(input.messages);
+    tell_health = [&] { publisher->tell(recording.figures()); };
+  }
+  std::unique_ptr<live::LiveViewer> viewer;
+  std::function<void(const std::string&, const Estimate&, const Odometry&)> answered;
+  if (listener.watch) {
+    viewer = listener.watch(request.run.input.filename().string(), commands, recording);
+    answered = std::bind_front(&live::LiveViewer::answered, viewer.get());
+  }
+  // Whoever still waits for an answer is told before the server that waits for it ends.
+  const std::shared_ptr<void> at_end(nullptr, [&](void*) { commands.close(); });
+
+  Clock::time_point told = Clock::now();
+  const auto progress = [&](std::size_t, double) {
+    const double latency_ms = recording.done();
+    if (viewer) viewer->used(latency_ms);
+    work();
+    tell_health();
+    constexpr auto kPeriod = std::chrono::seconds(10);
+    if (Clock::now() - told < kPeriod) return;
+    told = Clock::now();
+    listener.report(recording.figures());
+  };
+  const auto started = [&](const fs::path& folder, runs::RunControl& run) {
+    work = [&] {
+      commands.work([&](const std::string& one) { return execute(one, recording, run); });
+    };
+    const fs::path log = folder / runs::kLiveLogFile;
+    recording.log().open(log);
+    request.run.given.emplace_back("like", fs::absolute(log).string());
+  };
+  // An interrupt ends the stream, not the run.
+  runs::RunOutcome outcome = runs::run_odometry(
+      request.run,
+      {listener.say, progress, [] { return false; }, started, answered, input.messages}, recording);
+  return {std::move(outcome), recording.figures(), request.run.input, input.of_topic};
+}
+
+}  // namespace surefoot::live_runs
