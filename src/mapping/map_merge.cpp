@@ -3,49 +3,17 @@
 #include "mapping/map_merge.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "mapping/held_pieces.hpp"
+#include "mapping/look_alikes.hpp"
 #include "mapping/loop_solution.hpp"
 #include "mapping/place_search.hpp"
 
 namespace surefoot::mapping {
 
 namespace {
-
-constexpr double kLeastHeld = 1e-6;  // information of an edge that holds anything
-
-bool holds(const PoseEdge& edge) { return edge.information.trace() > kLeastHeld; }
-
-/// Sets of pieces that a graph holds together, by the smallest number in each. Where the odometry
-/// began anew, nothing may.
-class HeldPieces {
- public:
-  explicit HeldPieces(const PoseGraph& graph) : parent_(graph.poses.size()) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    for (const PoseEdge& edge : graph.edges) {
-      if (!holds(edge)) continue;
-      const auto [low, high] = std::minmax({set_of(edge.from), set_of(edge.to)});
-      parent_[high] = low;
-    }
-  }
-  std::size_t set_of(std::size_t piece) {
-    while (parent_[piece] != piece) piece = parent_[piece] = parent_[parent_[piece]];
-    return piece;
-  }
-  /// Those from `begin` to before `end` that are held to a piece.
-  std::vector<std::size_t> held_to(std::size_t piece, std::size_t begin, std::size_t end) {
-    std::vector<std::size_t> result;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (set_of(i) == set_of(piece)) result.push_back(i);
-    }
-    return result;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// A map's graph behind another's. What it knew is known.
 void append_graph(const SavedMap& map, PoseGraph& graph) {
@@ -113,21 +81,6 @@ bool allows(const Loop& loop, const std::vector<Piece>& pieces, const Pose& T_fi
 
 bool taken(const Loop& loop) { return loop.check.verdict == LoopVerdict::taken; }
 
-/// Whether the two places fit as well the other way round, or a quarter turned. Within a walk the
-/// odometry would tell; here nothing does.
-bool fits_turned(const Loop& loop, const VerifiableSubmap& place, const VerifiableSubmap& seen,
-                 const LoopLimits& limits) {
-  for (const int quarters : {1, 2, 3}) {
-    Pose start = loop.check.alignment.T_target_source;
-    start.rotation = start.rotation *
-                     Eigen::AngleAxisd(quarters * std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ());
-    const LoopCheck check = check_places(place, seen, turned_both_ways(start), limits);
-    const AlignmentGap gap = gap_between(check.alignment, loop.check.alignment.T_target_source);
-    if (check.verdict == LoopVerdict::taken && gap.degrees > 45.0) return true;
-  }
-  return false;
-}
-
 /// Two places of the first map that fit one of the second tell nothing if they lie apart.
 void refuse_ambiguous(std::size_t begin, const std::vector<Piece>& pieces,
                       std::vector<Loop>& loops) {
@@ -141,6 +94,14 @@ void refuse_ambiguous(std::size_t begin, const std::vector<Piece>& pieces,
     }
   }
   for (const std::size_t loop : ambiguous) loops[loop].check.verdict = LoopVerdict::ambiguous;
+}
+
+/// Whether the two places would fit otherwise as well.
+bool looks_alike(const LoopCheck& check, const VerifiableSubmap& place,
+                 const VerifiableSubmap& seen, const MergeOptions& options) {
+  if (check.alignment.held < 6) return true;  // along a corridor, say
+  return overlap_slid(check, place, seen) > options.as_good * check.overlap ||
+         fits_turned(check, place, seen, options.limits);
 }
 
 std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOptions& options) {
@@ -158,9 +119,7 @@ std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOp
       loop.query = query;
       loop.likeness = match.distance;
       loop.check = check_match(match, *place, *seen, options.limits);
-      // What nothing holds (the way along a corridor) fits elsewhere as well.
-      if (taken(loop) &&
-          (loop.check.alignment.held < 6 || fits_turned(loop, *place, *seen, options.limits))) {
+      if (taken(loop) && looks_alike(loop.check, *place, *seen, options)) {
         loop.check.verdict = LoopVerdict::ambiguous;
       }
       loops.push_back(loop);
@@ -184,38 +143,22 @@ double spread_of(const std::vector<Loop>& loops, const std::vector<Piece>& piece
   return most;
 }
 
-/// The pieces walked about a place of the second map, over which the odometry keeps it together.
-std::vector<std::size_t> pieces_about(const TwoMaps& maps, std::size_t query) {
-  constexpr double kWay = 30.0;  // [m]
-  const std::vector<Piece>& pieces = maps.pieces();
-  std::size_t begin = query;
-  std::size_t end = query + 1;
-  while (!pieces[begin].restarted && pieces[query].way - pieces[begin - 1].way < kWay) --begin;
-  while (end < pieces.size() && !pieces[end].restarted &&
-         pieces[end].way - pieces[query].way < kWay) {
-    ++end;
-  }
-  std::vector<std::size_t> result(end - begin);
-  std::iota(result.begin(), result.end(), begin);
-  return result;
-}
-
 bool fits(const MapComparison& comparison, const MergeOptions& options) {
   return comparison.near > 0 && comparison.contradicted <= options.contradicted &&
          comparison.overlap >= options.overlap;
 }
 
 /// Whether a place that fitted when it was asked alone would have the second map lie elsewhere, and
-/// the maps bear it out as far as it can see.
+/// does not fit clearly better as the maps lie now. Places look alike here: of which there may be
+/// more, and that these agree is no longer a sign that they are the same.
 bool fits_elsewhere(const std::vector<Loop>& asked_alone, const Pose& T_first_second,
-                    HeldPieces& held, TwoMaps& maps, const MergeOptions& options) {
+                    const std::vector<std::size_t>& of_first, TwoMaps& maps,
+                    const MergeOptions& options) {
   return std::any_of(asked_alone.begin(), asked_alone.end(), [&](const Loop& loop) {
     const bool fitted = taken(loop) || loop.check.verdict == LoopVerdict::ambiguous;
     if (!fitted || allows(loop, maps.pieces(), T_first_second)) return false;
-    const MapComparison comparison =
-        maps.compare(claimed(loop, maps.pieces()), held.held_to(loop.place, 0, maps.first()),
-                     pieces_about(maps, loop.query));
-    return fits(comparison, options);
+    const MapComparison as_they_lie = maps.compare(T_first_second, of_first, {loop.query});
+    return loop.check.overlap > options.as_good * as_they_lie.overlap;
   });
 }
 
@@ -238,8 +181,9 @@ std::string objection(const std::vector<Loop>& asked_alone, const Pose& T_first_
   if (!fits(join.comparison, options)) {
     return "some places agree, but what else both maps have seen does not";
   }
-  if (fits_elsewhere(asked_alone, T_first_second, held, maps, options)) {
-    return "they fit in more than one way: places look alike";
+  if (fits_elsewhere(asked_alone, T_first_second, held.held_to(place, 0, join.first), maps,
+                     options)) {
+    return "places look alike: some would have the maps lie otherwise";
   }
   return "";
 }

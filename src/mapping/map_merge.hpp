@@ -20,7 +20,10 @@ struct MergeOptions {
   LoopLimits limits;
   DriftModel drift;
   std::size_t candidates = 6;  ///< places of the first map that are verified for each piece
-  double spread = 10.0;        ///< agreeing loops begin in places so far apart, at least [m]
+  /// The second-best way to lay two places over each other has so much of the best one's overlap,
+  /// at most.
+  double as_good = 0.65;
+  double spread = 10.0;  ///< agreeing loops begin in places so far apart, at least [m]
   /// Over all places that both maps have seen: furniture and doors move, walls do not.
   double contradicted = 0.05;
   double overlap = 0.5;

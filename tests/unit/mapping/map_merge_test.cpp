@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "geometry/se3.hpp"
 #include "mapping/finished_walk.hpp"
 #include "mapping/pose_graph_solver.hpp"
@@ -38,6 +42,28 @@ WalkOptions of_length(double length) {
   WalkOptions options;
   options.length = length;
   return options;
+}
+
+/// Of places that passed when they were asked alone: each holds all six directions, and no two of
+/// the first map fit the same one of the second.
+void expect_told_apart(const MapJoin& join) {
+  std::vector<const Loop*> passed;
+  for (const Loop& loop : join.loops) {
+    const LoopVerdict verdict = loop.check.verdict;
+    if (verdict == LoopVerdict::taken || verdict == LoopVerdict::not_joined ||
+        verdict == LoopVerdict::outvoted || verdict == LoopVerdict::alone) {
+      passed.push_back(&loop);
+    }
+  }
+  for (const Loop* a : passed) {
+    EXPECT_EQ(a->check.alignment.held, 6);
+    for (const Loop* b : passed) {
+      if (a->query != b->query) continue;
+      const Pose at_a = join.pieces[a->place].T_world_piece * a->check.alignment.T_target_source;
+      const Pose at_b = join.pieces[b->place].T_world_piece * b->check.alignment.T_target_source;
+      EXPECT_LT((at_a.translation - at_b.translation).norm(), 1.5) << a->place << " " << b->place;
+    }
+  }
 }
 
 class MapMerge : public testing::Test {
@@ -103,17 +129,54 @@ TEST_F(MapMerge, OtherPlacesStayApart) {
   EXPECT_FALSE(join_maps(SavedMap{}, campus).joint);
 }
 
+/// What tells one row of bays from the next has been moved since. The second walk goes where the
+/// first one never was, and finds there what looks the same.
+TEST_F(MapMerge, RowsOfEqualBaysStayApart) {
+  for (const std::uint64_t layout : {101U, 104U}) {
+    const SavedMap first = map_of(test::walk_through("bays", layout, of_length(70.0)));
+    const MapJoin join =
+        join_maps(first, map_of(test::walk_through("bays", layout, other_day(80.0, 60.0))));
+    EXPECT_FALSE(join.joint) << layout;
+    EXPECT_EQ(join.taken, 0U);
+    expect_told_apart(join);
+  }
+}
+
 /// Either refused or right: of this corridor many stretches are the same from both ends.
 TEST_F(MapMerge, ACorridorIsNotJoinedTheWrongWayRound) {
   const SavedMap first = map_of(test::walk_through("corridor", 45, of_length(60.0)));
   for (const double from : {10.0, 30.0}) {
     const SceneWalk walk = test::walk_through("corridor", 45, other_day(from, 50.0));
     const MapJoin join = join_maps(first, map_of(walk));
+    expect_told_apart(join);
     if (!join.joint) continue;
     const Pose begin = upright(walk.truth.front()) * join.pieces[join.first].T_world_piece;
     ASSERT_TRUE(join.placed.front());
     EXPECT_LT((join.placed.front()->translation - begin.translation).norm(), 0.2) << from;
   }
+}
+
+TEST_F(MapMerge, EachRefusalSaysWhatWasMissing) {
+  const SavedMap first = map_of(test::walk_through("campus", 46, of_length(50.0)));
+  const SavedMap second = map_of(test::walk_through("campus", 46, other_day(20.0, 50.0)));
+  const auto refused = [&](const MergeOptions& options) {
+    const MapJoin join = join_maps(first, second, options);
+    EXPECT_FALSE(join.joint);
+    EXPECT_EQ(join.taken, 0U);
+    return join.message;
+  };
+  MergeOptions as_good;
+  as_good.as_good = 0.0;
+  EXPECT_NE(refused(as_good).find("no two places agree"), std::string::npos);
+  MergeOptions spread;
+  spread.spread = 1e3;
+  EXPECT_NE(refused(spread).find("one place"), std::string::npos);
+  MergeOptions overlap;
+  overlap.overlap = 1.1;
+  EXPECT_NE(refused(overlap).find("what else both maps have seen"), std::string::npos);
+  MergeOptions contradicted;
+  contradicted.contradicted = -0.1;
+  EXPECT_NE(refused(contradicted).find("what else both maps have seen"), std::string::npos);
 }
 
 }  // namespace
