@@ -54,15 +54,16 @@ struct SuiteSet {
     return {kStandardSuite.data(), count};
   }
 };
-inline constexpr std::array<SuiteSet, 9> kSuiteSets = {{{"tuning", 1000, false},
-                                                        {"reporting", 5000, false},
-                                                        {"reporting-2", 5100, false},
-                                                        {"reporting-3", 5200, false},
-                                                        {"tuning-2", 1100, true},
-                                                        {"reporting-4", 5300, true},
-                                                        {"reporting-5", 5400, true},
-                                                        {"reporting-6", 6100, true},
-                                                        {"reporting-7", 6200, true}}};
+inline constexpr std::array<SuiteSet, 10> kSuiteSets = {{{"tuning", 1000, false},
+                                                         {"reporting", 5000, false},
+                                                         {"reporting-2", 5100, false},
+                                                         {"reporting-3", 5200, false},
+                                                         {"tuning-2", 1100, true},
+                                                         {"reporting-4", 5300, true},
+                                                         {"reporting-5", 5400, true},
+                                                         {"reporting-6", 6100, true},
+                                                         {"reporting-7", 6200, true},
+                                                         {"reporting-8", 6300, true}}};
 
 /// nullptr if there is no such set.
 [[nodiscard]] constexpr const SuiteSet* find_suite_set(std::string_view name) {
