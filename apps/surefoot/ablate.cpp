@@ -10,14 +10,10 @@
 
 #include "commands.hpp"
 #include "compare_options.hpp"
-#include "evaluation/ablation_tables.hpp"
 #include "experiments/ablation_plan.hpp"
 #include "experiments/comparison_engine.hpp"
-#include "io/file_writer.hpp"
+#include "experiments/variation_results.hpp"
 #include "process/exit_codes.hpp"
-#ifdef SUREFOOT_HAS_PICTURES
-#include "experiments/ablation_figure.hpp"
-#endif
 
 namespace surefoot::app {
 
@@ -28,37 +24,14 @@ struct AblateOptions {
   std::string method = "paper";
 };
 
-/// The files of the ablation, beside those of the comparison that it stands on.
-void write_ablation(const AblateOptions& ablate_options, const evaluation::Ablation& ablation,
-                    const evaluation::Comparison& comparison) {
-  const experiments::CompareOptions& options = ablate_options.comparison;
-  const auto write = [&](const char* name, const std::string& text) {
-    io::write_whole_file(options.output / name, text);
-  };
-#ifdef SUREFOOT_HAS_PICTURES
-  if (options.figures) {
-    experiments::draw_ablation(ablation, ablate_options.method, options.output / "figures");
-  }
-#endif
-  write("ablation.md", evaluation::ablation_markdown(ablation, comparison));
-  write("ablation.csv", evaluation::ablation_csv(ablation));
-  write("ablation.json", evaluation::ablation_json(ablation, comparison));
-}
-
 int ablate(const AblateOptions& options) {
   const experiments::AblationPlan plan = experiments::ablation_plan(options.method);
   const auto results = experiments::compare_variants(options.comparison, plan.variants);
   if (!results) return process::kInterrupted;
-  const evaluation::Comparison& comparison = results->comparison;
-  const evaluation::Ablation ablation =
-      evaluation::ablate(comparison, plan.changes, plan.references);
-  experiments::CompareOptions without_figures = options.comparison;
-  without_figures.figures = false;  // dozens of paths in one panel show nothing
-  experiments::write_results(without_figures, *results);
-  write_ablation(options, ablation, comparison);
-  fmt::print("{}\nresults: {}\n", evaluation::ablation_markdown(ablation, comparison),
+  fmt::print("{}\nresults: {}\n",
+             experiments::write_ablation(options.comparison, options.method, plan, *results),
              options.comparison.output.string());
-  return experiments::exit_code_of(comparison);
+  return experiments::exit_code_of(results->comparison);
 }
 
 }  // namespace

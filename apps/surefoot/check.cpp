@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
 #include "checks/check_json.hpp"
 #include "checks/check_page.hpp"
@@ -34,23 +32,8 @@ struct CheckCommand {
   bool quiet = false;
 };
 
-/// Only a page may go for a page: the name may be the recording's own, or any other file's.
-void require_page_or_nothing(const fs::path& file) {
-  if (file.empty()) return;
-  const fs::file_status status = fs::symlink_status(file);
-  if (!fs::exists(status)) return;
-  if (fs::is_regular_file(status)) {
-    constexpr std::string_view kPage = "<!doctype html>";
-    std::string begin(kPage.size(), '\0');
-    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
-    if (begin == kPage) return;
-  }
-  throw std::invalid_argument("--html " + file.string() +
-                              ": is there already and is no page; choose another name");
-}
-
 int execute(const CheckCommand& command) {
-  require_page_or_nothing(command.html);
+  checks::require_page_or_nothing(command.html);
   const process::InterruptGuard interrupt;
   const bool quiet = command.quiet || command.json;
   process::Progress progress("scans", quiet);

@@ -3,13 +3,12 @@
 //
 // surefoot config: every parameter of a method with default, unit, range, meaning and source.
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "commands.hpp"
-#include "runs/config_file.hpp"
-#include "runs/run_yaml.hpp"
+#include "runs/config_text.hpp"
 
 namespace surefoot::app {
 
@@ -20,45 +19,6 @@ struct Options {
   bool markdown = false;
   bool yaml = false;
 };
-
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit.empty() ? text : fmt::format("{} {}", text, unit);
-}
-
-void print_text(const Config& config) {
-  for (const ParameterInfo& info : parameters()) {
-    if (!reads_parameter(config, info.name)) continue;
-    fmt::print("{} = {}\n    {}\n    range: {}; default: {}; from: {}\n", info.name,
-               with_unit(get_parameter(config, info.name), info.unit), info.help,
-               with_unit(info.range, info.unit), info.default_value, info.source);
-  }
-}
-
-std::string escape_bars(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
-    text.insert(at, 1, '\\');
-  }
-  return text;
-}
-
-void print_markdown() {
-  fmt::print(
-      "# Parameters\n\n"
-      "Made by `surefoot config --markdown`; a test holds this page to the program.\n"
-      "A parameter is set in a YAML file (`--config`), or by `--set name=value`.\n"
-      "\"sweep\" in the last column: chosen by the sweeps of [sweeps.md](sweeps.md).\n\n"
-      "| parameter | default | unit | range | meaning | from |\n|---|---|---|---|---|---|\n");
-  for (const ParameterInfo& info : parameters()) {
-    fmt::print("| `{}` | {} | {} | {} | {} | {} |\n", info.name, info.default_value, info.unit,
-               escape_bars(info.range), escape_bars(info.help), info.source);
-  }
-}
-
-void print_yaml(const std::string& method, const Config& config) {
-  YAML::Emitter out;
-  runs::emit_parameters(out, runs::parameter_texts(config));
-  fmt::print("method: {}\n{}\n", method, out.c_str());
-}
 
 }  // namespace
 
@@ -74,13 +34,9 @@ void add_config_command(CLI::App& app, int&) {
       ->excludes(yaml);
   command->callback([options] {
     const Config config = method_config(options->method);
-    if (options->markdown) {
-      print_markdown();
-    } else if (options->yaml) {
-      print_yaml(options->method, config);
-    } else {
-      print_text(config);
-    }
+    fmt::print("{}", options->markdown ? runs::config_page()
+                     : options->yaml   ? runs::config_yaml(options->method, config)
+                                       : runs::config_text(config));
   });
 }
 

@@ -11,7 +11,7 @@
 #include "compare_options.hpp"
 #include "experiments/comparison_engine.hpp"
 #include "experiments/sweep.hpp"
-#include "io/file_writer.hpp"
+#include "experiments/variation_results.hpp"
 #include "process/exit_codes.hpp"
 
 namespace surefoot::app {
@@ -28,19 +28,11 @@ int sweep(const SweepOptions& options) {
   const experiments::SweepPlan plan = experiments::sweep_plan(options.method, options.variations);
   const auto results = experiments::compare_variants(options.comparison, plan.variants);
   if (!results) return process::kInterrupted;
-  const evaluation::Comparison& comparison = results->comparison;
-  const experiments::SweepResult table = experiments::sweep_of(comparison, plan.labels);
-  experiments::CompareOptions without_figures = options.comparison;
-  without_figures.figures = false;  // dozens of paths in one panel show nothing
-  experiments::write_results(without_figures, *results);
-  const std::filesystem::path& folder = options.comparison.output;
-  const std::string markdown = experiments::sweep_markdown(table);
-  io::write_whole_file(folder / "sweep.md", markdown);
-  io::write_whole_file(folder / "sweep.csv", experiments::sweep_csv(table));
-  io::write_whole_file(folder / "sweep.json", experiments::sweep_json(table, comparison));
-  fmt::print("{}", markdown);
-  if (!options.comparison.quiet) fmt::print(stderr, "results: {}\n", folder.string());
-  return experiments::exit_code_of(comparison);
+  fmt::print("{}", experiments::write_sweep(options.comparison, plan, *results));
+  if (!options.comparison.quiet) {
+    fmt::print(stderr, "results: {}\n", options.comparison.output.string());
+  }
+  return experiments::exit_code_of(results->comparison);
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <stdexcept>
+#include <string_view>
 
 #include "report/page.hpp"
 #include "surefoot/seconds.hpp"
@@ -217,6 +220,21 @@ std::string to_html(const RecordingCheck& check, const std::string& name) {
           list(check.notes);
   if (check.motion) html += trials(*check.motion);
   return html + charts(check) + "</body></html>\n";
+}
+
+void require_page_or_nothing(const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  if (file.empty()) return;
+  const fs::file_status status = fs::symlink_status(file);
+  if (!fs::exists(status)) return;
+  if (fs::is_regular_file(status)) {
+    constexpr std::string_view kPage = "<!doctype html>";
+    std::string begin(kPage.size(), '\0');
+    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
+    if (begin == kPage) return;
+  }
+  throw std::invalid_argument("--html " + file.string() +
+                              ": is there already and is no page; choose another name");
 }
 
 }  // namespace surefoot::checks

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "experiments/estimate_evaluation.hpp"
+
+#include <stdexcept>
+
+#ifdef SUREFOOT_HAS_PICTURES
+#include "experiments/compare_figures.hpp"
+#endif
+
+namespace surefoot::experiments {
+namespace {
+
+using evaluation::Evaluation;
+
+void draw_figures([[maybe_unused]] const EvaluationRequest& request,
+                  [[maybe_unused]] const Trajectory& reference,
+                  [[maybe_unused]] const std::vector<Evaluation>& evaluations,
+                  [[maybe_unused]] const std::vector<Trajectory>& paths) {
+#ifdef SUREFOOT_HAS_PICTURES
+  std::vector<std::string> names;
+  for (const Evaluation& evaluation : evaluations) names.push_back(evaluation.name);
+  for (const std::filesystem::path& file : request.figures) {
+    draw_views(reference, names, paths, file);
+  }
+#else
+  if (!request.figures.empty()) {
+    throw std::runtime_error("--figure: this program was built without pictures");
+  }
+#endif
+}
+
+/// What the reference does not have is not asked of it.
+void adapt(evaluation::EvaluationOptions& options, const runs::Reference& reference) {
+  options.positions_only = !reference.truth.has_rotations;
+  if (reference.format != runs::TrajectoryFormat::kitti) return;
+  options.association.method = evaluation::AssociationMethod::index;
+  if (options.stretches.unit == evaluation::DeltaUnit::seconds) {
+    throw std::runtime_error("--delta-unit s needs stamps, which KITTI's files do not have");
+  }
+}
+
+}  // namespace
+
+std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
+                                           const EvaluationListener& listener) {
+  const runs::Reference reference = runs::read_reference(request.reference);
+  if (reference.is_foreign) {
+    listener.note(reference.file.string() + ": " + reference.truth.what);
+  }
+  evaluation::EvaluationOptions options = request.evaluation;
+  adapt(options, reference);
+  const std::vector<std::string> names = runs::estimate_names(request.estimates);
+  std::vector<Evaluation> evaluations;
+  std::vector<Trajectory> paths;  // aligned
+  for (std::size_t i = 0; i < request.estimates.size(); ++i) {
+    try {
+      const Trajectory estimate = runs::read_estimate(request.estimates[i], reference);
+      evaluations.push_back(
+          evaluation::evaluate(names[i], reference.truth.poses, estimate, options));
+      paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
+    } catch (const std::exception& error) {
+      listener.complain(names[i] + ": " + error.what());
+    }
+  }
+  if (!evaluations.empty()) draw_figures(request, reference.truth.poses, evaluations, paths);
+  return evaluations;
+}
+
+}  // namespace surefoot::experiments

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/map_export.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "io/file_writer.hpp"
+#include "io/files/las_writer.hpp"
+#include "io/files/pcd_writer.hpp"
+#include "io/files/ply_writer.hpp"
+#include "runs/saved_map.hpp"
+
+namespace surefoot::runs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <typename T>
+std::vector<Eigen::Vector3<T>> points_of(const mapping::SavedMap& map) {
+  std::vector<Eigen::Vector3<T>> points;
+  for (const mapping::Piece& piece : map.pieces) {
+    for (const Eigen::Vector3f& point : piece.points) {
+      points.emplace_back((piece.T_world_piece * point.cast<double>()).cast<T>());
+    }
+  }
+  return points;
+}
+
+fs::path beside(fs::path file, const std::string& ending) { return file.replace_extension(ending); }
+
+ExportedGrid export_occupancy(const mapping::SavedMap& map, const MapExport& wanted) {
+  const mapping::OccupancyGrid grid = mapping::draw_occupancy(map.pieces, wanted.occupancy);
+  const fs::path image = beside(wanted.grid, ".pgm");
+  io::write_whole_file(image, mapping::format_pgm(grid));
+  io::write_whole_file(beside(wanted.grid, ".yaml"),
+                       mapping::format_grid_yaml(grid, image.filename().string()));
+  return {image, grid.width, grid.height, grid.cell};
+}
+
+ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wanted) {
+  const mapping::ElevationGrid grid = mapping::draw_elevation(map.pieces, wanted.elevation_cell);
+  const fs::path heights = beside(wanted.elevation, ".asc");
+  io::write_whole_file(heights, mapping::format_asc(grid, grid.heights));
+  fs::path variances = heights;
+  variances.replace_filename(heights.stem().string() + "_variance.asc");
+  io::write_whole_file(variances, mapping::format_asc(grid, grid.variances));
+  return {heights, grid.width, grid.height, grid.cell};
+}
+
+}  // namespace
+
+std::vector<ExportedGrid> export_map(const fs::path& map, const MapExport& wanted) {
+  if (wanted.pcd.empty() && wanted.ply.empty() && wanted.las.empty() && wanted.grid.empty() &&
+      wanted.elevation.empty()) {
+    throw std::invalid_argument(
+        "nothing to write: expected --pcd, --ply, --las, --grid or --elevation");
+  }
+  const mapping::SavedMap saved = read_saved_map(map);
+  if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));
+  if (!wanted.pcd.empty()) {
+    Scan points;
+    points.points = points_of<float>(saved);
+    io::write_pcd(wanted.pcd, points);
+  }
+  if (!wanted.las.empty()) io::write_las(wanted.las, points_of<double>(saved));
+  std::vector<ExportedGrid> grids;
+  if (!wanted.grid.empty()) grids.push_back(export_occupancy(saved, wanted));
+  if (!wanted.elevation.empty()) grids.push_back(export_elevation(saved, wanted));
+  return grids;
+}
+
+}  // namespace surefoot::runs
