@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "io/recording.hpp"
+#include "io/scan_sink.hpp"
+#include "unit/io/scan_folders.hpp"
+
+namespace surefoot::io {
+namespace {
+
+using test::error_of;
+using test::kitti_scan;
+using test::read_all;
+using test::TemporaryFolder;
+using test::timed_pcd;
+
+TEST(OpenRecording, SaysWhatWasSeenAndExpected) {
+  const TemporaryFolder folder;
+  EXPECT_NE(error_of(folder.path()).find("0 PCD"), std::string::npos);
+  EXPECT_NE(error_of(folder.path() / "none").find("no such file"), std::string::npos);
+  EXPECT_NE(error_of(folder.write("a.txt", "x")).find("'.txt'; expected"), std::string::npos);
+  folder.write("mixed/a.pcd", timed_pcd<float>({0.0F, 0.0625F}));
+  folder.write("mixed/b.ply", "ply\n");
+  const std::string mixed = error_of(folder.path() / "mixed");
+  EXPECT_NE(mixed.find("1 PCD, 1 PLY"), std::string::npos) << mixed;
+  OpenOptions options;
+  options.format = "pcd";
+  EXPECT_EQ(read_all(folder.path() / "mixed", options).size(), 1U);
+  options.format = "bin";
+  EXPECT_NE(error_of(folder.path() / "mixed", options).find("bin is asked for"), std::string::npos);
+  options.format = "xyz";
+  EXPECT_NE(error_of(folder.path() / "mixed", options).find("expected pcd, ply, bin or las"),
+            std::string::npos);
+}
+
+// A link that leads nowhere, a pipe and a folder keep their places: the others their stamps.
+TEST(OpenRecording, WhatIsNamedAsAScanAndIsNoFileIsAScanThatCannotBeRead) {
+  const TemporaryFolder folder;
+  folder.write("a.bin", kitti_scan(1));
+  folder.write("d.bin", kitti_scan(2));
+  std::filesystem::create_symlink("nowhere", folder.path() / "b.bin");
+  std::filesystem::create_directory(folder.path() / "c.bin");
+  folder.write("times.txt", "1\n2\n3\n4\n");
+  const std::vector<ScanItem> items = read_all(folder.path());
+  ASSERT_EQ(items.size(), 4U);
+  EXPECT_NE(items[1].error.find("b.bin"), std::string::npos) << items[1].error;
+  EXPECT_NE(items[2].error.find("c.bin"), std::string::npos) << items[2].error;
+  ASSERT_TRUE(items[3].scan.has_value());
+  EXPECT_EQ(items[3].scan->stamp_ns, 4'000'000'000);
+}
+
+std::string notes_of(const std::filesystem::path& path, const OpenOptions& options = {}) {
+  std::string text;
+  const auto recording = open_recording(path, options);
+  for (const std::string& note : recording->notes()) text += note + '\n';
+  return text;
+}
+
+TEST(OpenRecording, OptionsThatSayNothingAboutItAreNoted) {
+  const TemporaryFolder folder;
+  folder.write("a.bin", kitti_scan(1));
+  OpenOptions options;
+  options.topic = "/x";
+  options.calibration_file = "/nope";
+  const std::string notes = notes_of(folder.path(), options);
+  EXPECT_NE(notes.find("--topic counts for nothing here"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("--calibration counts for nothing here"), std::string::npos) << notes;
+  EXPECT_EQ(notes_of(folder.path()).find("counts for nothing"), std::string::npos);
+}
+
+TEST(OpenRecording, WhatLiesBesideIsNoted) {
+  const TemporaryFolder folder;
+  folder.write("in/a.bin", kitti_scan(1));
+  const auto sink = make_scan_sink(folder.path() / "in" / "b.mcap", ScanFormat::mcap);
+  sink->add(*read_all(folder.path() / "in").front().scan);
+  sink->finish();
+  const std::string scans = notes_of(folder.path() / "in");
+  EXPECT_NE(scans.find("not read: 1 bag in the same folder"), std::string::npos) << scans;
+  // A folder that rosbag2 made is its bag.
+  folder.write("in/metadata.yaml", "rosbag2_bagfile_information:\n");
+  EXPECT_NE(open_recording(folder.path() / "in")->description().find("MCAP"), std::string::npos);
+  const std::string bag = notes_of(folder.path() / "in");
+  EXPECT_NE(bag.find("not read: 1 scan file in the same folder"), std::string::npos) << bag;
+  std::filesystem::create_directory(folder.path() / "two");
+  for (const char* name : {"x.mcap", "y.mcap"}) {
+    std::filesystem::copy_file(folder.path() / "in" / "b.mcap", folder.path() / "two" / name);
+  }
+  const std::string parts = notes_of(folder.path() / "two");
+  EXPECT_NE(parts.find("2 bags are read as parts of one recording, x.mcap first"),
+            std::string::npos)
+      << parts;
+}
+
+}  // namespace
+}  // namespace surefoot::io
