@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -32,14 +31,10 @@ constexpr int kMostScans = 100'000;  // nearly three hours; the motion is held i
 struct SimulateArguments {
   recordings::RecordingRequest request;
   double duration = 0.0;
-  std::vector<std::string> formats = {"pcd"};
-  std::vector<double> mount;
-  std::vector<double> tilt_deg;
   std::string output;
   std::string picture;
   std::string animation;
   bool list = false;
-  bool no_footprint = false;
   bool quiet = false;
 };
 
@@ -62,29 +57,6 @@ bool draw([[maybe_unused]] const SimulateArguments& arguments) {
 #else
   throw std::runtime_error("--picture, --animation: this program was built without pictures");
 #endif
-}
-
-void complete_request(SimulateArguments& arguments) {
-  recordings::RecordingRequest& request = arguments.request;
-  if (arguments.duration > 0.0) {
-    const double turn = 1e-9 * simulation::lidar_model(request.lidar).turn_ns;
-    request.scans = static_cast<std::uint64_t>(std::ceil(arguments.duration / turn - 1e-9));
-  }
-  if (!arguments.mount.empty()) {
-    request.mount_offset = Eigen::Vector3d::Map(arguments.mount.data());
-  }
-  if (!arguments.tilt_deg.empty()) {
-    request.mount_tilt_deg = Eigen::Vector3d::Map(arguments.tilt_deg.data());
-  }
-  request.footprint = !arguments.no_footprint;
-  const auto wanted = [&](const char* format) {
-    return std::find(arguments.formats.begin(), arguments.formats.end(), format) !=
-           arguments.formats.end();
-  };
-  request.format.pcd = wanted("pcd");
-  request.format.pcap = wanted("pcap");
-  request.format.mcap = wanted("mcap");
-  request.format.rosbag2 = wanted("rosbag2");
 }
 
 void simulate(const SimulateArguments& arguments, int& exit_code) {
@@ -125,12 +97,17 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--lidar", request.lidar, "Sensor")
       ->check(CLI::IsMember(simulation::lidar_names()))
       ->capture_default_str();
-  command.add_option("--mount", arguments.mount, "LiDAR in the body's frame: x y z [m]")
-      ->expected(3)
-      ->check(command_line::number_within(-5.0, 5.0));
-  command.add_option("--tilt", arguments.tilt_deg, "LiDAR's roll pitch yaw on the body [deg]")
-      ->expected(3)
-      ->check(command_line::number_within(-180.0, 180.0));
+  const auto vector = [&](const char* flag, Eigen::Vector3d& value, double most, const char* help) {
+    command
+        .add_option_function<std::vector<double>>(
+            flag,
+            [&value](const std::vector<double>& xyz) { value = Eigen::Vector3d::Map(xyz.data()); },
+            help)
+        ->expected(3)
+        ->check(command_line::number_within(-most, most));
+  };
+  vector("--mount", request.mount_offset, 5.0, "LiDAR in the body's frame: x y z [m]");
+  vector("--tilt", request.mount_tilt_deg, 180.0, "LiDAR's roll pitch yaw on the body [deg]");
   command.add_flag("--dual", request.dual_return, "Two returns: the strongest and the last");
   command.add_flag("--body", request.robot_body, "The robot's own body is in view");
   const auto share = [&](const char* flag, double& value, const char* help) {
@@ -143,8 +120,9 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--people", request.people, "Who go with the robot and stop in front of it")
       ->check(CLI::Range(0, 20))
       ->capture_default_str();
-  command.add_flag("--no-footprint", arguments.no_footprint,
-                   "One ray a beam: faster, no mixed pixels");
+  command.add_flag_callback(
+      "--no-footprint", [&request] { request.footprint = false; },
+      "One ray a beam: faster, no mixed pixels");
 }
 
 void add_output_options(CLI::App& command, SimulateArguments& arguments) {
@@ -164,8 +142,10 @@ void add_output_options(CLI::App& command, SimulateArguments& arguments) {
           "Buildings, ground, ramps, stairs, route; absent: the seed. 1: as without layouts")
       ->check(command_line::whole_number(0));
   command
-      .add_option("--format", arguments.formats,
-                  "pcd, pcap (VLP-16 packets), mcap, rosbag2 (both ROS 2), or several with commas")
+      .add_option_function<std::vector<std::string>>(
+          "--format",
+          [&request](const std::vector<std::string>& names) { request.format.choose(names); },
+          "pcd, pcap (VLP-16 packets), mcap, rosbag2 (both ROS 2), or several with commas")
       ->delimiter(',')
       ->check(CLI::IsMember({"pcd", "pcap", "mcap", "rosbag2"}));
   command.add_flag("--true-points", request.format.true_points,
@@ -193,7 +173,10 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->callback([arguments, &exit_code] {
     if (arguments->list) return list_scenes();
     if (arguments->request.scene.empty()) throw CLI::RequiredError("SCENE (or --list)");
-    complete_request(*arguments);
+    recordings::RecordingRequest& request = arguments->request;
+    if (arguments->duration > 0.0) {
+      request.scans = recordings::scans_in(arguments->duration, request);
+    }
     if (draw(*arguments)) return;
     if (arguments->output.empty()) throw CLI::RequiredError("-o OUT");
     simulate(*arguments, exit_code);

@@ -3,6 +3,7 @@
 #include "recordings/recording_maker.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -24,6 +25,11 @@ simulation::GaitModel gait_of(const RecordingRequest& request, const simulation:
 Pose mount_of(const RecordingRequest& request) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   return {from_roll_pitch_yaw(kDegree * request.mount_tilt_deg), request.mount_offset};
+}
+
+std::uint64_t scans_in(double duration, const RecordingRequest& request) {
+  const double turn = 1e-9 * simulation::lidar_model(request.lidar).turn_ns;
+  return static_cast<std::uint64_t>(std::ceil(duration / turn - 1e-9));
 }
 
 simulation::ScannerOptions scanner_options_of(const RecordingRequest& request) {

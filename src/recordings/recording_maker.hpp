@@ -46,6 +46,8 @@ struct RecordingRequest {
                                             const simulation::Scene& scene);
 /// T_body_lidar.
 [[nodiscard]] Pose mount_of(const RecordingRequest& request);
+/// So many of the request's LiDAR cover the duration [s].
+[[nodiscard]] std::uint64_t scans_in(double duration, const RecordingRequest& request);
 [[nodiscard]] simulation::ScannerOptions scanner_options_of(const RecordingRequest& request);
 
 /// Makes the recording in `folder`; on_scan is told after each scan and stops it with false.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -17,6 +18,16 @@
 namespace surefoot::recordings {
 
 namespace fs = std::filesystem;
+
+void RecordingFormat::choose(const std::vector<std::string>& names) {
+  const auto named = [&](const char* format) {
+    return std::find(names.begin(), names.end(), format) != names.end();
+  };
+  pcd = named("pcd");
+  pcap = named("pcap");
+  mcap = named("mcap");
+  rosbag2 = named("rosbag2");
+}
 
 RecordingWriter::RecordingWriter(const fs::path& folder, const RecordingFormat& format,
                                  const simulation::ScannerOptions& options)

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "io/scan_sink.hpp"
@@ -27,6 +28,9 @@ struct RecordingFormat {
   bool mcap = false;         ///< ROS 2 messages, PointCloud2
   bool rosbag2 = false;      ///< the same in a sqlite3 bag
   bool true_points = false;  ///< PCD: x y z in the map, and the point's label as intensity
+
+  /// Of these four names those and no others.
+  void choose(const std::vector<std::string>& names);
 };
 
 class RecordingWriter {
