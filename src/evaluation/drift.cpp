@@ -10,6 +10,8 @@ namespace surefoot::evaluation {
 namespace {
 
 constexpr double kLongestStep = 3.0;  // in median steps; a longer one is a hole
+// [m] Who went less far did not move: a truth's last digits are no way to have a share of.
+constexpr double kShortestPath = 0.01;
 
 std::int64_t median_step_ns(const Trajectory& trajectory) {
   std::vector<std::int64_t> steps;
@@ -36,18 +38,22 @@ std::vector<double> path_lengths(const Trajectory& trajectory) {
   return lengths;
 }
 
+EndDrift drift_of(const Eigen::Vector3d& error, double path_length) {
+  EndDrift drift;
+  drift.path_length = path_length;
+  drift.total = error.norm();
+  drift.horizontal = error.head<2>().norm();
+  drift.vertical = error.z();
+  drift.percent = path_length < kShortestPath ? 0.0 : 100.0 * drift.total / path_length;
+  return drift;
+}
+
 EndDrift end_drift(const AssociatedTrajectories& pairs) {
   const Pose estimate_motion = pairs.estimate.front().pose.inverse() * pairs.estimate.back().pose;
   const Eigen::Vector3d estimated_end =
       (pairs.reference.front().pose * estimate_motion).translation;
   const Eigen::Vector3d error = estimated_end - pairs.reference.back().pose.translation;
-  EndDrift drift;
-  drift.path_length = path_lengths(pairs.reference).back();
-  drift.total = error.norm();
-  drift.horizontal = error.head<2>().norm();
-  drift.vertical = error.z();
-  drift.percent = drift.path_length > 0.0 ? 100.0 * drift.total / drift.path_length : 0.0;
-  return drift;
+  return drift_of(error, path_lengths(pairs.reference).back());
 }
 
 double coverage(const Trajectory& reference, const Trajectory& estimate, double offset) {

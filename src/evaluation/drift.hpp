@@ -19,8 +19,10 @@ struct EndDrift {
   double total = 0.0;        ///< [m]
   double horizontal = 0.0;   ///< [m] in the reference's world frame
   double vertical = 0.0;     ///< [m] signed: positive if the estimate ends too high
-  double percent = 0.0;      ///< total in % of path_length; 0 for a path of no length
+  double percent = 0.0;      ///< total in % of path_length; 0 for who did not move
 };
+/// From the error's three parts and the length of the reference's path.
+[[nodiscard]] EndDrift drift_of(const Eigen::Vector3d& error, double path_length);
 [[nodiscard]] EndDrift end_drift(const AssociatedTrajectories& pairs);
 
 /// Share of the reference's time [0, 1] during which there is an estimate. Between two poses of the

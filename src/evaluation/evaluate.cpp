@@ -72,14 +72,7 @@ EndDrift drift_of_positions(const AssociatedTrajectories& pairs) {
   const auto way = [](const Trajectory& trajectory) -> Eigen::Vector3d {
     return trajectory.back().pose.translation - trajectory.front().pose.translation;
   };
-  const Eigen::Vector3d error = way(pairs.estimate) - way(pairs.reference);
-  EndDrift drift;
-  drift.path_length = path_lengths(pairs.reference).back();
-  drift.total = error.norm();
-  drift.horizontal = error.head<2>().norm();
-  drift.vertical = error.z();
-  drift.percent = drift.path_length > 0.0 ? 100.0 * drift.total / drift.path_length : 0.0;
-  return drift;
+  return drift_of(way(pairs.estimate) - way(pairs.reference), path_lengths(pairs.reference).back());
 }
 
 void check_alignment(const EvaluationOptions& options) {

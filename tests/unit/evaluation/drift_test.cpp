@@ -31,6 +31,16 @@ TEST(EndDrift, IsTakenWithTheFirstPosesMadeToCoincide) {
 TEST(EndDrift, OfARunThatDoesNotMove) {
   const Trajectory standing = straight_walk(5, 0.0);
   EXPECT_DOUBLE_EQ(end_drift({standing, standing}).percent, 0.0);
+  // A truth that trembles in its last digits has gone nowhere either.
+  Trajectory moved = standing;
+  moved.back().pose.translation.x() += 0.001;
+  Trajectory trembling = standing;
+  for (std::size_t i = 0; i < trembling.size(); ++i) {
+    trembling[i].pose.translation.y() += 1e-9 * static_cast<double>(i);
+  }
+  const EndDrift drift = end_drift({trembling, moved});
+  EXPECT_NEAR(drift.total, 0.001, 1e-6);
+  EXPECT_DOUBLE_EQ(drift.percent, 0.0);
 }
 
 TEST(PathLengths, AreSummed) {
