@@ -26,8 +26,10 @@ constexpr Signs kNothing{
 constexpr std::array<double Signs::*, 5> kSigns = {
     &Signs::misfit, &Signs::unseen, &Signs::unconverged, &Signs::contradiction, &Signs::motion};
 
+// A sign counts up to so many times the usual (logarithm: 55 times), and no more beyond.
 constexpr double kMost = 4.0;
 
+// The pose is held against those of so many scans before: Estimate::wrong_probability.
 constexpr std::size_t kScans = 10;
 
 /// Counts what beams answer about points.

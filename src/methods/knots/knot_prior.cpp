@@ -6,6 +6,7 @@ namespace surefoot {
 
 namespace {
 
+// [m/s, rad/s] What a walker may do of whom nothing is known: standard deviations.
 const Twist kUnknownVelocity = (Twist() << 1.0, 1.0, 0.3, 0.5, 0.5, 0.7).finished();
 // Of the first pose, which defines the map's frame: as good as fixed, and still invertible.
 constexpr double kFixed = 1e-3;  // [m, rad]
