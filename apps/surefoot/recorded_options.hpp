@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// What a run was told besides its parameters, from the command line into run.yaml and back. Every
-// option of the command is covered, also those that are added some day, except the ones named in
-// recorded_options.cpp.
+// What a run was told besides its parameters, from the command line into run.yaml and back.
 #pragma once
 
 #include <CLI/App.hpp>
