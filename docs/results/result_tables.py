@@ -252,11 +252,32 @@ def independence_ratio(part):
     return f"{statistics.geometric_mean(ratios):.2f}"
 
 
+def independence_compared(name):
+    """A recording a row: what the APE is with one and with three of ten."""
+    kept = Results(name)
+    before, now = kept.methods
+    rows = [[one, kept.text(one, before), kept.text(one, now)] for one in kept.recordings]
+    return made_by(markdown(["recording", "0.1: APE [m]", "0.3"], rows), kept)
+
+
+def independence_among(name):
+    """Geometric mean of what an APE became, where both runs are whole, and its largest."""
+    kept = Results(name)
+    before, now = kept.methods
+    pairs = [(kept.value(one, before), kept.value(one, now)) for one in kept.recordings]
+    ratios = [after / least for least, after in pairs if least and after]
+    return f"{statistics.geometric_mean(ratios):.2f} ({max(ratios):.2f} at most)"
+
+
 TABLES = {
     "independence": independence,
     "independence-ape": lambda: independence_ratio(""),
     "independence-stairs": lambda: independence_ratio("stairwell-trot"),
     "independence-hilltop": lambda: independence_ratio("hilltop"),
+    "independence-whole": lambda: independence_compared("independence_whole"),
+    "independence-whole-ratio": lambda: independence_among("independence_whole"),
+    "independence-in-motion": lambda: independence_compared("independence_begun_in_motion"),
+    "independence-in-motion-ratio": lambda: independence_among("independence_begun_in_motion"),
     "tuning": tuning,
     "tuning-campus": tuning_campus,
     "time-median": lambda: f"{wall_time(1, 1):.1f}",
