@@ -14,8 +14,13 @@ namespace {
 
 constexpr int kSteps = 4;       // to each side
 constexpr double kStep = 3.0;   // [m] what a registration finds its way over
-constexpr double kAside = 1.5;  // [m] less is the same place
+constexpr double kApart = 1.5;  // [m] less is the same place
 constexpr std::size_t kSlidRefined = 8;
+
+bool elsewhere(const SubmapAlignment& alignment, const Pose& fit) {
+  const Eigen::Vector3d moved = alignment.T_target_source.translation - fit.translation;
+  return moved.head<2>().norm() > kApart;
+}
 
 /// Registrations from starts on a grid about where the places fit, those that look best.
 std::vector<SubmapAlignment> slid_about(const Pose& fit, const RegistrationSubmap& place,
@@ -26,8 +31,7 @@ std::vector<SubmapAlignment> slid_about(const Pose& fit, const RegistrationSubma
       Pose start = fit;
       start.translation += kStep * Eigen::Vector3d(x, y, 0.0);
       const SubmapAlignment rough = align_roughly(place, seen, start);
-      const Eigen::Vector3d moved = rough.T_target_source.translation - fit.translation;
-      if (moved.head<2>().norm() > kAside) found.push_back(rough);
+      if (elsewhere(rough, fit)) found.push_back(rough);
     }
   }
   std::stable_sort(found.begin(), found.end(),
@@ -59,8 +63,7 @@ double overlap_slid(const LoopCheck& check, const VerifiableSubmap& place,
   const Pose& fit = check.alignment.T_target_source;
   double most = 0.0;
   for (const SubmapAlignment& slid : slid_about(fit, place.registration(), seen.registration())) {
-    const Eigen::Vector3d moved = slid.T_target_source.translation - fit.translation;
-    if (moved.head<2>().norm() < kAside) continue;
+    if (!elsewhere(slid, fit)) continue;
     most = std::max(
         most, overlap_between(place.registration(), seen.registration(), slid.T_target_source));
   }

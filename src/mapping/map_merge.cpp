@@ -81,21 +81,6 @@ bool allows(const Loop& loop, const std::vector<Piece>& pieces, const Pose& T_fi
 
 bool taken(const Loop& loop) { return loop.check.verdict == LoopVerdict::taken; }
 
-/// Two places of the first map that fit one of the second tell nothing if they lie apart.
-void refuse_ambiguous(std::size_t begin, const std::vector<Piece>& pieces,
-                      std::vector<Loop>& loops) {
-  std::vector<std::size_t> ambiguous;
-  for (std::size_t a = begin; a < loops.size(); ++a) {
-    for (std::size_t b = begin; b < loops.size(); ++b) {
-      if (a != b && taken(loops[a]) && taken(loops[b]) &&
-          !allows(loops[a], pieces, claimed(loops[b], pieces))) {
-        ambiguous.push_back(a);
-      }
-    }
-  }
-  for (const std::size_t loop : ambiguous) loops[loop].check.verdict = LoopVerdict::ambiguous;
-}
-
 /// Whether the two places would fit otherwise as well.
 bool looks_alike(const LoopCheck& check, const VerifiableSubmap& place,
                  const VerifiableSubmap& seen, const MergeOptions& options) {
@@ -110,7 +95,6 @@ std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOp
   std::vector<Loop> loops;
   for (std::size_t query = maps.first(); query < maps.pieces().size(); ++query) {
     const auto seen = maps.submap(query);
-    const std::size_t begin = loops.size();
     for (const PlaceIndex::Match& match :
          distinct_places(index, first.pieces, seen->submap(), options.candidates)) {
       const auto place = maps.submap(match.place);
@@ -124,7 +108,6 @@ std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOp
       }
       loops.push_back(loop);
     }
-    refuse_ambiguous(begin, maps.pieces(), loops);
   }
   return loops;
 }

@@ -76,6 +76,14 @@ struct DeskewSample {
   std::vector<float> times;               ///< within the sweep, 0 to 1
 };
 
+/// A place that the run compared with one where it had been before.
+struct ReportLoop {
+  std::size_t scan = 0;   ///< its place in the run's ScanTable
+  std::size_t place = 0;  ///< of where it had been, likewise
+  std::string verdict;    ///< as in loops.csv: "taken", or what it was refused for
+  std::string why;        ///< the verdict in a sentence
+};
+
 /// Poses are given in the frame in which runs are shown: the truth's world where there is a truth,
 /// the run's own map otherwise. z is up.
 struct ReportRun {
@@ -89,6 +97,8 @@ struct ReportRun {
   std::optional<RunEvaluation> evaluation;
   MapCloud map;
   std::vector<DeskewSample> deskewing;
+  std::vector<ReportLoop> loops;
+  std::vector<std::optional<Pose>> corrected;  ///< by the loops, one a scan; empty: none is known
 };
 
 struct ReportRecording {

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 2;
+constexpr int kFormatVersion = 3;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 void expect_length(const char* what, std::size_t seen, std::size_t expected) {
@@ -140,6 +140,26 @@ Json deskewing_json(const DeskewSample& sample) {
           {"times", base64_of(std::span<const std::uint8_t>(times))}};
 }
 
+Json loops_json(const ReportRun& run) {
+  Json json = Json::array();
+  for (const ReportLoop& loop : run.loops) {
+    json.push_back(
+        {{"scan", loop.scan}, {"place", loop.place}, {"verdict", loop.verdict}, {"why", loop.why}});
+  }
+  return json;
+}
+
+/// The poses after all loops; null where no loop moved them.
+Json corrected_json(const ReportRun& run) {
+  if (run.corrected.empty()) return nullptr;
+  expect_length("corrected poses", run.corrected.size(), run.scans.size());
+  PoseSeries poses;
+  for (const std::optional<Pose>& pose : run.corrected) poses.add(pose);
+  Json json = Json::object();
+  poses.put_into(json);
+  return json;
+}
+
 Json run_json(const ReportRun& run, std::int64_t start_ns, std::size_t map_points) {
   expect_length("poses", run.poses.size(), run.scans.size());
   PoseSeries poses;
@@ -153,7 +173,9 @@ Json run_json(const ReportRun& run, std::int64_t start_ns, std::size_t map_point
                {"path", Json::object()},
                {"evaluation", evaluation_json(run.evaluation, start_ns)},
                {"map", map_json(run.map, map_points)},
-               {"deskewing", Json::array()}};
+               {"deskewing", Json::array()},
+               {"loops", loops_json(run)},
+               {"corrected", corrected_json(run)}};
   poses.put_into(json["path"]);
   for (const DeskewSample& sample : run.deskewing) {
     if (!sample.times.empty()) json["deskewing"].push_back(deskewing_json(sample));

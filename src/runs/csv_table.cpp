@@ -35,8 +35,8 @@ std::vector<std::string> csv_fields(std::string_view line) {
 std::size_t CsvTable::column(std::string_view name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    throw ReadError(
-        fmt::format("{}: line 1: no column '{}'; expected a run's scans.csv", file, name));
+    throw ReadError(fmt::format(
+        "{}: line 1: no column '{}'; expected a table as surefoot run writes it", file, name));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -49,7 +49,8 @@ CsvTable read_csv_table(const std::filesystem::path& file) {
   io::LineReader lines(text);
   std::string_view line;
   if (!lines.next(line)) {
-    throw ReadError(file.string() + ": its header line cannot be read; expected a run's scans.csv");
+    throw ReadError(file.string() +
+                    ": its header line cannot be read; expected a table as surefoot run writes it");
   }
   CsvTable table{file.string(), csv_fields(line), {}};
   while (lines.next(line)) {

@@ -6,7 +6,11 @@
 
 #include <numbers>
 
+#include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
+#include "io/recording.hpp"
+#include "runs/csv_table.hpp"
+#include "runs/scans_csv.hpp"
 
 namespace surefoot::runs {
 
@@ -51,6 +55,30 @@ std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth)
     text += fmt::format(",{}\n", mapping::explain(loop.check.verdict));
   }
   return text;
+}
+
+std::vector<report::ReportLoop> read_loops_csv(const std::filesystem::path& file,
+                                               const report::ScanTable& scans) {
+  const CsvTable table = read_csv_table(file);
+  const std::size_t verdict = table.column("verdict");
+  const std::size_t why = table.column("why");
+  const std::size_t stamp = table.column("stamp");
+  const std::size_t place_stamp = table.column("place_stamp");
+  const auto scan_at = [&](std::size_t row, std::size_t column) {
+    const std::string& field = table.rows[row][column];
+    const auto stamp_ns = io::parse_decimal_seconds(field);
+    if (!stamp_ns) {
+      throw io::ReadError(fmt::format("{}: line {}: {} is {}, no number", table.file, csv_line(row),
+                                      table.names[column], io::in_quotes(field)));
+    }
+    return nearest_scan(scans, *stamp_ns);
+  };
+  std::vector<report::ReportLoop> loops;
+  for (std::size_t row = 0; scans.size() > 0 && row < table.rows.size(); ++row) {
+    loops.push_back({scan_at(row, stamp), scan_at(row, place_stamp), table.rows[row][verdict],
+                     table.rows[row][why]});
+  }
+  return loops;
 }
 
 std::string join_csv_header() {

@@ -5,16 +5,24 @@
 // it was taken or refused.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "mapping/map_merge.hpp"
 #include "mapping/walk_mapper.hpp"
+#include "report/report.hpp"
 #include "runs/loop_truth.hpp"
 
 namespace surefoot::runs {
 
 /// The whole file. `truth` may be null; then two columns are empty.
 [[nodiscard]] std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth);
+
+/// The file as a report shows it: places by the scans that are nearest to their stamps. Throws
+/// io::ReadError naming file and line.
+[[nodiscard]] std::vector<report::ReportLoop> read_loops_csv(const std::filesystem::path& file,
+                                                             const report::ScanTable& scans);
 
 /// The head of a file of places of one map that were compared with another's.
 [[nodiscard]] std::string join_csv_header();

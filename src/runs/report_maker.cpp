@@ -47,8 +47,10 @@ report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
 
 /// From the run's frame to the truth's.
 void move_run(const Pose& T_world_map, report::ReportRun& run) {
-  for (std::optional<Pose>& pose : run.poses) {
-    if (pose) pose = T_world_map * *pose;
+  for (std::vector<std::optional<Pose>>* poses : {&run.poses, &run.corrected}) {
+    for (std::optional<Pose>& pose : *poses) {
+      if (pose) pose = T_world_map * *pose;
+    }
   }
   const Eigen::Matrix3f R = T_world_map.rotation.toRotationMatrix().cast<float>();
   const Eigen::Vector3f t = T_world_map.translation.cast<float>();
@@ -103,6 +105,8 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   run.poses = std::move(read.poses);
   run.map = std::move(read.map);
   run.deskewing = std::move(read.deskewing);
+  run.loops = std::move(read.loops);
+  run.corrected = std::move(read.corrected);
   run.name = !name.empty() ? name : read.method.empty() ? name_of(folder) : read.method;
   const bool taken =
       std::any_of(report_.runs.begin(), report_.runs.end(), [&](const report::ReportRun& other) {

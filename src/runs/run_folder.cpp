@@ -8,6 +8,7 @@
 #include "io/recording.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/deskew_samples.hpp"
+#include "runs/loops_csv.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_yaml.hpp"
 #include "runs/scans_csv.hpp"
@@ -111,6 +112,18 @@ std::vector<std::optional<Pose>> read_poses(const fs::path& file, const report::
   return poses;
 }
 
+/// What loops.csv and the trajectory after all loops tell, where loops were closed.
+void read_loops(const fs::path& folder, RunFolder& run) {
+  if (!fs::exists(folder / kLoopsFile) || !fs::exists(folder / kOptimizedTrajectoryFile)) return;
+  run.loops = read_loops_csv(folder / kLoopsFile, run.scans);
+  // Where a map was gone on with, the corrected poses are in that map's frame.
+  if (fs::exists(folder / kMapLoopsFile) || run.scans.size() == 0) return;
+  run.corrected.resize(run.scans.size());
+  for (const StampedPose& pose : io::read_tum(folder / kOptimizedTrajectoryFile)) {
+    run.corrected[nearest_scan(run.scans, pose.stamp_ns)] = pose.pose;
+  }
+}
+
 }  // namespace
 
 RunFolder read_run_folder(const fs::path& folder) {
@@ -127,6 +140,7 @@ RunFolder read_run_folder(const fs::path& folder) {
   run.scans = read_scans_csv(folder / kScansFile);
   run.poses = read_poses(folder / kKittiTrajectoryFile, run.scans);
   run.measured = io::read_tum(folder / kTrajectoryFile);
+  read_loops(folder, run);
   if (fs::exists(folder / kMapFile)) {
     run.map = read_map(folder / kMapFile);
   } else {

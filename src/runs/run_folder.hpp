@@ -26,6 +26,8 @@ struct RunFolder {
   Trajectory measured;                          ///< trajectory.tum
   report::MapCloud map;                         ///< in the map frame
   std::vector<report::DeskewSample> deskewing;  ///< likewise
+  std::vector<report::ReportLoop> loops;
+  std::vector<std::optional<Pose>> corrected;  ///< by the loops, as `poses`; empty: not known
 };
 
 /// Throws io::ReadError if scans.csv, trajectory_kitti.txt or trajectory.tum is missing or

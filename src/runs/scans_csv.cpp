@@ -237,6 +237,14 @@ report::ScanTable read_scans_csv(const std::filesystem::path& file) {
   return scans;
 }
 
+std::size_t nearest_scan(const report::ScanTable& scans, std::int64_t stamp_ns) {
+  const std::vector<std::int64_t>& stamps = scans.stamps_ns;
+  const auto after = std::lower_bound(stamps.begin(), stamps.end(), stamp_ns);
+  if (after == stamps.begin()) return 0;
+  const bool before = after == stamps.end() || stamp_ns - *(after - 1) < *after - stamp_ns;
+  return static_cast<std::size_t>(after - stamps.begin()) - (before ? 1 : 0);
+}
+
 std::map<std::string, std::size_t> count_statuses(const report::ScanTable& scans) {
   std::map<std::string, std::size_t> counts;
   for (const std::string& status : scans.statuses) ++counts[status];

@@ -37,6 +37,8 @@ struct ScanRow {
 /// io::ReadError naming file, line and column.
 [[nodiscard]] report::ScanTable read_scans_csv(const std::filesystem::path& file);
 
+/// The scan whose stamp is nearest. There is one at least.
+[[nodiscard]] std::size_t nearest_scan(const report::ScanTable& scans, std::int64_t stamp_ns);
 /// How many scans had each status.
 [[nodiscard]] std::map<std::string, std::size_t> count_statuses(const report::ScanTable& scans);
 /// [ms] of every scan. Throws io::ReadError naming `file` if the table has none.

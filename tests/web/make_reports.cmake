@@ -18,6 +18,18 @@ surefoot(said run walk --quiet --output other --method paper)
 # Few points, as the browser draws without a graphics card.
 surefoot(said report run --output report.html --map-points 40000)
 surefoot(said report run other --output comparison.html --map-points 10000)
+# A run with loops, as `surefoot map` leaves it: the walk is too short for one of its own.
+file(COPY ${folder}/run/ DESTINATION ${folder}/looped)
+file(STRINGS ${folder}/run/trajectory.tum poses REGEX "^[^#]")
+list(GET poses 0 first)
+list(GET poses -1 last)
+string(REGEX REPLACE " .*" "" first "${first}")
+string(REGEX REPLACE " .*" "" last "${last}")
+file(WRITE ${folder}/looped/loops.csv
+  "stamp,place_stamp,verdict,why\n${last},${first},taken,every question was answered with yes\n"
+  "${last},${first},free_space,something stands where the other saw nothing\n")
+file(COPY_FILE ${folder}/looped/trajectory.tum ${folder}/looped/trajectory_optimized.tum)
+surefoot(said report looped --output looped.html --map-points 10000)
 surefoot(evaluation eval walk/gt.tum run/trajectory.tum --json)
 file(WRITE ${folder}/evaluation.json "${evaluation}")
 file(RENAME ${folder}/walk/gt.tum ${folder}/truth.tum)

@@ -93,6 +93,7 @@ function decodeRun(run, index) {
     errors: run.evaluation ? decodeAll(run.evaluation.errors) : null,
     map: decodeMap(run.map),
     deskewing: run.deskewing.map(decodeSample),
+    corrected: run.corrected && decodePoses(run.corrected),
   };
 }
 
@@ -106,7 +107,7 @@ function decodeRecording(recording) {
 
 export function readReport(text) {
   const report = JSON.parse(text);
-  if (report.format !== 2) throw new Error(`data of format ${report.format}; this page reads 2`);
+  if (report.format !== 3) throw new Error(`data of format ${report.format}; this page reads 3`);
   return {
     ...report,
     recordings: report.recordings.map(decodeRecording),

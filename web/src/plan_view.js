@@ -5,6 +5,7 @@
 // the way.
 import { interpolate, nearestIndex } from "./data.js";
 import { onResize } from "./dom.js";
+import { isTaken } from "./loops.js";
 import { fixed, niceStep } from "./numbers.js";
 import { pathShades, shadeColors } from "./path_shades.js";
 import { ends } from "./path_lines.js";
@@ -21,6 +22,7 @@ export const kFromAbove = {
   equal: true,
   shadow: [0, 1], // axes of the map
   ofRun: ({ path }) => [strided(path.positions, 0), strided(path.positions, 1)],
+  ofCorrected: ({ positions }) => [strided(positions, 0), strided(positions, 1)],
   ofTruth: (truth) => [strided(truth.positions, 0), strided(truth.positions, 1)],
 };
 
@@ -31,6 +33,7 @@ export const kAlongTheWay = {
   equal: false,
   shadow: null,
   ofRun: ({ path, lengths }) => [lengths, strided(path.positions, 2)],
+  ofCorrected: ({ positions }, { lengths }) => [lengths, strided(positions, 2)],
   ofTruth: (truth, { scans, lengths }) => [
     truth.times.map((time) => interpolate(scans.times, lengths, time)),
     strided(truth.positions, 2),
@@ -82,11 +85,14 @@ export class PlanView {
   }
 
   #layOut() {
-    const { equal, ofRun, ofTruth } = this.projection;
+    const { equal, ofRun, ofCorrected, ofTruth } = this.projection;
     const { truth } = this.context.recording();
     this.places = this.context.companions().map((run) => ({ run, at: ofRun(run) }));
-    this.truth = truth ? ofTruth(truth, this.context.run()) : null;
-    const all = [...this.places.map(({ at }) => at), ...(this.truth ? [this.truth] : [])];
+    const run = this.context.run();
+    this.truth = truth ? ofTruth(truth, run) : null;
+    this.corrected = run.corrected && ofCorrected(run.corrected, run);
+    const others = [this.truth, this.corrected].filter(Boolean);
+    const all = [...this.places.map(({ at }) => at), ...others];
     const inner = [
       this.width - kMargin.left - kMargin.right,
       this.height - kMargin.top - kMargin.bottom,
@@ -209,6 +215,7 @@ export class PlanView {
       this.#line(context, at, runColor(place), here ? 2.2 : 1.4);
       if (here) this.#shade(context, at);
     });
+    this.#drawLoops(context, run);
     this.#drawMarkers(context, run);
   }
 
@@ -223,6 +230,30 @@ export class PlanView {
       pen = !missing;
     }
     context.stroke();
+  }
+
+  /** Places that were compared, joined: refused ones thin, taken ones on top; and the way after all
+   * loops. */
+  #drawLoops(context, run) {
+    const [h, v] = this.#placesOf(run);
+    const join = (loops, style, width) => {
+      context.strokeStyle = style;
+      context.lineWidth = width;
+      context.beginPath();
+      for (const { scan, place } of loops) {
+        if ([h[scan], v[scan], h[place], v[place]].some(Number.isNaN)) continue;
+        context.moveTo(this.x(h[place]), this.y(v[place]));
+        context.lineTo(this.x(h[scan]), this.y(v[scan]));
+      }
+      context.stroke();
+    };
+    join(run.loops.filter((loop) => !isTaken(loop)), color("loop-refused"), 0.8);
+    if (this.corrected) {
+      context.setLineDash([7, 5]);
+      this.#line(context, this.corrected, color("loop-taken"), 1.6);
+      context.setLineDash([]);
+    }
+    join(run.loops.filter(isTaken), color("loop-taken"), 2);
   }
 
   /** The path that is looked at, coloured by what was chosen. */

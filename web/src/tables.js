@@ -3,6 +3,7 @@
 //
 // Figures in tables: how the runs compare, errors, scans to look at, facts and parameters.
 import { el } from "./dom.js";
+import { verdictsOf } from "./loops.js";
 import { fixed, grouped, quantile, significant } from "./numbers.js";
 import { describeStatus, gradeOf } from "./status.js";
 
@@ -168,6 +169,21 @@ function eventTable(run, store) {
   return table(`Scans with something to tell${more}`, ["Scan", "time [s]", "Status"], rows);
 }
 
+function loopTable(run) {
+  const rows = verdictsOf(run.loops).map(({ verdict, why, count }) => [
+    rowHead(verdict.replaceAll("_", " ")),
+    number(count, grouped(count)),
+    el("td", {}, why),
+  ]);
+  const result = table(
+    `${grouped(run.loops.length)} places compared with where the robot had been before`,
+    ["Verdict", "places", "because"],
+    rows,
+  );
+  result.id = "loops";
+  return result;
+}
+
 function parameterTable(run) {
   const rows = run.parameters.map(({ name, value, default: usual, unit, help }) => {
     const cell = el("td.number", {}, value);
@@ -234,6 +250,7 @@ export function addTables(page, context) {
     rest.replaceChildren(
       ...[
         folded("Scans to look at", false, eventTable(run, store)),
+        run.loops.length ? folded("Loops", true, loopTable(run)) : null,
         folded("About the run", true, facts(run), notes(run.notes)),
         run.parameters.length ? folded("Parameters", false, parameterTable(run)) : null,
       ].filter(Boolean),

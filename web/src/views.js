@@ -3,6 +3,7 @@
 //
 // The section with the views on path and map, and their controls.
 import { choice, el, toggle } from "./dom.js";
+import { isTaken } from "./loops.js";
 import { grouped, significant } from "./numbers.js";
 import { paletteGradient } from "./palette.js";
 import { pathShades, shadeChoices } from "./path_shades.js";
@@ -29,6 +30,9 @@ function pathLegend({ run, recording, companions }) {
     return el("li", { className: companion === run() ? "here" : "" }, swatch, companion.name);
   });
   if (recording().truth) items.push(el("li", {}, el("i.band"), "truth"));
+  if (run().corrected) items.push(el("li", {}, el("i.dashes"), "after loops"));
+  if (run().loops.some(isTaken)) items.push(el("li", {}, el("i.taken"), "loop"));
+  if (!run().loops.every(isTaken)) items.push(el("li", {}, el("i.refused"), "refused"));
   items.push(el("li", {}, el("i.start"), "start"), el("li", {}, el("i.end"), "end"));
   return items;
 }

@@ -4,7 +4,8 @@
 // A report as a reader meets it. Environment: SUREFOOT_TEST_REPORT, the page of one run with truth
 // and map; SUREFOOT_TEST_EVALUATION, what `surefoot eval --json` says of that run;
 // SUREFOOT_TEST_COMPARISON, the page of two runs of one recording; SUREFOOT_TEST_BARE, the page of
-// a run without map and truth; SUREFOOT_TEST_BROWSER, a Chromium.
+// a run without map and truth; SUREFOOT_TEST_LOOPED, the page of a run with a loop and a refused
+// one; SUREFOOT_TEST_BROWSER, a Chromium.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
@@ -213,5 +214,22 @@ test("does without map and truth", async () => {
   const opened = await open(browser, process.env.SUREFOOT_TEST_BARE);
   assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 10);
   assert.equal(await opened.page.$("#errors"), null);
+  assertQuiet(opened.complaints, opened.requests);
+});
+
+test("draws the loops of a run that closed some, and says why others were refused", async () => {
+  const plain = await open(browser, report);
+  const without = (await colorsOf(plain.page, ".top canvas")).text;
+  assert.equal(await plain.page.$("#loops"), null);
+  const opened = await open(browser, process.env.SUREFOOT_TEST_LOOPED);
+  assert.notEqual((await colorsOf(opened.page, ".top canvas")).text, without);
+  const rows = await opened.page.$$eval("#loops tbody tr", (all) =>
+    all.map((row) => row.textContent),
+  );
+  assert.equal(rows.length, 2);
+  assert.match(rows.join(), /taken1every question/);
+  assert.match(rows.join(), /free space1something stands/);
+  const legend = await opened.page.$eval(".views .legend", (list) => list.textContent);
+  assert.match(legend, /after loops.*loop.*refused/);
   assertQuiet(opened.complaints, opened.requests);
 });

@@ -106,6 +106,26 @@ TEST(ReportJson, PosesInMetresAndDegreesAndNoneForARejectedScan) {
   EXPECT_TRUE(std::isnan(positions[6]) && std::isnan(angles[8]));
 }
 
+TEST(ReportJson, LoopsJoinScansAndCorrectedPosesAreOnesOfThem) {
+  Report report = one_run();
+  EXPECT_TRUE(json::parse(to_json(report))["runs"][0]["corrected"].is_null());
+  report.runs[0].loops = {{2, 0, "taken", "yes"}, {1, 0, "free_space", "<no>"}};
+  report.runs[0].corrected = {Pose{}, std::nullopt,
+                              Pose{Eigen::Quaterniond::Identity(), {4, 5, 6}}};
+  const json run = json::parse(to_json(report))["runs"][0];
+  ASSERT_EQ(run["loops"].size(), 2U);
+  EXPECT_EQ(run["loops"][0]["scan"], 2);
+  EXPECT_EQ(run["loops"][0]["place"], 0);
+  EXPECT_EQ(run["loops"][1]["verdict"], "free_space");
+  EXPECT_EQ(run["loops"][1]["why"], "<no>");
+  const auto positions = numbers<float>(run["corrected"]["positions"]);
+  ASSERT_EQ(positions.size(), 9U);
+  EXPECT_TRUE(std::isnan(positions[3]));
+  EXPECT_EQ(positions[8], 6.0F);
+  report.runs[0].corrected.pop_back();
+  EXPECT_THROW((void)to_json(report), std::invalid_argument);
+}
+
 TEST(ReportJson, ScansKeepTheirWords) {
   const json scans = json::parse(to_json(one_run()))["runs"][0]["scans"];
   const auto status = numbers<std::uint32_t>(scans["status"]["numbers"]);
