@@ -4,7 +4,16 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 namespace surefoot::app {
+
+std::string place_in_map(const Pose& begin) {
+  const Eigen::Vector3d& t = begin.translation;
+  const double yaw = roll_pitch_yaw(begin.rotation).z() * 180.0 / std::numbers::pi;
+  return fmt::format("it begins at {:.1f}, {:.1f}, {:.1f} m, heading {:.0f} deg", t.x(), t.y(),
+                     t.z(), yaw);
+}
 
 void print_map_outcome(const runs::MapOutcome& outcome) {
   fmt::print(
@@ -17,9 +26,10 @@ void print_map_outcome(const runs::MapOutcome& outcome) {
   }
   if (!outcome.join || !outcome.join->joined) return;
   fmt::print(
-      "the map is continued: {} loops to it of {} places compared, {} places seen by both; {} "
-      "pieces of way in all\n",
-      outcome.join->taken, outcome.join->compared, outcome.join->near, outcome.join->pieces);
+      "the map is continued: {} loops to it of {} places compared, {} places seen by both; {}; "
+      "{} pieces of way in all\n",
+      outcome.join->taken, outcome.join->compared, outcome.join->near,
+      place_in_map(*outcome.join->begin), outcome.join->pieces);
 }
 
 bool say_if_apart(const runs::RunOutcome& outcome) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "map_outcome.hpp"
 #include "process/exit_codes.hpp"
 #include "runs/map_merge_run.hpp"
 
@@ -29,8 +30,8 @@ int merge(const MergeArguments& arguments) {
       runs::merge_saved_maps(arguments.maps, arguments.output, arguments.overwrite);
   for (const runs::MergedMap& map : outcome.maps) {
     if (map.joined) {
-      fmt::print("{}: joined by {} loops of {} places compared; {} places seen by both\n",
-                 map.path.string(), map.taken, map.compared, map.near);
+      fmt::print("{}: joined by {} loops of {} places compared; {} places seen by both; {}\n",
+                 map.path.string(), map.taken, map.compared, map.near, place_in_map(*map.begin));
     } else {
       fmt::print("{}: not joined, of {} places compared: {}\n", map.path.string(), map.compared,
                  map.message);

@@ -206,6 +206,12 @@ void fill_joint(const SavedMap& first, const SavedMap& second, const PoseGraph& 
 
 }  // namespace
 
+std::optional<Pose> MapJoin::begin() const {
+  const auto found = std::find_if(placed.begin(), placed.end(),
+                                  [](const std::optional<Pose>& pose) { return pose.has_value(); });
+  return found != placed.end() ? *found : std::nullopt;
+}
+
 MapJoin join_maps(const SavedMap& first, const SavedMap& second, const MergeOptions& options) {
   MapJoin join;
   join.first = first.pieces.size();

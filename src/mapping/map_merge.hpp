@@ -44,6 +44,9 @@ struct MapJoin {
   /// T_first_piece, one a piece of the second map; none: nothing holds it to the first.
   std::vector<std::optional<Pose>> placed;
   std::string message;  ///< where they could not be joined: why, in one sentence
+
+  /// T_first_piece of the earliest piece that is placed; none where they could not be joined.
+  [[nodiscard]] std::optional<Pose> begin() const;
 };
 
 /// Looks for the second map's places in the first, as strictly as for loops within a walk and,

@@ -50,8 +50,9 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
       if (map.joined) continue;
       mapping::MapJoin join = mapping::join_maps(joint, read[i + 1]);
       csv += join_csv(join, i + 2);
-      map = {map.path,   join.joint.has_value(), join.loops.size(),
-             join.taken, join.comparison.near,   join.message};
+      map = {map.path,    join.joint.has_value(), join.loops.size(),
+             join.taken,  join.comparison.near,   join.message,
+             join.begin()};
       if (!join.joint) continue;
       joint = std::move(*join.joint);
       more = true;

@@ -6,8 +6,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "surefoot/pose.hpp"
 
 namespace surefoot::runs {
 
@@ -15,10 +18,11 @@ namespace surefoot::runs {
 struct MergedMap {
   std::filesystem::path path;
   bool joined = false;
-  std::size_t compared = 0;  ///< places
-  std::size_t taken = 0;     ///< loops
-  std::size_t near = 0;      ///< places that both have seen
-  std::string message = {};  ///< why not
+  std::size_t compared = 0;        ///< places
+  std::size_t taken = 0;           ///< loops
+  std::size_t near = 0;            ///< places that both have seen
+  std::string message = {};        ///< why not
+  std::optional<Pose> begin = {};  ///< where it begins in the first map's frame
 };
 
 struct MergeOutcome {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "surefoot/pose.hpp"
+
 namespace surefoot::runs {
 
 /// Loops against the truth.
@@ -20,11 +22,12 @@ struct LoopScore {
 /// What came of the map that was to be continued.
 struct JoinOutcome {
   bool joined = false;
-  std::size_t compared = 0;  ///< places
-  std::size_t taken = 0;     ///< loops
-  std::size_t near = 0;      ///< places that both have seen
-  std::size_t pieces = 0;    ///< of the joint map
-  std::string message;       ///< why not
+  std::size_t compared = 0;        ///< places
+  std::size_t taken = 0;           ///< loops
+  std::size_t near = 0;            ///< places that both have seen
+  std::size_t pieces = 0;          ///< of the joint map
+  std::string message;             ///< why not
+  std::optional<Pose> begin = {};  ///< where the run begins in the map
 };
 
 struct MapOutcome {

@@ -56,8 +56,8 @@ void MapRun::join(const std::filesystem::path& folder, mapping::FinishedWalk& wa
                   MapOutcome& outcome) {
   const mapping::MapJoin join = walk.join(*continued_);
   io::write_whole_file(folder / kMapLoopsFile, join_csv_header() + join_csv(join, 2));
-  outcome.join = {join.joint.has_value(), join.loops.size(),        join.taken,
-                  join.comparison.near,   walk.map().pieces.size(), join.message};
+  outcome.join = {join.joint.has_value(),   join.loops.size(), join.taken,  join.comparison.near,
+                  walk.map().pieces.size(), join.message,      join.begin()};
 }
 
 void MapRun::write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,

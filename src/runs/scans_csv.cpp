@@ -200,8 +200,12 @@ report::ScanColumn numbers_of(const CsvTable& table, std::size_t column) {
 /// The whole table's lines, each column by its own `value`.
 std::string joined(const std::function<std::string(const Column&)>& value) {
   std::string line;
-  for (const Column& column : columns()) line += (line.empty() ? "" : ",") + value(column);
-  return line + '\n';
+  for (const Column& column : columns()) {
+    if (!line.empty()) line += ',';
+    line += value(column);
+  }
+  line += '\n';
+  return line;
 }
 
 }  // namespace

@@ -118,6 +118,8 @@ TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
     EXPECT_LT(so3_log(gap.rotation).norm(), 0.01) << "piece " << i;
   }
   EXPECT_TRUE(join.joint->pieces[join.first].restarted) << "no odometry leads there";
+  ASSERT_TRUE(join.begin());
+  EXPECT_EQ(join.begin()->translation, join.placed.front()->translation);
   EXPECT_EQ(parse_map(format_map(*join.joint)).pieces.size(), join.joint->pieces.size());
 }
 
@@ -142,6 +144,7 @@ TEST_F(MapMerge, OtherPlacesStayApart) {
   EXPECT_FALSE(join.joint);
   EXPECT_EQ(join.taken, 0U);
   EXPECT_FALSE(join.message.empty());
+  EXPECT_FALSE(join.begin());
   EXPECT_FALSE(join_maps(campus, SavedMap{}).joint);
   EXPECT_FALSE(join_maps(SavedMap{}, campus).joint);
 }
