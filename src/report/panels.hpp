@@ -18,6 +18,8 @@ inline constexpr Color kReference{0.16, 0.32, 0.62, 0.45};
 inline constexpr Color kStart{0.13, 0.40, 0.95};
 inline constexpr Color kEnd{1.0, 0.82, 0.10};
 inline constexpr Color kUntrusted{0.98, 0.56, 0.08, 0.4};
+inline constexpr Color kLoop{0.06, 0.54, 0.37};
+inline constexpr Color kRefusedLoop{0.47, 0.44, 0.39, 0.5};
 inline constexpr Color kHalo{1.0, 1.0, 1.0, 0.9};
 inline constexpr double kBandWidth = 26.0;       // of untrusted stretches of a path [px]
 inline constexpr double kReferenceWidth = 10.0;  // a band, so that the path can be seen on it [px]
@@ -33,6 +35,7 @@ struct DrawnRun {
   std::vector<bool> untrusted;  // as long as `path`
   std::vector<int> segments;    // likewise
   Trajectory reference;
+  DrawnLoops loops;
   std::span<const Eigen::Vector3f> map_points;  // may hold points that cannot be drawn
   Range map_x, map_y;  // where nearly all of the map's points are, empty ([0, 0]) without a map
   Range heights;       // z of the colour map

@@ -34,6 +34,20 @@ std::vector<Pixel> seen_from_above(const Trajectory& trajectory, const PlotArea&
   return pixels;
 }
 
+void draw_loops(Canvas& canvas, const DrawnLoops& loops, const PlotArea& area) {
+  const auto join = [&](const std::vector<DrawnLoops::Places>& all, const Stroke& stroke) {
+    for (const auto& [from, to] : all) {
+      const std::array<Pixel, 2> ends = {area.at(from.x(), from.y()), area.at(to.x(), to.y())};
+      canvas.line(ends, stroke);
+    }
+  };
+  join(loops.refused, {style::kRefusedLoop, 1.5});
+  if (!loops.taken.empty()) {
+    canvas.line(seen_from_above(loops.corrected, area), {style::kLoop, 2.5, LineStyle::dashed});
+  }
+  join(loops.taken, {style::kLoop, 3.0});
+}
+
 /// The way over ground up to each pose [m]: the path unrolled, whichever way it turns.
 std::vector<double> distances_along(const Trajectory& path) {
   std::vector<double> distances;
@@ -158,6 +172,7 @@ void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const D
   canvas.clip(top);
   canvas.image(draw_points(run.map_points, top_view(area), run.heights), top, 0.4);
   draw_path(canvas, seen_from_above(run.path, area), seen_from_above(run.reference, area), run);
+  draw_loops(canvas, run.loops, area);
   canvas.unclip();
   draw_axes(canvas, area, labels);
   draw_heading(canvas, top, "From above");

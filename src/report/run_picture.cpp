@@ -116,6 +116,13 @@ void draw_header(Canvas& canvas, const std::string& title, const DrawnRun& run) 
   if (!run.reference.empty()) {
     right = draw_entry(canvas, right, "reference", {style::kReference, style::kReferenceWidth});
   }
+  if (!run.loops.refused.empty()) {
+    right = draw_entry(canvas, right, "refused", {style::kRefusedLoop, 1.5});
+  }
+  if (!run.loops.taken.empty()) {
+    right = draw_entry(canvas, right, "loop", {style::kLoop, 3.0});
+    right = draw_entry(canvas, right, "after loops", {style::kLoop, 2.5, LineStyle::dashed});
+  }
   draw_entry(canvas, right, "estimate", {style::kPath, 4.5});
 }
 
@@ -140,6 +147,14 @@ DrawnRun prepare_run(const PictureInput& input) {
   }
   std::copy_if(input.reference.begin(), input.reference.end(), std::back_inserter(run.reference),
                [](const StampedPose& stamped) { return is_drawable_pose(stamped.pose); });
+  run.loops = input.loops;
+  const auto cannot_be_drawn = [](const DrawnLoops::Places& places) {
+    return !is_drawable(places.first) || !is_drawable(places.second);
+  };
+  std::erase_if(run.loops.taken, cannot_be_drawn);
+  std::erase_if(run.loops.refused, cannot_be_drawn);
+  std::erase_if(run.loops.corrected,
+                [](const StampedPose& stamped) { return !is_drawable_pose(stamped.pose); });
   run.map_points = input.map_points;
   find_map_ranges(run);
   return run;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "surefoot/trajectory.hpp"
@@ -18,6 +19,15 @@ namespace surefoot::report {
 inline constexpr int kPictureWidth = 2000;   // [px]
 inline constexpr int kPictureHeight = 1500;  // [px]
 
+/// Places that were compared with where the robot had been before [m, map frame], and the way after
+/// all loops.
+struct DrawnLoops {
+  using Places = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
+  std::vector<Places> taken;
+  std::vector<Places> refused;
+  Trajectory corrected;
+};
+
 /// What is drawn. Poses and points that are not finite, or farther than 1e9 m, are left out.
 struct PictureInput {
   std::string title = {};                            ///< UTF-8, one line
@@ -26,6 +36,7 @@ struct PictureInput {
   Trajectory reference = {};         ///< truth in the map frame, same clock; may be empty
   std::vector<bool> untrusted = {};  ///< one flag a pose of `trajectory`, or empty
   std::vector<int> segments = {};    ///< likewise; no line joins poses of different ones
+  DrawnLoops loops = {};             ///< drawn from above
 };
 
 /// Writes the picture as PNG or SVG, by the extension of `path`. The same input gives the same

@@ -60,6 +60,21 @@ void MapRun::join(const std::filesystem::path& folder, mapping::FinishedWalk& wa
                   walk.map().pieces.size(), join.message,      join.begin()};
 }
 
+report::DrawnLoops MapRun::drawn(const Trajectory& measured) const {
+  report::DrawnLoops drawn;
+  const std::vector<mapping::Piece>& pieces = mapper_.pieces();
+  for (const mapping::Loop& loop : mapper_.loops()) {
+    const bool taken = loop.check.verdict == mapping::LoopVerdict::taken;
+    (taken ? drawn.taken : drawn.refused)
+        .emplace_back(pieces[loop.place].T_world_piece.translation,
+                      pieces[loop.query].T_world_piece.translation);
+  }
+  for (const StampedPose& pose : measured) {
+    drawn.corrected.push_back({pose.stamp_ns, mapper_.correction(pose.stamp_ns) * pose.pose});
+  }
+  return drawn;
+}
+
 void MapRun::write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
                           mapping::MapBuilder map) const {
   map.correct([&](double time) {

@@ -14,6 +14,7 @@
 #include "mapping/map_file.hpp"
 #include "mapping/placed_scans.hpp"
 #include "mapping/walk_mapper.hpp"
+#include "report/run_picture.hpp"
 #include "runs/map_outcome.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/trajectory.hpp"
@@ -39,6 +40,9 @@ class MapRun {
   /// the run's own map is written as map_apart.surefoot. Throws io::WriteError.
   MapOutcome finish(const std::filesystem::path& folder, const Trajectory& measured,
                     mapping::MapBuilder map, bool save);
+
+  /// The loops as a picture shows them, in the run's own frame; after finish().
+  [[nodiscard]] report::DrawnLoops drawn(const Trajectory& measured) const;
 
   [[nodiscard]] const mapping::WalkMapper& mapper() const { return mapper_; }
 

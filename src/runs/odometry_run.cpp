@@ -128,7 +128,8 @@ RunOutcome OdometryRun::execute() {
   if (map_run_) finish_map(output);
   const RunDescription run = description(output);
   if (localization_) outcome_.localization = localization_->finish(outcome_.folder);
-  output.finish(options_, run, map_);
+  output.finish(options_, run, map_,
+                map_run_ ? map_run_->drawn(output.measured()) : report::DrawnLoops{});
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
   outcome_.poses = output.trajectory().size();
   write_page(outcome_.folder);

@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "io/files/ply_writer.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_truth.hpp"
 #include "runs/saved_map.hpp"
-#ifdef SUREFOOT_HAS_PICTURES
-#include "report/run_picture.hpp"
-#endif
 
 namespace surefoot::runs {
 
@@ -125,7 +123,7 @@ void write_map(const fs::path& folder, const mapping::MapBuilder& map) {
 }
 
 void RunOutput::finish(const RunOptions& options, const RunDescription& description,
-                       const mapping::MapBuilder& map) {
+                       const mapping::MapBuilder& map, [[maybe_unused]] report::DrawnLoops loops) {
   if (!options.no_map) write_map(folder_.path(), map);
   write_segments();
   const std::vector<report::DeskewSample> sweeps = samples_.samples();
@@ -135,9 +133,9 @@ void RunOutput::finish(const RunOptions& options, const RunDescription& descript
     const fs::path input = fs::absolute(options.input).lexically_normal();
     const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
     const std::string title = fmt::format("{}, method {}", name.string(), description.method);
-    report::draw_run_picture(
-        {title, trajectory_, map.points(), truth_of(options), untrusted_, segments_},
-        folder_.path() / kPictureFile);
+    report::draw_run_picture({title, trajectory_, map.points(), truth_of(options), untrusted_,
+                              segments_, std::move(loops)},
+                             folder_.path() / kPictureFile);
   }
 #endif
   write_run_yaml(folder_.path() / kDescriptionFile, description);

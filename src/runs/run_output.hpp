@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mapping/map_builder.hpp"
+#include "report/run_picture.hpp"
 #include "runs/deskew_samples.hpp"
 #include "runs/output_folder.hpp"
 #include "runs/run_options.hpp"
@@ -34,7 +35,7 @@ class RunOutput {
   void add_sample(const Scan& scan, const Estimate& estimate);
   /// map.ply, deskewing.ply, the picture and run.yaml.
   void finish(const RunOptions& options, const RunDescription& description,
-              const mapping::MapBuilder& map);
+              const mapping::MapBuilder& map, report::DrawnLoops loops);
 
   [[nodiscard]] const OutputFolder& folder() const { return folder_; }
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }

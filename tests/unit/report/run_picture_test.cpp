@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 
 // fontconfig keeps a few patterns of its font cache until the process ends.
 extern "C" const char* __lsan_default_suppressions();
@@ -192,6 +193,26 @@ TEST_F(RunPicture, ReferenceIsABandUnderThePath) {
   draw_run_picture({.title = "", .trajectory = walk(100), .reference = walk(100)},
                    folder_ / "same.png");
   EXPECT_GT(Image(folder_ / "same.png").count(middle, kPathColor), 500);
+}
+
+TEST_F(RunPicture, LoopsAreDrawnFromAbove) {
+  const Trajectory path = walk(100);
+  const auto places = [&](std::size_t from, std::size_t to) {
+    return std::pair(path[from].pose.translation, path[to].pose.translation);
+  };
+  const Rgb loop{15, 138, 94};
+  DrawnLoops loops;
+  loops.refused = {places(0, 60)};
+  loops.corrected = path;
+  draw_run_picture({.title = "", .trajectory = path, .loops = loops}, folder_ / "refused.png");
+  EXPECT_EQ(Image(folder_ / "refused.png").count(kTop, loop), 0) << "no loop has moved anything";
+  loops.taken = {places(0, 99),
+                 {Eigen::Vector3d::Zero(),
+                  Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())}};
+  draw_run_picture({.title = "", .trajectory = path, .loops = loops}, folder_ / "taken.png");
+  const Image image(folder_ / "taken.png");
+  EXPECT_GT(image.count(kTop, loop), 300);
+  EXPECT_EQ(image.count(kSide, loop), 0);
 }
 
 /// Up a ramp of a tenth that leads along y.
