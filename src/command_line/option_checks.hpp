@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -29,8 +30,9 @@ template <typename Choice>
 CLI::Option* add_choice(CLI::App& command, const std::string& flag, Choice& choice,
                         const std::string& help,
                         const std::vector<std::pair<std::string, Choice>>& words) {
-  std::vector<std::string> names;
-  for (const auto& [word, value] : words) names.push_back(word);
+  std::vector<std::string> names(words.size());
+  std::transform(words.begin(), words.end(), names.begin(),
+                 [](const auto& word) { return word.first; });
   const auto take = [&choice, words](const std::string& given) {
     for (const auto& [word, value] : words) {
       if (word == given) choice = value;

@@ -21,7 +21,7 @@ namespace surefoot::io {
 [[nodiscard]] inline std::string shell_word(std::string_view text) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+=:,@%";
-  const std::string line = printable(text);
+  std::string line = printable(text);
   if (!line.empty() && line.find_first_not_of(kPlain) == std::string::npos) return line;
   std::string word = "'";
   for (const char c : line) word += c == '\'' ? std::string("'\\''") : std::string(1, c);

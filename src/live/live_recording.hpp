@@ -53,6 +53,8 @@ class LiveRecording final : public io::Recording {
   /// Begins to receive.
   LiveRecording(std::unique_ptr<ScanStream> stream, LiveOptions options);
   ~LiveRecording() override;
+  LiveRecording(const LiveRecording&) = delete;
+  LiveRecording& operator=(const LiveRecording&) = delete;
 
   /// Waits for a scan; nothing once the stream has ended and all that waited was used. Throws what
   /// went wrong while receiving.

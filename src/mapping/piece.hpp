@@ -73,9 +73,9 @@ class PieceBuilder {
     std::uint16_t eye = 0;
   };
   struct Stand {
-    std::int64_t stamp_ns;
+    std::int64_t stamp_ns = 0;
     Pose pose;
-    double way;
+    double way = 0.0;
   };
 
   void begin(const PlacedScan& scan);
