@@ -101,6 +101,8 @@ export class LiveRun {
       figures: null,
       errors: null,
       deskewing: [],
+      loops: [],
+      corrected: null,
     };
   }
 
