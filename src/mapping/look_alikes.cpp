@@ -12,10 +12,10 @@ namespace surefoot::mapping {
 
 namespace {
 
-constexpr int kSteps = 4;       // to each side
-constexpr double kStep = 3.0;   // [m] what a registration finds its way over
-constexpr double kApart = 1.5;  // [m] less is the same place
-constexpr std::size_t kSlidRefined = 8;
+constexpr int kSteps = 4;                // to each side
+constexpr double kStep = 3.0;            // [m] what a registration finds its way over
+constexpr double kApart = 1.5;           // [m] less is the same place
+constexpr std::size_t kSlidRefined = 8;  // of all starts, the best ones
 
 bool elsewhere(const SubmapAlignment& alignment, const Pose& fit) {
   const Eigen::Vector3d moved = alignment.T_target_source.translation - fit.translation;

@@ -118,7 +118,7 @@ std::string_view explain(LoopVerdict verdict) {
     case LoopVerdict::other_storey:
       return "under a roof, and on another height";
     case LoopVerdict::ambiguous:
-      return "another place fits as well";
+      return "another place fits as well, or this one otherwise";
     case LoopVerdict::alone:
       return "no other loop agrees";
     case LoopVerdict::outvoted:

@@ -42,7 +42,7 @@ enum class LoopVerdict {
   free_space,       ///< something stands where the other one saw that there is nothing
   beyond_drift,     ///< the odometry cannot have gone so far astray
   other_storey,     ///< under a roof, and higher or lower by more than half a storey
-  ambiguous,        ///< another place fits as well
+  ambiguous,        ///< another place fits as well, or this one otherwise
   alone,            ///< no other loop agrees
   outvoted,         ///< more loops agree on something else
   strains,          ///< the odometry would have to be bent beyond its own bounds

@@ -4,8 +4,10 @@
 // surefoot report: which folders it takes, and what it says about the others.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/decimal_time.hpp"
 #include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
@@ -90,6 +92,32 @@ TEST_F(ReportCommand, TruthOfAnotherTimeIsToldAndLeftOut) {
   EXPECT_EQ(result.exit_code, 1) << result;
   EXPECT_NE(result.errors.find("not compared with the truth"), std::string::npos) << result;
   EXPECT_TRUE(data_of("page.html")["runs"][0]["evaluation"].is_null());
+}
+
+/// The way after loops is laid on the truth as the run's own is.
+TEST_F(ReportCommand, LoopsAndTheWayAfterThemAreShown) {
+  EXPECT_TRUE(data_of("run/report.html")["runs"][0]["corrected"].is_null());
+  const Trajectory measured = io::read_tum(path("run/trajectory.tum"));
+  fs::copy_file(path("run/trajectory.tum"), path("run/trajectory_optimized.tum"));
+  std::ofstream(path("run/loops.csv"))
+      << "stamp,place_stamp,verdict,why\n"
+      << io::format_seconds(measured.back().stamp_ns) << ','
+      << io::format_seconds(measured.front().stamp_ns) << ",taken,\"it fits, surely\"\n";
+  write_own_truth("truth.tum");
+  EXPECT_EQ(surefoot({"report", "run", "-o", "own.html"}).exit_code, 0);
+  EXPECT_EQ(surefoot({"report", "run", "--truth", "truth.tum", "-o", "page.html"}).exit_code, 0);
+  const nlohmann::json own = data_of("own.html")["runs"][0];
+  const nlohmann::json run = data_of("page.html")["runs"][0];
+  EXPECT_EQ(run["corrected"]["positions"], run["path"]["positions"]);
+  EXPECT_NE(run["corrected"]["positions"], own["corrected"]["positions"]);
+  ASSERT_EQ(run["loops"].size(), 1U);
+  EXPECT_EQ(run["loops"][0]["scan"], 5);
+  EXPECT_EQ(run["loops"][0]["place"], 0);
+  EXPECT_EQ(run["loops"][0]["why"], "it fits, surely");
+  // Of a map that was gone on with the corrected poses are in that map's frame.
+  std::ofstream(path("run/map_loops.csv")) << '\n';
+  EXPECT_EQ(surefoot({"report", "run", "-o", "on.html"}).exit_code, 0);
+  EXPECT_TRUE(data_of("on.html")["runs"][0]["corrected"].is_null());
 }
 
 TEST_F(ReportCommand, SeveralRunsOfOneRecordingHaveNamesOfTheirOwn) {

@@ -21,6 +21,7 @@ export const kFromAbove = {
   labels: ["x [m]", "y [m]"],
   equal: true,
   shadow: [0, 1], // axes of the map
+  loops: true,
   ofRun: ({ path }) => [strided(path.positions, 0), strided(path.positions, 1)],
   ofCorrected: ({ positions }) => [strided(positions, 0), strided(positions, 1)],
   ofTruth: (truth) => [strided(truth.positions, 0), strided(truth.positions, 1)],
@@ -32,6 +33,7 @@ export const kAlongTheWay = {
   labels: ["way [m]", "z [m]"],
   equal: false,
   shadow: null,
+  loops: false, // lines over the whole way say nothing
   ofRun: ({ path, lengths }) => [lengths, strided(path.positions, 2)],
   ofCorrected: ({ positions }, { lengths }) => [lengths, strided(positions, 2)],
   ofTruth: (truth, { scans, lengths }) => [
@@ -232,10 +234,11 @@ export class PlanView {
     context.stroke();
   }
 
-  /** Places that were compared, joined: refused ones thin, taken ones on top; and the way after all
-   * loops. */
+  /** The way after all loops, and from above the places that were compared, joined: refused ones
+   * thin, taken ones on top. */
   #drawLoops(context, run) {
     const [h, v] = this.#placesOf(run);
+    const shown = this.projection.loops ? run.loops : [];
     const join = (loops, style, width) => {
       context.strokeStyle = style;
       context.lineWidth = width;
@@ -247,13 +250,13 @@ export class PlanView {
       }
       context.stroke();
     };
-    join(run.loops.filter((loop) => !isTaken(loop)), color("loop-refused"), 0.8);
+    join(shown.filter((loop) => !isTaken(loop)), color("loop-refused"), 0.8);
     if (this.corrected) {
       context.setLineDash([7, 5]);
       this.#line(context, this.corrected, color("loop-taken"), 1.6);
       context.setLineDash([]);
     }
-    join(run.loops.filter(isTaken), color("loop-taken"), 2);
+    join(shown.filter(isTaken), color("loop-taken"), 2);
   }
 
   /** The path that is looked at, coloured by what was chosen. */
