@@ -23,10 +23,6 @@ namespace surefoot {
 
 namespace {
 
-// The fluctuation that lets the second scan's velocity be anything, up to a car's.
-const Twist kAnyFluctuation = (Twist() << 10.0, 10.0, 2.0, 0.5, 0.5, 2.0).finished();
-constexpr double kWalking = 2.0;  // [m/s] what is slower, a registration from rest finds
-
 // [m] of the cubes that choose the points to be registered: of the first scan, before anything is
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
 constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
@@ -44,6 +40,9 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
 
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
+
+constexpr int kYoung = 20;        // scans: a map of fewer is young
+constexpr double kFollows = 1.5;  // usual periods since the last scan, or one is missing
 
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
@@ -78,23 +77,41 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   if (map_.empty()) return begin_map(scan, thinned);
   if (search_) return search(scan, thinned);
 
-  if (first_scan_) begin_motion(scan, thinned);
-  Registered registered = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
+  Registered registered =
+      first_scan_ ? register_second(scan, thinned) : register_next(scan, thinned);
   if (!registered.estimate.trusted()) return lose(scan, thinned, std::move(registered));
   View view = look(scan, thinned, registered.trajectory);
   const double hazard_now = hazard_of(scan, thinned, view, registered);
   registered.estimate.wrong_probability = verdict_.add(hazard_now);
-  if (is_lost(hazard_now, registered.estimate.wrong_probability)) {
+  const double objection = objection_of(registered.estimate, hazard_now);
+  if (is_lost(objection, objections_.add(objection))) {
     return lose(scan, thinned, std::move(registered));
   }
   return accept(hazard_now, std::move(view), std::move(registered));
 }
 
+/// What of a scan's hazard is a reason to leave the map. That a young one holds a direction badly
+/// is none, where that direction is named and no scan is missing: the next map would hold it no
+/// better.
+double KnotFrontEnd::objection_of(const Estimate& estimate, double hazard_now) const {
+  const bool follows = estimate.evidence.gap < strength(kFollows);
+  if (agreed_ >= kYoung || !follows || estimate.degenerate.empty()) return hazard_now;
+  Evidence others = estimate.evidence;
+  others.uncertainty = 0.0;
+  return hazard(others);
+}
+
 /// To begin a map of few scans anew costs little: there a single scan is held to what poses are
 /// held to in all.
-bool KnotFrontEnd::is_lost(double hazard_now, double wrong_probability) const {
+bool KnotFrontEnd::is_lost(double objection, double of_all) const {
   const double most = config_.knots.lost_probability;
-  return wrong_probability > most || (agreed_ < kAgree && most < 1.0 && hazard_now > kVerdictBase);
+  return of_all > most || (agreed_ < kAgree && most < 1.0 && objection > kVerdictBase);
+}
+
+/// A scan from where the last one ended.
+KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
+                                                     const std::vector<std::uint32_t>& thinned) {
+  return register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
 }
 
 /// A scan from where it is taken to begin, and what is known of the pose by itself.
@@ -114,11 +131,6 @@ KnotFrontEnd::Registered KnotFrontEnd::register_scan(const PreparedScan& scan,
 Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registered) {
   learn(registered, 1.0 - hazard_now);
   session_.begin_step(Step::map);
-  if (first_scan_) {
-    const ToDeskew this_scan = to_deskew_;
-    map_first_scan(registered.found.window.mean_velocity());
-    to_deskew_ = this_scan;
-  }
   first_scan_.reset();
   integrate(std::move(view));
   let_drift(registered);
@@ -216,88 +228,6 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);
 }
 
-/// The first scan, or the first after too many lost ones: the map begins with it.
-Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
-                                 const std::vector<std::uint32_t>& thinned) {
-  session_.begin_step(Step::map);
-  Estimate estimate;
-  estimate.status = Status::first_scan;
-  const Pose T_map_lidar =
-      last_pose_ ? end_.prior.means[1] : level_pose(scan.points, config_.level, level_);
-  estimate.message = last_pose_ ? "the map begins anew at the predicted pose" : level_.message;
-  if (last_pose_) ++segment_;
-  if (last_pose_) estimate.covariance = unregistered_covariance(config_.health);
-  const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
-  const double duration = seconds(scan.end_ns - scan.start_ns);
-  end_.step = std::max(duration, kInstant) / config_.knots.segments;
-  end_.stamp_ns = scan.end_ns;
-  end_.prior = at_rest(T_map_lidar, end_.step);
-  velocity_ = Twist::Zero();
-  lost_in_a_row_ = 0;
-  agreed_ = 1;
-  search_.reset();
-  map_.clear();
-  first_scan_ = FirstScan{scan, thinned};
-  usual_ = {};
-  views_.clear();
-  usual_signs_ = {};
-  verdict_.clear();
-  integrate(look(scan, thinned, trajectory));
-  last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
-  held_ns_ = trajectory.mid_ns();
-  return publish(trajectory, std::move(estimate));
-}
-
-/// The velocity that the second scan of a map shows: both scans as measured, distorted alike, as
-/// rigid bodies, from standstill to a car's speed. Zero where that cannot be told. Map axes.
-Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
-                                   const std::vector<std::uint32_t>& thinned) {
-  const Pose& middle = last_pose_->pose;
-  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
-  const double elapsed = seconds(mid_ns - last_pose_->stamp_ns);
-  const KnotWindow standing{
-      {middle, middle, middle}, elapsed, elapsed, last_pose_->stamp_ns, mid_ns};
-  KnotPoints points;
-  for (const std::uint32_t i : choice_.choose(scan, thinned, session_.workers)) {
-    points.points.push_back({scan.points[i].cast<double>(), 1.0, {}});
-  }
-  points.begins = {0, points.points.size()};
-  const KnotPrior anywhere = at_rest(middle, elapsed);
-  const VelocityModel any_speed(config_.knots, kAnyFluctuation);
-  const KnotProblem two_scans{map_,          anywhere,         any_speed,
-                              config_.knots, session_.workers, session_.begin_step};
-  const KnotRegistration found =
-      register_knots(points, two_scans, standing, patient_annealing(config_.knots));
-  if (!found.solved || found.matches < config_.health.min_matches) return Twist::Zero();
-  return found.window.mean_velocity();
-}
-
-/// At the second scan of a map. A walker's velocity is found by the registration from rest; what is
-/// faster has to be known before, and so has the first scan's distortion by it.
-void KnotFrontEnd::begin_motion(const PreparedScan& scan,
-                                const std::vector<std::uint32_t>& thinned) {
-  const Twist velocity = first_velocity(scan, thinned);
-  if (velocity.head<3>().norm() < kWalking) return;
-  const Pose middle = last_pose_->pose;
-  const double since = seconds(end_.stamp_ns - last_pose_->stamp_ns);
-  end_.prior.means[0] = displaced(middle, (since - end_.step) * velocity);
-  end_.prior.means[1] = displaced(middle, since * velocity);
-  model_.begin(velocity, middle.rotation);
-  map_first_scan(velocity);
-}
-
-/// The map of the first scan alone, which was made as if the sensor had stood.
-void KnotFrontEnd::map_first_scan(const Twist& velocity) {
-  const auto& [first, thinned] = *first_scan_;
-  const double half = 0.5 * seconds(first.end_ns - first.start_ns);
-  const ScanTrajectory moving(
-      {displaced(last_pose_->pose, -half * velocity), displaced(last_pose_->pose, half * velocity)},
-      first.start_ns, first.end_ns);
-  map_.clear();
-  views_.clear();
-  integrate(look(first, thinned, moving));
-}
-
 /// A scan that could not be registered, or whose pose is probably wrong: the pose is the
 /// prediction, and the map stays as it is. What disagrees with the first scans of a map is no
 /// reason to believe these: the map begins anew.
@@ -346,6 +276,16 @@ const DeskewedScan& KnotFrontEnd::deskewed_scan() const {
     to_deskew_.scan = nullptr;
   }
   return last_scan_;
+}
+
+void KnotFrontEnd::clear_map() {
+  map_.clear();
+  views_.clear();
+}
+
+void KnotFrontEnd::forget_verdicts() {
+  verdict_.clear();
+  objections_.clear();
 }
 
 /// Puts what a scan saw, deskewed, into the map's frame.

@@ -48,6 +48,13 @@ class KnotFrontEnd : public FrontEnd {
     Estimate estimate;
     Signs signs;
   };
+  /// How a map's first scan moved, and the second one's registration on a map of that.
+  struct Beginning {
+    ScanTrajectory first;
+    KnotEnd end;  // of the first
+    VelocityModel model;
+    Registered second;
+  };
   /// A scan that can be deskewed when that is asked for; null once it is.
   struct ToDeskew {
     const PreparedScan* scan = nullptr;
@@ -62,6 +69,8 @@ class KnotFrontEnd : public FrontEnd {
 
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotProblem problem(const KnotEnd& begin) const;
+  [[nodiscard]] Registered register_next(const PreparedScan& scan,
+                                         const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] Registered register_scan(const PreparedScan& scan,
                                          const std::vector<std::uint32_t>& thinned,
                                          const KnotEnd& begin);
@@ -71,7 +80,8 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double hazard_of(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned, const View& view,
                                  Registered& registered) const;
-  [[nodiscard]] bool is_lost(double hazard_now, double wrong_probability) const;
+  [[nodiscard]] double objection_of(const Estimate& estimate, double hazard_now) const;
+  [[nodiscard]] bool is_lost(double objection, double of_all) const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 Registered registered);
@@ -91,10 +101,20 @@ class KnotFrontEnd : public FrontEnd {
                                 const Registered& registered) const;
   void learn(const Registered& registered, double right);
   void let_drift(Registered& registered);
-  void begin_motion(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
-  void map_first_scan(const Twist& velocity);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] Beginning beginning_at(const Twist& velocity) const;
+  [[nodiscard]] Registered register_second(const PreparedScan& scan,
+                                           const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] bool is_better(const Registered& faster, const Registered& from_rest) const;
+  [[nodiscard]] Beginning registered_on(Beginning beginning, const PreparedScan& scan,
+                                        const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] std::optional<Beginning> turned(const Beginning& beginning,
+                                                const PreparedScan& scan,
+                                                const std::vector<std::uint32_t>& thinned);
+  void take(const Beginning& beginning);
+  void clear_map();
+  void forget_verdicts();
   [[nodiscard]] View look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                           const ScanTrajectory& trajectory);
   void integrate(View view);
@@ -119,6 +139,7 @@ class KnotFrontEnd : public FrontEnd {
   LastViews views_;
   UsualSigns usual_signs_;
   Verdict verdict_;
+  Verdict objections_;                   // of the same scans, what speaks for leaving the map
   std::uint64_t last_print_ = 0;         // of the last scan's points
   bool seen_again_ = false;              // this scan's are the same
   std::optional<FirstScan> first_scan_;  // until its motion is known

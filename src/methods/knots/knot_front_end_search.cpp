@@ -135,7 +135,7 @@ std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
   const double hazard_now = judge(scan, view, next);
   if (is_doubtful(hazard_now)) return std::nullopt;
   search_.reset();
-  verdict_.clear();
+  forget_verdicts();
   next.estimate.wrong_probability = verdict_.add(hazard_now);
   return accept(hazard_now, std::move(view), std::move(next));
 }
@@ -164,7 +164,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
     right = !is_doubtful(hazard_now);
     if (right && search_->agreed + 1 >= kAgree) {
       search_.reset();
-      verdict_.clear();
+      forget_verdicts();
       best->estimate.message = "found itself again";
       return accept(hazard_now, std::move(view), std::move(*best));
     }
