@@ -19,8 +19,11 @@ namespace {
 
 using report::html_text;
 
-constexpr const char* kHead = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+// What every page of check's begins with, and no other page.
+constexpr std::string_view kMark = R"(<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="generator" content="surefoot check">)";
+
+constexpr const char* kHead = R"(<meta name="viewport" content="width=device-width">
 <title>{}</title><style>
 :root {{ color-scheme: light dark; --line: #8884; --dot: #1f6fb2; --bad: #c0392b; --good: #1e8449; }}
 @media (prefers-color-scheme: dark) {{ :root {{ --dot: #6db3f2; --bad: #ff7b6b; --good: #58d68d; }} }}
@@ -209,7 +212,7 @@ std::string list(const std::vector<std::string>& sentences) {
 std::string to_html(const RecordingCheck& check, const std::string& name) {
   const Figures& figures = check.figures;
   const std::string title = html_text(name);
-  std::string html = fmt::format(kHead, title);
+  std::string html = std::string(kMark) + fmt::format(kHead, title);
   html += fmt::format("<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n", title,
                       check.suffers() ? "bad" : "good", html_text(check.verdict()));
   html += fmt::format("<p>{}: {} scans at {:.2f} Hz, {:.0f} points each, {} rings.</p>\n",
@@ -228,13 +231,12 @@ void require_page_or_nothing(const std::filesystem::path& file) {
   const fs::file_status status = fs::symlink_status(file);
   if (!fs::exists(status)) return;
   if (fs::is_regular_file(status)) {
-    constexpr std::string_view kPage = "<!doctype html>";
-    std::string begin(kPage.size(), '\0');
+    std::string begin(kMark.size(), '\0');
     std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
-    if (begin == kPage) return;
+    if (begin == kMark) return;
   }
   throw std::invalid_argument("--html " + file.string() +
-                              ": is there already and is no page; choose another name");
+                              ": is there already and is no page of check's; choose another name");
 }
 
 }  // namespace surefoot::checks

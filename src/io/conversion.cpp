@@ -50,6 +50,7 @@ class Conversion {
 
  private:
   void open_output(const ScanItem& first);
+  void leave_out(const std::string& why);
   void add(const ScanItem& item);
   /// False where the end of the time range is reached.
   bool use(const ScanItem& item);
@@ -81,8 +82,16 @@ void Conversion::open_output(const ScanItem& first) {
   sink_ = make_scan_sink(output_->path(), format_, sink);
 }
 
+void Conversion::leave_out(const std::string& why) {
+  ++outcome_.unreadable;
+  listener_.complain("left out: " + printable(why));
+}
+
 void Conversion::add(const ScanItem& item) {
   if (!sink_) open_output(item);
+  if (const std::string why = sink_->refusal(*item.scan); !why.empty()) {
+    return leave_out(item.name + ": " + why);
+  }
   sink_->add(*item.scan);
   ++outcome_.scans;
   outcome_.points += item.scan->points.size();
@@ -95,8 +104,7 @@ void Conversion::add(const ScanItem& item) {
 
 bool Conversion::use(const ScanItem& item) {
   if (!item.scan) {
-    ++outcome_.unreadable;
-    listener_.complain("left out: " + printable(item.error));
+    leave_out(item.error);
     return true;
   }
   if (!first_ns_) first_ns_ = item.scan->stamp_ns;

@@ -3,6 +3,7 @@
 #include "io/file_writer.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,23 +45,31 @@ UnfinishedOutput::UnfinishedOutput(std::filesystem::path output, bool is_folder)
     std::filesystem::create_directories(output_.parent_path(), ignored);
   }
   constexpr mode_t kFolder = 0777, kFile = 0666;  // as umask allows
-  const int made = is_folder
-                       ? ::mkdir(part_.c_str(), kFolder)
-                       : ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFile);
-  if (made < 0) {
-    const std::string why = errno == EEXIST
-                                ? "is there already: another program writes it, or one that was "
-                                  "stopped left it, and it may be removed"
-                                : std::string("cannot be made: ") + std::strerror(errno);
-    finished_ = true;
-    throw WriteError(part_.string() + ": " + why);
+  const bool made = !is_folder || ::mkdir(part_.c_str(), kFolder) == 0 || errno == EEXIST;
+  const int how = is_folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_NOFOLLOW;
+  if (made) lock_ = ::open(part_.c_str(), how | O_CLOEXEC, kFile);
+  if (lock_ < 0) {
+    throw WriteError(part_.string() + ": cannot be made: " + std::strerror(errno));
   }
-  if (!is_folder) ::close(made);
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw WriteError(part_.string() + ": is there already: another program writes it");
+  }
+  std::error_code error;
+  if (is_folder) {
+    for (const auto& left : std::filesystem::directory_iterator(part_, error)) {
+      std::filesystem::remove_all(left, error);
+    }
+  } else if (::ftruncate(lock_, 0) != 0) {
+    error = {errno, std::generic_category()};
+  }
+  if (error) throw WriteError(part_.string() + ": cannot be made: " + error.message());
 }
 
 UnfinishedOutput::~UnfinishedOutput() {
   std::error_code ignored;
   if (!finished_) std::filesystem::remove_all(part_, ignored);
+  ::close(lock_);
 }
 
 void UnfinishedOutput::finish() {

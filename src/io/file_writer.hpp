@@ -15,14 +15,15 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What the name of something ends with that is not whole yet.
-inline constexpr const char* kUnfinished = ".part";
+/// What the name of something ends with that is not whole yet; a name that nobody else gives.
+inline constexpr const char* kUnfinished = ".surefoot-part";
 
 /// A file or folder that takes its name once it is whole, and nobody else's: until then it is
-/// beside it, with ".part" behind its name, and goes where it is not finished.
+/// beside it, with kUnfinished behind its name, and goes where it is not finished. What a killed
+/// program left is taken over: it is locked while somebody writes it.
 class UnfinishedOutput {
  public:
-  /// Makes it, empty. Throws WriteError, also where it is there already: another program writes it.
+  /// Makes it, empty. Throws WriteError, also where another program writes it.
   UnfinishedOutput(std::filesystem::path output, bool is_folder);
   ~UnfinishedOutput();
   UnfinishedOutput(const UnfinishedOutput&) = delete;
@@ -34,6 +35,7 @@ class UnfinishedOutput {
 
  private:
   std::filesystem::path output_, part_;
+  int lock_ = -1;
   bool finished_ = false;
 };
 

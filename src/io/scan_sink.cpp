@@ -26,26 +26,25 @@ class BagSink final : public ScanSink {
         options_(std::move(options)),
         topic_(bag_->add_topic(options_.topic, point_cloud2_definition())) {}
 
-  void add(const Scan& scan) override {
-    check_stamp(scan.stamp_ns);
-    bag_->write(topic_, scan.stamp_ns, format_point_cloud2(scan, options_.frame, bag_->flavour()));
-  }
-  void finish() override { bag_->finish(); }
-
- private:
   // ROS 1 counts seconds from 1970 in 32 bits without a sign, ROS 2 with one.
-  void check_stamp(std::int64_t stamp_ns) const {
+  [[nodiscard]] std::string refusal(const Scan& scan) const override {
     constexpr std::int64_t kSecond = 1'000'000'000;
     const bool ros1 = bag_->flavour() == MessageWriter::Flavour::ros1;
     const std::int64_t least = ros1 ? 0 : std::numeric_limits<std::int32_t>::min() * kSecond;
     const std::int64_t seconds =
         ros1 ? std::numeric_limits<std::uint32_t>::max() : std::numeric_limits<std::int32_t>::max();
-    if (stamp_ns >= least && stamp_ns < (seconds + 1) * kSecond) return;
-    throw WriteError("a scan is stamped " + format_seconds(stamp_ns) + " s; ROS " +
-                     (ros1 ? "1 has times from 0" : "2 has times from -2147483648") + " to " +
-                     std::to_string(seconds) + " s");
+    if (scan.stamp_ns >= least && scan.stamp_ns < (seconds + 1) * kSecond) return {};
+    return "it is stamped " + format_seconds(scan.stamp_ns) + " s; ROS " +
+           (ros1 ? "1 has times from 0" : "2 has times from -2147483648") + " to " +
+           std::to_string(seconds) + " s";
   }
 
+  void add(const Scan& scan) override {
+    bag_->write(topic_, scan.stamp_ns, format_point_cloud2(scan, options_.frame, bag_->flavour()));
+  }
+  void finish() override { bag_->finish(); }
+
+ private:
   std::unique_ptr<BagWriter> bag_;
   SinkOptions options_;
   std::size_t topic_;

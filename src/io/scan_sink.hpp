@@ -33,7 +33,9 @@ struct SinkOptions {
 class ScanSink {
  public:
   virtual ~ScanSink() = default;
-  /// Scans in their order. Throws WriteError.
+  /// Why the format cannot hold a scan at all; empty: it can.
+  [[nodiscard]] virtual std::string refusal(const Scan& /*scan*/) const { return {}; }
+  /// Scans in their order, but for refused ones. Throws WriteError.
   virtual void add(const Scan& scan) = 0;
   /// Ends the recording; throws WriteError.
   virtual void finish() = 0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/map_on_disk.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -35,10 +37,11 @@ void store_map(const std::filesystem::path& file, const SavedMap& map) {
   stream.close();
   if (stream) std::filesystem::rename(part, file, error);
   if (stream && !error) return;
+  const int why = errno;
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
-  throw std::runtime_error(file.string() + ": cannot be written" +
-                           (error ? ": " + error.message() : ""));
+  throw std::runtime_error(file.string() + ": cannot be written" + ": " +
+                           (error ? error.message() : std::strerror(why)));
 }
 
 }  // namespace surefoot::mapping

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -277,8 +279,9 @@ void Canvas::save(const std::filesystem::path& path) {
   std::error_code error;
   if (file) std::filesystem::rename(part, path, error);
   if (file && !error) return;
+  const std::string why = error ? error.message() : std::strerror(errno);
   std::filesystem::remove(part, error);
-  throw std::runtime_error(path.string() + ": cannot write the picture");
+  throw std::runtime_error(path.string() + ": cannot write the picture: " + why);
 }
 
 }  // namespace surefoot::report

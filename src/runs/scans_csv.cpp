@@ -14,6 +14,7 @@
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
+#include "io/utf8.hpp"
 #include "report/joined_names.hpp"
 #include "runs/csv_table.hpp"
 
@@ -37,12 +38,13 @@ struct Column {
   std::function<std::string(const ScanRow&)> value;
 };
 
-/// In quotes, on one line: a file's name may hold any byte.
+/// In quotes, on one line, as UTF-8: a file's name may hold any byte.
 std::string quoted(const std::string& text) {
+  const unsigned last = io::is_utf8(text) ? 0xFF : 0x7E;
   std::string result = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
+    if (byte < 0x20 || byte == 0x7F || byte > last) {
       result += fmt::format("\\x{:02x}", byte);
     } else {
       result += c == '"' ? "\"\"" : std::string(1, c);

@@ -5,10 +5,15 @@
 // container give the same trajectory, to the byte.
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include "capture.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
+#include "io/file_writer.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
@@ -111,11 +116,6 @@ TEST(Convert, LeavesNoHalfOutputAndTakesNobodyElses) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
   write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
-  write_content(folder / "b.mcap.part", "another's");
-  const ProcessResult second = run_surefoot({"convert", "pcd", "b.mcap"}, folder);
-  EXPECT_EQ(second.exit_code, 2) << second;
-  EXPECT_NE(second.errors.find("another program writes it"), std::string::npos) << second;
-  EXPECT_EQ(file_content(folder / "b.mcap.part"), "another's");
   for (const std::string format : {"mcap", "bag", "rosbag2", "pcd"}) {
     const std::string output = format == "mcap" || format == "bag" ? "a." + format : format + "_";
     const std::vector<std::string> arguments{"convert", "pcd", output, "--to", format, "-q"};
@@ -123,13 +123,58 @@ TEST(Convert, LeavesNoHalfOutputAndTakesNobodyElses) {
         run_surefoot(arguments, folder, {.program = {}, .most_file_bytes = 3000});
     EXPECT_EQ(full.exit_code, 2) << full;
     EXPECT_FALSE(fs::exists(folder / output)) << output;
-    EXPECT_FALSE(fs::exists(folder / (output + ".part"))) << output;
+    EXPECT_FALSE(fs::exists(folder / (output + io::kUnfinished))) << output;
     const ProcessResult again = run_surefoot(arguments, folder);
     EXPECT_EQ(again.exit_code, 0) << again;
     EXPECT_TRUE(fs::exists(folder / output)) << output;
-    EXPECT_FALSE(fs::exists(folder / (output + ".part"))) << output;
+    EXPECT_FALSE(fs::exists(folder / (output + io::kUnfinished))) << output;
   }
   EXPECT_TRUE(fs::exists(folder / "rosbag2_" / "rosbag2__0.db3"));
+}
+
+TEST(Convert, TakesOverWhatAKilledOneLeftAndNothingElse) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(kBagScans));
+  write_content(folder / "b.mcap.part", "another's");
+  for (const std::string output : {"b.mcap", "folder"}) {
+    const fs::path part = folder / (output + io::kUnfinished);
+    const bool is_folder = output == "folder";
+    if (is_folder) fs::create_directories(part);
+    write_content(is_folder ? part / "999999.pcd" : part, std::string(1'000'000, 'x'));
+
+    const int other = open(part.c_str(), O_RDONLY);
+    ASSERT_EQ(flock(other, LOCK_EX | LOCK_NB), 0);
+    const ProcessResult meanwhile = run_surefoot({"convert", "pcd", output}, folder);
+    EXPECT_EQ(meanwhile.exit_code, 2) << meanwhile;
+    EXPECT_NE(meanwhile.errors.find("another program writes it"), std::string::npos) << meanwhile;
+    EXPECT_TRUE(fs::exists(part));
+    close(other);
+
+    const ProcessResult after = run_surefoot({"convert", "pcd", output}, folder);
+    EXPECT_EQ(after.exit_code, 0) << after;
+    EXPECT_FALSE(fs::exists(part));
+    EXPECT_FALSE(fs::exists(folder / output / "999999.pcd"));
+    const ProcessResult read = run_surefoot({"info", output}, folder);
+    EXPECT_EQ(read.exit_code, 0) << read;
+  }
+  EXPECT_EQ(file_content(folder / "b.mcap.part"), "another's");
+}
+
+TEST(Convert, AStampThatRosCannotHoldCostsItsScanAlone) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  std::vector<Scan> scans = hall_scans(kBagScans);
+  constexpr std::int64_t kIn2038 = 2'147'483'647'850'000'000;  // two scans later ROS 2 has no time
+  const std::int64_t first_ns = scans.front().stamp_ns;
+  for (Scan& scan : scans) scan.stamp_ns += kIn2038 - first_ns;
+  write_pcd_recording(folder / "pcd", scans);
+  const ProcessResult bag = run_surefoot({"convert", "pcd", "a.mcap"}, folder);
+  EXPECT_EQ(bag.exit_code, 1) << bag;
+  EXPECT_NE(bag.errors.find("left out: 000002.pcd: it is stamped 2147483648.05"), std::string::npos)
+      << bag;
+  EXPECT_NE(bag.output.find("2 scans"), std::string::npos) << bag;
+  EXPECT_EQ(run_surefoot({"info", "a.mcap"}, folder).exit_code, 0);
 }
 
 TEST(Convert, QuietStillNamesWhatIsLeftOut) {

@@ -135,19 +135,22 @@ TEST(Check, DrawsAPageThatEscapesNames) {
   EXPECT_NE(page.find("</html>"), std::string::npos);
 }
 
-TEST(Check, APageReplacesNothingButAPage) {
+TEST(Check, APageReplacesNothingButItsOwn) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(4));
   const std::string scan = "in/" + scan_name(0);
   const std::string before = file_content(scratch.path() / scan);
   std::filesystem::create_symlink("/dev/null", scratch.path() / "null");
-  for (const std::string& page : {scan, std::string("null")}) {
+  const std::string other = "<!doctype html>\n<html lang=\"en\"><head></head></html>\n";
+  write_content(scratch.path() / "other.html", other);
+  for (const std::string& page : {scan, std::string("null"), std::string("other.html")}) {
     const ProcessResult result =
         run_surefoot({"check", "in", "--no-motion", "--html", page}, scratch.path());
     EXPECT_EQ(result.exit_code, 2) << result;
     EXPECT_NE(result.errors.find("is there already"), std::string::npos) << result;
   }
   EXPECT_TRUE(file_content(scratch.path() / scan) == before);
+  EXPECT_EQ(file_content(scratch.path() / "other.html"), other);
   EXPECT_TRUE(std::filesystem::is_symlink(scratch.path() / "null"));
   for (int i = 0; i < 2; ++i) {
     const ProcessResult result =

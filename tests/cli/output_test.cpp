@@ -112,7 +112,7 @@ TEST_F(OutputFolder, AFullDiskLeavesNoHalfDescription) {
   EXPECT_EQ(result.exit_code, 2) << result;
   EXPECT_NE(result.errors.find("run.yaml"), std::string::npos) << result;
   EXPECT_FALSE(fs::exists(path("out/run.yaml")));
-  EXPECT_FALSE(fs::exists(path("out/run.yaml.part")));
+  EXPECT_FALSE(fs::exists(path("out/run.yaml.surefoot-part")));
 }
 
 TEST_F(OutputFolder, WhatCannotBePrintedIsAnError) {

@@ -55,7 +55,7 @@ TEST_F(RunYaml, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read.threads, run.threads);
   EXPECT_EQ(read.compiler, run.compiler);
   EXPECT_EQ(read.parameters, run.parameters);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "run.yaml.part"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run.yaml.surefoot-part"));
 }
 
 /// Names of files are bytes; what is UTF-8 among them stays legible.

@@ -115,6 +115,15 @@ TEST_F(ScansCsv, AScanWithoutStagesHasNoNumbersOfThem) {
   }
 }
 
+TEST_F(ScansCsv, AFileNameIsTextWhateverItsBytes) {
+  Estimate estimate;
+  const auto line = [&](const char* name) { return scans_csv_line({0, name, estimate, {}}); };
+  EXPECT_NE(line("\xc3\xa9t\xc3\xa9.pcd").find("\xc3\xa9t\xc3\xa9.pcd"), std::string::npos);
+  const std::string escaped = line("\xff\xc3.pcd");
+  EXPECT_NE(escaped.find("\\xff\\xc3.pcd"), std::string::npos) << escaped;
+  EXPECT_EQ(read_scans_csv(write("scans.csv", scans_csv_header() + escaped)).size(), 1U);
+}
+
 TEST_F(ScansCsv, WhatIsWrongIsNamed) {
   const std::pair<std::string, std::string> cases[] = {
       {"", "cannot be read"},
