@@ -86,6 +86,19 @@ def reliability():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
+def reliability_alike():
+    """Where places look alike: the faults after which a wrong pose is called ok, and all."""
+    kept = Kept("reliability_alike")
+    columns = {name: i for i, name in enumerate(kept.rows[0])}
+    names = ["scans", "ok", "false_ok", "degenerate", "untrusted"]
+    lines = [[row[columns[name]] for name in ("walk", "fault", *names)]
+             for row in kept.rows[1:] if row[columns["false_ok"]] != "0"]
+    lines.append(["all", f"{len(kept.rows) - 1} runs",
+                  *(str(sum(int(row[columns[name]]) for row in kept.rows[1:])) for name in names)])
+    head = ["walk", "fault", "scans", "ok", "false ok", "degenerate", "untrusted"]
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
+
+
 def reliability_bins():
     """How often poses of which a probability is told are wrong, wrong ones as one in a hundred."""
     kept = Kept("reliability_bins")
@@ -303,6 +316,7 @@ TABLES = {
     "before-relative": before_relative,
     "before-count": before_count,
     "readme": readme,
+    "reliability-alike": reliability_alike,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
 }
