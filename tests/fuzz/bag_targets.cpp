@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/targets.hpp"
 
-#include <cstdio>
+#include <sqlite3.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <memory>
 
@@ -11,6 +14,7 @@
 #include "io/bags/mcap_reader.hpp"
 #include "io/bags/ros1_bag_format.hpp"
 #include "io/bags/ros1_bag_reader.hpp"
+#include "io/bags/sqlite_bag_reader.hpp"
 #include "io/file_writer.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
@@ -63,6 +67,43 @@ Seeds mcap_seeds() {
     seeds.push_back(file);
   }
   return seeds;
+}
+
+// sqlite3 reads files alone: one that is in memory.
+void read_sqlite_bytes(Bytes bytes) {
+  static const int file = memfd_create("bag", 0);
+  if (ftruncate(file, 0) != 0 || pwrite(file, bytes.data(), bytes.size(), 0) < 0) std::abort();
+  try {
+    const auto bag = io::read_sqlite_bag("/proc/self/fd/" + std::to_string(file));
+    while (bag->next()) {
+    }
+  } catch (const io::ReadError&) {
+  }
+}
+Seeds sqlite_seeds() {
+  sqlite3* database = nullptr;
+  sqlite3_open(":memory:", &database);
+  const std::string compressed = io::compress(io::Compression::zstd, "a message");
+  const char* const rows =
+      "PRAGMA page_size=512;"
+      "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format "
+      "TEXT);"
+      "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+      "BLOB);"
+      "INSERT INTO topics VALUES (1, '/t', 'p/msg/T', 'cdr'), (2, '/u', 'p/msg/U', 'ros1');"
+      "INSERT INTO messages VALUES (1, 1, 5, 'message'), (2, 2, 6, zeroblob(900)), (4, 3, 7, 'x');";
+  sqlite3_exec(database, rows, nullptr, nullptr, nullptr);
+  sqlite3_stmt* insert = nullptr;
+  sqlite3_prepare_v2(database, "INSERT INTO messages VALUES (9, 1, 8, ?)", -1, &insert, nullptr);
+  sqlite3_bind_blob(insert, 1, compressed.data(), static_cast<int>(compressed.size()), nullptr);
+  sqlite3_step(insert);
+  sqlite3_finalize(insert);
+  sqlite3_int64 size = 0;
+  unsigned char* const image = sqlite3_serialize(database, "main", &size, 0);
+  const std::string file(reinterpret_cast<const char*>(image), static_cast<std::size_t>(size));
+  sqlite3_free(image);
+  sqlite3_close(database);
+  return {file, io::compress(io::Compression::zstd, file)};
 }
 
 void read_ros1_bytes(Bytes bytes) { read_bag(bytes, io::read_ros1_bag); }
@@ -136,6 +177,7 @@ Seeds packet_seeds() {
 }
 
 constexpr Target kBagTargets[] = {{"mcap", read_mcap_bytes, mcap_seeds},
+                                  {"sqlite_bag", read_sqlite_bytes, sqlite_seeds},
                                   {"ros1_bag", read_ros1_bytes, ros1_seeds},
                                   {"cloud_message", read_cloud_bytes, cloud_seeds},
                                   {"packet_message", read_packet_bytes, packet_seeds}};
