@@ -60,6 +60,7 @@ class LimitedStream final : public ByteStream {
   std::size_t read(std::span<std::byte> to) override;
   std::uint64_t skip(std::uint64_t count) override;
   [[nodiscard]] std::uint64_t left() const { return left_; }
+  void set_left(std::uint64_t left) { left_ = left; }
 
  private:
   ByteStream& whole_;

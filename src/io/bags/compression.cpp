@@ -182,9 +182,9 @@ std::unique_ptr<ByteStream> decompress(Compression compression, ByteStream& comp
   throw std::invalid_argument("nothing to decompress");
 }
 
-bool is_too_dense(std::uint64_t plain, std::uint64_t compressed) {
+std::uint64_t most_from(std::uint64_t compressed) {
   constexpr std::uint64_t kSmall = 64 << 20, kLargestRatio = 32;
-  return plain > kSmall && plain / kLargestRatio > compressed;
+  return std::max(kSmall, kLargestRatio * (compressed + 1));
 }
 
 bool is_zstd(std::span<const std::byte> bytes) {
@@ -207,8 +207,10 @@ std::optional<std::span<const std::byte>> CompressedMessages::plain(
   MemoryStream frame(message);
   const std::unique_ptr<ByteStream> content = decompress(Compression::zstd, frame);
   try {
-    const std::span<const std::byte> plain = read_all(*content, plain_, kMostMessageBytes);
-    const bool dense = is_too_dense(plain.size(), message.size());
+    const std::uint64_t honest = most_from(message.size());
+    const std::span<const std::byte> plain =
+        read_all(*content, plain_, std::min(honest + 1, kMostMessageBytes));
+    const bool dense = plain.size() > honest;
     if (!dense && plain.size() < kMostMessageBytes) return plain;
     problem_ = dense ? kTooDense : "it decompresses to more than 256 MiB";
     plain_ = {};

@@ -27,9 +27,16 @@ enum class Compression { none, lz4, zstd, bzip2 };
 [[nodiscard]] std::unique_ptr<ByteStream> decompress(Compression compression,
                                                      ByteStream& compressed);
 
-/// True where so many bytes cannot honestly be a message's that were so few compressed ones: of
-/// sweeps, 32 times as many come of those that are nearly all NaN. Small ones may be.
-[[nodiscard]] bool is_too_dense(std::uint64_t plain, std::uint64_t compressed);
+/// Where a message is decompressed from, and how many compressed bytes a decoder may hold that it
+/// has not decoded yet.
+struct CompressedSource {
+  const LimitedStream& compressed;
+  std::uint64_t read_ahead = 0;
+};
+
+/// The most bytes that a message can honestly have that so many compressed ones hold [bytes]: of
+/// sweeps, 32 times as many come of those that are nearly all NaN. Small ones may be more.
+[[nodiscard]] std::uint64_t most_from(std::uint64_t compressed);
 inline constexpr std::string_view kTooDense =
     "it is more than 32 times as large as what it is compressed into";
 

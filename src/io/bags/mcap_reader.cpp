@@ -43,7 +43,6 @@ struct OpenChunk {
 
   // Both lengths promise more where the file ended before.
   [[nodiscard]] bool is_cut() const { return compressed->left() > 0 && record.left() > 0; }
-  [[nodiscard]] std::uint64_t compressed_left() const { return compressed->left(); }
 };
 
 class McapReader final : public MessageSource {
@@ -218,18 +217,12 @@ class McapReader final : public MessageSource {
       return std::nullopt;
     }
     if (!is_wanted(channel->second)) return std::nullopt;
-    const std::uint64_t compressed = chunk_ ? chunk_->compressed_left() : 0;
-    const auto data = read_message_bytes(channel->second, record, message_);
-    if (!data) return std::nullopt;
     constexpr std::uint64_t kReadAhead = 1 << 16;
-    const bool inflated = chunk_ && chunk_->inside;
-    if (inflated &&
-        is_too_dense(data->size(), compressed - chunk_->compressed_left() + kReadAhead)) {
-      note_lost(channel->second, kTooDense);
-      message_ = {};
-      return std::nullopt;
-    }
-    return plain_message(channel->second, logged_ns, *data);
+    std::optional<CompressedSource> source;
+    if (chunk_ && chunk_->inside) source.emplace(CompressedSource{*chunk_->compressed, kReadAhead});
+    const auto data =
+        read_message_bytes(channel->second, record, source ? &*source : nullptr, message_);
+    return data ? plain_message(channel->second, logged_ns, *data) : std::nullopt;
   }
 
   std::optional<Message> plain_message(const Topic& topic, std::int64_t logged_ns,
@@ -258,13 +251,29 @@ class McapReader final : public MessageSource {
     chunk_->record.read(size);
     const std::optional<Compression> compression = compression_named(name);
     if (!compression) throw ReadError("its compression is '" + name + "'; expected lz4 or zstd");
-    chunk_->compressed.emplace(chunk_->record, load<std::uint64_t>(size.data(), false));
+    const auto inside = load<std::uint64_t>(size.data(), false);
+    mend_length(inside);
+    chunk_->compressed.emplace(chunk_->record, inside);
     if (*compression == Compression::none) {
       chunk_->content.emplace(*chunk_->compressed);
     } else {
       chunk_->inside = decompress(*compression, *chunk_->compressed);
       chunk_->content.emplace(*chunk_->inside);
     }
+  }
+
+  // A chunk says twice how long it is. A record that ends within its content, or long after it, is
+  // not what was written where the content's length can be: compressed, it is shorter than plain.
+  void mend_length(std::uint64_t inside) {
+    constexpr std::uint64_t kLongestTail = 1 << 16;  // of fields that later versions add
+    constexpr std::uint64_t kFrame = 1 << 10;        // of a compression that gains nothing
+    const std::uint64_t record = chunk_->record.left();
+    const bool agree = inside <= record && record - inside <= kLongestTail;
+    if (agree || inside > chunk_->size + kFrame) return;
+    note("the record of chunk " + std::to_string(chunk_->number) + " has " +
+         std::to_string(record) + " bytes left for its content of " + std::to_string(inside) +
+         ": the latter is believed");
+    chunk_->record.set_left(inside);
   }
 
   // A chunk that is cut with the file has no checksum to be compared.

@@ -5,9 +5,43 @@
 #include <algorithm>
 #include <new>
 
+#include "io/bags/compression.hpp"
 #include "io/printable.hpp"
 
 namespace surefoot::io {
+namespace {
+
+// A message that ends once it has become too large for what it was compressed into.
+class DensityWatch final : public ByteStream {
+ public:
+  DensityWatch(LimitedStream& record, const CompressedSource& source)
+      : record_(record), source_(source), compressed_before_(source.compressed.left()) {}
+
+  std::size_t read(std::span<std::byte> to) override {
+    constexpr std::size_t kStep = 8 << 20;
+    std::size_t done = 0;
+    while (done < to.size() && !too_dense_) {
+      const std::size_t wanted = std::min(kStep, to.size() - done);
+      const std::size_t got = record_.read(to.subspan(done, wanted));
+      done += got;
+      plain_ += got;
+      too_dense_ =
+          plain_ > most_from(compressed_before_ - source_.compressed.left() + source_.read_ahead);
+      if (got < wanted) break;
+    }
+    return done;
+  }
+  [[nodiscard]] bool is_too_dense() const { return too_dense_; }
+
+ private:
+  LimitedStream& record_;
+  const CompressedSource& source_;
+  std::uint64_t compressed_before_;
+  std::uint64_t plain_ = 0;
+  bool too_dense_ = false;
+};
+
+}  // namespace
 
 void MessageSource::note(std::string_view text) {
   const std::size_t before = notes_.size();
@@ -36,14 +70,23 @@ void MessageSource::note_lost(const Topic& topic, std::string_view why) {
 }
 
 std::optional<std::span<const std::byte>> MessageSource::read_message_bytes(
-    const Topic& topic, LimitedStream& record, std::vector<std::byte>& buffer) {
+    const Topic& topic, LimitedStream& record, const CompressedSource* source,
+    std::vector<std::byte>& buffer) {
   const std::string size = std::to_string(record.left()) + " bytes";
   if (record.left() > kMostMessageBytes) {
     note_lost(topic, size + "; expected at most 256 MiB");
     return std::nullopt;
   }
   try {
-    return read_bytes(record, record.left(), buffer);
+    const std::uint64_t whole = record.left();
+    if (source == nullptr) return read_bytes(record, whole, buffer);
+    DensityWatch watch(record, *source);
+    const auto bytes = read_bytes(watch, whole, buffer);
+    if (!watch.is_too_dense()) return bytes;
+    buffer = {};
+    note_lost(topic, kTooDense);
+    record.skip(record.left());
+    return std::nullopt;
   } catch (const std::bad_alloc&) {
     note_lost(topic, size + " take more memory than there is");
     return std::nullopt;

@@ -34,6 +34,8 @@ struct Message {
   std::span<const std::byte> bytes;  ///< until the next call of next()
 };
 
+struct CompressedSource;
+
 class MessageSource {
  public:
   virtual ~MessageSource() = default;
@@ -65,10 +67,11 @@ class MessageSource {
   void note_harmless(std::string_view text);
   /// Adds a topic, once.
   void announce(const Topic& topic);
-  /// A message's bytes; nothing where it is too large, or ends early, as `record` then shows. The
-  /// former is noted.
+  /// A message's bytes; nothing where it is too large or, decompressed while it is read (`source`
+  /// is not null), too dense, or ends early, as `record` then shows. The former are noted.
   [[nodiscard]] std::optional<std::span<const std::byte>> read_message_bytes(
-      const Topic& topic, LimitedStream& record, std::vector<std::byte>& buffer);
+      const Topic& topic, LimitedStream& record, const CompressedSource* source,
+      std::vector<std::byte>& buffer);
   /// Notes why a message is passed over.
   void note_lost(const Topic& topic, std::string_view why);
 

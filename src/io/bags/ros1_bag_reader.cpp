@@ -214,17 +214,11 @@ class Ros1BagReader final : public MessageSource {
     constexpr std::int64_t kSecond = 1'000'000'000;
     const std::int64_t logged_ns = static_cast<std::int64_t>(time & 0xffff'ffffU) * kSecond +
                                    static_cast<std::int64_t>(time >> 32);
-    const std::uint64_t compressed = chunk_ ? chunk_->record.left() : 0;
-    const auto bytes = read_message_bytes(topic->second, data, data_);
-    if (!bytes) return std::nullopt;
     constexpr std::uint64_t kReadAhead = 1 << 20;  // a block of bzip2's among it
-    const bool inflated = chunk_ && chunk_->inside;
-    if (inflated && is_too_dense(bytes->size(), compressed - chunk_->record.left() + kReadAhead)) {
-      note_lost(topic->second, kTooDense);
-      data_ = {};
-      return std::nullopt;
-    }
-    return Message{&topic->second, logged_ns, *bytes};
+    std::optional<CompressedSource> source;
+    if (chunk_ && chunk_->inside) source.emplace(CompressedSource{chunk_->record, kReadAhead});
+    const auto bytes = read_message_bytes(topic->second, data, source ? &*source : nullptr, data_);
+    return bytes ? std::optional(Message{&topic->second, logged_ns, *bytes}) : std::nullopt;
   }
 
   std::unique_ptr<ByteStream> file_;

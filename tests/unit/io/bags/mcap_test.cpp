@@ -243,6 +243,24 @@ TEST(Mcap, LengthsThatLieTakeNoMemory) {
   }
 }
 
+// The lengths of chunks are the ones where a byte that is wrong may cost all that follows.
+TEST(Mcap, AChunkWhoseLengthLiesCostsNothing) {
+  for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
+    const std::string whole = file_with(small_chunks(compression));
+    const std::size_t chunk = whole.find('\x06', mcap::kMagic.size() + 9);
+    const auto length = load<std::uint64_t>(test::bytes_of(whole).data() + chunk + 1, false);
+    ASSERT_LT(length, 1000U);  // a chunk it is
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    for (const std::uint64_t lie : {length - 60, length + (std::uint64_t{1} << 40), kMost}) {
+      std::string bytes = whole;
+      bytes.replace(chunk + 1, 8, little(lie));
+      const Outcome outcome = read_bytes(bytes);
+      ASSERT_EQ(outcome.messages.size(), kMessages) << lie << '\n' << outcome.notes;
+      EXPECT_NE(outcome.notes.find("the record of chunk 0 has "), std::string::npos);
+    }
+  }
+}
+
 TEST(Mcap, SomethingElseIsRefused) {
   EXPECT_THROW((void)read_bytes("#ROSBAG V2.0\n and so on"), ReadError);
   EXPECT_THROW((void)read_bytes(""), ReadError);
