@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -30,6 +29,12 @@ ScanFormat wanted_format(const ConversionRequest& request) {
                               "'; expected .mcap, .bag, or a folder (PCD, or --to says what)");
 }
 
+std::unique_ptr<Recording> open_with_all_fields(const ConversionRequest& request) {
+  OpenOptions options = request.reader;
+  options.further_fields = true;
+  return open_recording(request.input, options);
+}
+
 /// One recording turned into another.
 class Conversion {
  public:
@@ -37,7 +42,7 @@ class Conversion {
       : request_(request),
         listener_(listener),
         format_(wanted_format(request)),
-        recording_(open_recording(request.input, request.reader)) {
+        recording_(open_with_all_fields(request)) {
     std::error_code ignored;
     const bool is_empty_folder = is_folder(format_) && fs::is_directory(request.output, ignored) &&
                                  fs::is_empty(request.output, ignored);
@@ -66,8 +71,7 @@ class Conversion {
   std::optional<std::int64_t> first_ns_;
   std::size_t dropped_points_ = 0;
   std::size_t late_in_a_row_ = 0;
-  std::set<std::string> unused_;  ///< fields, as scans have them
-  double rounded_by_ = 0.0;       ///< [m]
+  double rounded_by_ = 0.0;  ///< [m]
 };
 
 // What is not asked for is the source's.
@@ -92,13 +96,11 @@ void Conversion::add(const ScanItem& item) {
   if (const std::string why = sink_->refusal(*item.scan); !why.empty()) {
     return leave_out(item.name + ": " + why);
   }
-  sink_->add(*item.scan);
+  sink_->add(*item.scan, item.further);
   ++outcome_.scans;
   outcome_.points += item.scan->points.size();
   dropped_points_ += item.dropped_points;
   rounded_by_ = std::max(rounded_by_, item.rounded_by);
-  constexpr std::size_t kMostNamed = 10;
-  if (!item.unused.empty() && unused_.size() < kMostNamed) unused_.insert(item.unused);
   listener_.progress(outcome_.scans, recording_->progress());
 }
 
@@ -120,9 +122,8 @@ bool Conversion::use(const ScanItem& item) {
 
 std::vector<std::string> Conversion::losses() const {
   std::vector<std::string> lines;
-  if (!sink_->lost().empty()) lines.push_back("lost: " + sink_->lost());
-  for (const std::string& fields : unused_) {
-    lines.push_back("lost: fields that are not written: " + printable(fields));
+  if (const std::string fields = sink_->lost(); !fields.empty()) {
+    lines.push_back("lost: fields that the format does not hold: " + printable(fields));
   }
   if (rounded_by_ > 0.0) {
     std::array<char, 32> metres;

@@ -89,12 +89,6 @@ void UnfinishedOutput::finish() {
   finished_ = true;
 }
 
-void append_text(std::string& out, float value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  out.append(text.data(), end);
-}
-
 void append_fixed(std::string& out, double value, int decimals) {
   std::array<char, 400> text{};  // the largest double has 309 digits
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,

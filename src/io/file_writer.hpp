@@ -49,8 +49,6 @@ void append_bytes(std::string& out, T value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// Appends the shortest decimal text that reads back as the same float; "nan" and "inf" as such.
-void append_text(std::string& out, float value);
 /// Appends with a fixed number of decimals, without a minus sign before zero.
 void append_fixed(std::string& out, double value, int decimals);
 

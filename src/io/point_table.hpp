@@ -24,13 +24,15 @@ enum class ScalarType { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
   return type == ScalarType::f32 || type == ScalarType::f64;
 }
 
-/// One number of every point: the value of point i lies at first + i * stride.
+/// One number of every point: the value of point i lies at first + i * stride. Where there are
+/// several, the first counts and the others follow it.
 struct Column {
   std::string name;
   ScalarType type = ScalarType::f32;
   const std::byte* first = nullptr;
   std::size_t stride = 0;  ///< [bytes]
   bool swapped = false;    ///< stored in the other byte order than this machine's
+  std::size_t count = 1;   ///< numbers of every point
 };
 
 /// Points as columns. They look into `storage` or into the bytes that the table was parsed from,

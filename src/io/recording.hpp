@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "io/scan_fields.hpp"
 #include "sensors/packet_decoder.hpp"
 #include "surefoot/scan.hpp"
 
@@ -96,6 +97,8 @@ struct OpenOptions {
   double cut_azimuth_deg = 0.0;
   /// Port that the sensor's packets go to in a capture; 0: that of the first LiDAR found.
   std::uint16_t udp_port = 0;
+  /// Whether items have the fields, too, that a scan has no room for (ScanItem::further).
+  bool further_fields = false;
 };
 
 /// One scan of a recording, or why there is none: a bad file in a folder does not end the reading.
@@ -108,8 +111,8 @@ struct ScanItem {
   std::string remark;              ///< what is odd about this scan alone: "partial revolution"
   std::size_t dropped_points = 0;  ///< points left out for want of a usable time
   std::string frame;               ///< that its message names
-  std::string unused;              ///< fields that the scan has no room for: "ambient, range"
-  double rounded_by = 0.0;         ///< most that a coordinate lost by becoming a float [m]
+  std::vector<FurtherField> further;  ///< fields that the scan has no room for, where wanted
+  double rounded_by = 0.0;            ///< most that a coordinate lost by becoming a float [m]
 };
 
 /// Counters of a packet capture so far; all zero for other recordings.

@@ -216,8 +216,8 @@ void keep_only(std::vector<T>& values, const std::vector<std::size_t>& kept) {
   values.resize(kept.size());
 }
 
-// Sets times_ns; returns how many points had to go for want of a usable time.
-std::size_t set_times(Scan& scan, const FieldTimes& times, std::int64_t origin) {
+// Sets times_ns; points without a usable time go. Returns those that stay; empty: all of them.
+std::vector<std::size_t> set_times(Scan& scan, const FieldTimes& times, std::int64_t origin) {
   const auto is_usable = [&](std::int64_t ns) { return ns >= times.least && ns <= times.greatest; };
   scan.times_ns.resize(times.ns.size());
   std::size_t usable = 0;
@@ -227,19 +227,17 @@ std::size_t set_times(Scan& scan, const FieldTimes& times, std::int64_t origin) 
                                                  static_cast<std::uint64_t>(origin));
     usable += is_usable(times.ns[i]) ? 1 : 0;
   }
-  const std::size_t dropped = times.ns.size() - usable;
-  if (dropped > 0) {
-    std::vector<std::size_t> kept;
-    kept.reserve(usable);
-    for (std::size_t i = 0; i < times.ns.size(); ++i) {
-      if (is_usable(times.ns[i])) kept.push_back(i);
-    }
-    keep_only(scan.points, kept);
-    keep_only(scan.intensities, kept);
-    keep_only(scan.rings, kept);
-    keep_only(scan.times_ns, kept);
+  std::vector<std::size_t> kept;
+  if (usable == times.ns.size()) return kept;
+  kept.reserve(usable);
+  for (std::size_t i = 0; i < times.ns.size(); ++i) {
+    if (is_usable(times.ns[i])) kept.push_back(i);
   }
-  return dropped;
+  keep_only(scan.points, kept);
+  keep_only(scan.intensities, kept);
+  keep_only(scan.rings, kept);
+  keep_only(scan.times_ns, kept);
+  return kept;
 }
 
 }  // namespace
@@ -269,15 +267,11 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   return columns;
 }
 
-std::string unused_fields(const PointTable& table, const ScanColumns& columns) {
+std::vector<FurtherField> further_fields(const PointTable& table, const ScanColumns& columns,
+                                         const BuiltScan& built) {
   const std::array<const Column*, 6> used = {columns.x,         columns.y,    columns.z,
                                              columns.intensity, columns.ring, columns.time};
-  std::string names;
-  for (const Column& column : table.columns) {
-    if (std::find(used.begin(), used.end(), &column) != used.end()) continue;
-    names += (names.empty() ? "" : ", ") + column.name;
-  }
-  return names;
+  return further_fields(table, used, built.kept);
 }
 
 TimeExtents time_extents(const PointTable& table, const ScanColumns& columns) {
@@ -327,7 +321,8 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
   }
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
   check_offsets(times, origin);
-  built.dropped_points = set_times(scan, times, origin);
+  built.kept = set_times(scan, times, origin);
+  built.dropped_points = table.size - scan.points.size();
   return built;
 }
 

@@ -8,6 +8,7 @@
 #include "io/point_table.hpp"
 #include "io/point_time.hpp"
 #include "io/recording.hpp"
+#include "io/scan_fields.hpp"
 
 namespace surefoot::io {
 
@@ -33,12 +34,15 @@ struct ScanColumns {
 
 struct BuiltScan {
   Scan scan;
+  std::vector<std::size_t> kept;  ///< the table's points that are in it; empty: all of them
   std::size_t dropped_points = 0;
   double rounded_by = 0.0;  ///< most that a coordinate lost by becoming a float [m]
 };
 
-/// Names of the fields that a scan has no room for: "ambient, range".
-[[nodiscard]] std::string unused_fields(const PointTable& table, const ScanColumns& columns);
+/// The fields of the points that are in the scan, for which it has no room.
+[[nodiscard]] std::vector<FurtherField> further_fields(const PointTable& table,
+                                                       const ScanColumns& columns,
+                                                       const BuiltScan& built);
 
 /// The scan that a table holds. `rule` is needed where there is a time column. Without a `stamp_ns`
 /// absolute times give it: the earliest return's; else it is zero. Points whose time is not finite

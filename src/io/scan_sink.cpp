@@ -3,6 +3,7 @@
 #include "io/scan_sink.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
@@ -39,12 +40,18 @@ class BagSink final : public ScanSink {
            std::to_string(seconds) + " s";
   }
 
-  void add(const Scan& scan) override {
-    bag_->write(topic_, scan.stamp_ns, format_point_cloud2(scan, options_.frame, bag_->flavour()));
-  }
   void finish() override { bag_->finish(); }
 
  private:
+  [[nodiscard]] bool holds(const Column& column) const override {
+    return fits_point_cloud2(column);
+  }
+  void write(const Scan& scan, std::span<const Column> columns) override {
+    const CloudHead head{scan.stamp_ns, options_.frame, is_dense(scan)};
+    bag_->write(topic_, scan.stamp_ns,
+                format_point_cloud2(head, columns, scan.points.size(), bag_->flavour()));
+  }
+
   std::unique_ptr<BagWriter> bag_;
   SinkOptions options_;
   std::size_t topic_;
@@ -58,47 +65,63 @@ class FolderSink final : public ScanSink {
     if (error) throw WriteError(folder_.string() + ": cannot be made: " + error.message());
   }
 
-  void add(const Scan& scan) override {
+  void finish() override { write_whole_file(folder_ / "times.txt", stamps_); }
+
+ private:
+  [[nodiscard]] bool holds(const Column& column) const override {
+    const auto is_column = [&](const char* name) { return column.name == name; };
+    if (format_ == ScanFormat::pcd) return true;
+    if (format_ == ScanFormat::ply) return fits_ply(column);
+    return std::any_of(kKittiColumns.begin(), kKittiColumns.end(), is_column);
+  }
+
+  void write(const Scan& scan, std::span<const Column> columns) override {
     char name[32];
     std::snprintf(name, sizeof(name), "%06zu.%s", scans_++,
                   scan_format_names()[static_cast<std::size_t>(format_)].c_str());
-    write(folder_ / name, scan);
+    write_whole_file(folder_ / name, content(columns, scan.points.size()));
     stamps_ += format_seconds(scan.stamp_ns) + '\n';
-    any_times_ = any_times_ || !scan.times_ns.empty();
-    any_rings_ = any_rings_ || !scan.rings.empty();
   }
 
-  void finish() override { write_whole_file(folder_ / "times.txt", stamps_); }
-
-  std::string lost() const override {
-    if (format_ == ScanFormat::pcd || (!any_times_ && !any_rings_)) return {};
-    return std::string(any_times_ ? "the points' times" : "") +
-           (any_times_ && any_rings_ ? " and " : "") + (any_rings_ ? "rings" : "") +
-           (format_ == ScanFormat::ply ? " are not written to PLY"
-                                       : " do not fit into KITTI's .bin");
-  }
-
- private:
-  void write(const fs::path& file, const Scan& scan) const {
-    if (format_ == ScanFormat::pcd) return write_pcd(file, scan);
-    if (format_ == ScanFormat::ply) return write_ply(file, scan.points, scan.intensities);
-    std::string bytes;
-    for (std::size_t i = 0; i < scan.points.size(); ++i) {
-      for (int axis = 0; axis < 3; ++axis) append_bytes(bytes, scan.points[i][axis]);
-      append_bytes(bytes, scan.intensities.empty() ? 0.0F : scan.intensities[i]);
+  [[nodiscard]] std::string content(std::span<const Column> columns, std::size_t points) const {
+    if (format_ == ScanFormat::pcd) return format_pcd(columns, points, PcdData::binary);
+    if (format_ == ScanFormat::ply) return format_ply(columns, points, PlyFlavour::binary);
+    std::vector<Column> all(columns.begin(), columns.end());
+    const float none = 0.0F;
+    if (all.size() < kKittiColumns.size()) {
+      all.push_back({"intensity", ScalarType::f32, reinterpret_cast<const std::byte*>(&none), 0});
     }
-    write_whole_file(file, bytes);
+    std::string bytes;
+    append_points(bytes, all, points);
+    return bytes;
   }
 
+  static constexpr std::array<const char*, 4> kKittiColumns = {"x", "y", "z", "intensity"};
   fs::path folder_;
   ScanFormat format_;
   std::string stamps_;
   std::size_t scans_ = 0;
-  bool any_times_ = false;
-  bool any_rings_ = false;
 };
 
 }  // namespace
+
+void ScanSink::add(const Scan& scan, std::span<const FurtherField> further) {
+  std::vector<Column> columns;
+  for (const Column& column : written_columns(scan, further)) {
+    if (holds(column)) {
+      columns.push_back(column);
+    } else {
+      lost_.insert(column.name);
+    }
+  }
+  write(scan, columns);
+}
+
+std::string ScanSink::lost() const {
+  std::string names;
+  for (const std::string& name : lost_) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
 
 const std::vector<std::string>& scan_format_names() {
   static const std::vector<std::string> names = {"pcd", "ply", "bin", "mcap", "rosbag2", "bag"};

@@ -6,9 +6,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "io/scan_fields.hpp"
 #include "surefoot/scan.hpp"
 
 namespace surefoot::io {
@@ -35,12 +38,21 @@ class ScanSink {
   virtual ~ScanSink() = default;
   /// Why the format cannot hold a scan at all; empty: it can.
   [[nodiscard]] virtual std::string refusal(const Scan& /*scan*/) const { return {}; }
-  /// Scans in their order, but for refused ones. Throws WriteError.
-  virtual void add(const Scan& scan) = 0;
+  /// Scans in their order, but for refused ones, and what the recording has of their points
+  /// besides. Throws WriteError.
+  void add(const Scan& scan, std::span<const FurtherField> further = {});
   /// Ends the recording; throws WriteError.
   virtual void finish() = 0;
-  /// What the format cannot hold of the scans so far; empty: nothing is lost.
-  [[nodiscard]] virtual std::string lost() const { return {}; }
+  /// Fields of the scans so far that the format cannot hold: "t, ring"; empty: nothing is lost.
+  [[nodiscard]] std::string lost() const;
+
+ protected:
+  [[nodiscard]] virtual bool holds(const Column& column) const = 0;
+  /// The columns that it holds.
+  virtual void write(const Scan& scan, std::span<const Column> columns) = 0;
+
+ private:
+  std::set<std::string> lost_;
 };
 
 /// A folder of scans with times.txt, a folder of a ROS 2 bag (sqlite3), or one file: MCAP with

@@ -130,7 +130,7 @@ class CloudTopic final : public Recording {
     BuiltScan built = build_scan(cloud.table, columns, rule_, stamp_ns, options_.stamp_at);
     item.dropped_points = built.dropped_points;
     item.frame = cloud.frame;
-    item.unused = unused_fields(cloud.table, columns);
+    if (options_.further_fields) item.further = further_fields(cloud.table, columns, built);
     item.rounded_by = built.rounded_by;
     item.scan = std::move(built.scan);
   }

@@ -193,7 +193,7 @@ class FolderRecording final : public Recording {
     if (columns.time != nullptr && !rule_) look_at_times(index, table, columns);
     BuiltScan built = build_scan(table, columns, rule_, given_stamp(index), options_.stamp_at);
     item.dropped_points = built.dropped_points;
-    item.unused = unused_fields(table, columns);
+    if (options_.further_fields) item.further = further_fields(table, columns, built);
     item.rounded_by = built.rounded_by;
     if (options_.kitti_hdl64_correction) {
       correct_kitti_hdl64(built.scan.points);

@@ -38,7 +38,8 @@ void read_binary(const PcdHeader& header, Bytes data, PointTable& table) {
   for (const PcdField& field : header.fields) {
     if (!is_padding(field)) {
       const std::byte* first = header.points > 0 ? data.data() + field.offset : nullptr;
-      table.columns.push_back({field.name, field.type, first, header.point_step, false});
+      table.columns.push_back(
+          {field.name, field.type, first, header.point_step, false, field.count});
     }
   }
 }
@@ -79,7 +80,7 @@ void read_compressed(const PcdHeader& header, Bytes data, PointTable& table) {
   for (const PcdField& field : header.fields) {
     const std::size_t stride = field.count * size_of(field.type);
     if (!is_padding(field)) {
-      table.columns.push_back({field.name, field.type, at, stride, false});
+      table.columns.push_back({field.name, field.type, at, stride, false, field.count});
     }
     at += stride * header.points;  // of no points: nullptr stays nullptr
   }

@@ -3,16 +3,19 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "io/files/pcd_header.hpp"
+#include "io/scan_fields.hpp"
 #include "surefoot/scan.hpp"
 
 namespace surefoot::io {
 
-/// A scan as PCD 0.7: x y z f32, and where the scan has them intensity f32, t (ns after the scan's
-/// stamp, u32, or i32 where some are negative) and ring u16. The stamp itself is not in the format.
-/// Throws std::invalid_argument where the scan's arrays differ in length.
+/// Columns as PCD 0.7, which holds them all.
+[[nodiscard]] std::string format_pcd(std::span<const Column> columns, std::size_t points,
+                                     PcdData flavour);
+/// A scan with its written_columns. The stamp itself is not in the format.
 [[nodiscard]] std::string format_pcd(const Scan& scan, PcdData flavour);
 /// Throws WriteError.
 void write_pcd(const std::filesystem::path& file, const Scan& scan,

@@ -11,50 +11,69 @@ namespace surefoot::io {
 
 namespace {
 
-std::string header(std::size_t points, const std::vector<PlyColumn>& columns, bool ascii) {
-  std::string out = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
-                    " 1.0\ncomment Surefoot\nelement vertex " + std::to_string(points) +
-                    "\nproperty float x\nproperty float y\nproperty float z\n";
-  for (const PlyColumn& column : columns) out += "property float " + column.name + '\n';
-  return out + "end_header\n";
+// PLY 1.0's word for a type; null: it has none.
+const char* type_word(ScalarType type) {
+  switch (type) {
+    case ScalarType::i8:
+      return "char";
+    case ScalarType::u8:
+      return "uchar";
+    case ScalarType::i16:
+      return "short";
+    case ScalarType::u16:
+      return "ushort";
+    case ScalarType::i32:
+      return "int";
+    case ScalarType::u32:
+      return "uint";
+    case ScalarType::f32:
+      return "float";
+    case ScalarType::f64:
+      return "double";
+    default:
+      return nullptr;
+  }
 }
 
-/// Those with values. Throws where these are not as many as the points.
-std::vector<PlyColumn> filled(std::span<const PlyColumn> columns, std::size_t points) {
-  std::vector<PlyColumn> result;
-  for (const PlyColumn& column : columns) {
-    if (column.values.empty()) continue;
-    if (column.values.size() != points) {
-      throw std::invalid_argument(column.name + ": " + std::to_string(column.values.size()) +
-                                  " values for " + std::to_string(points) + " points");
-    }
-    result.push_back(column);
+std::string header(std::span<const Column> columns, std::size_t points, bool ascii) {
+  std::string out = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
+                    " 1.0\ncomment Surefoot\nelement vertex " + std::to_string(points) + '\n';
+  for (const Column& column : columns) {
+    out += std::string("property ") + type_word(column.type) + ' ' + column.name + '\n';
   }
-  return result;
+  return out + "end_header\n";
 }
 
 }  // namespace
 
-std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const PlyColumn> columns,
-                       PlyFlavour flavour) {
+bool fits_ply(const Column& column) {
+  return type_word(column.type) != nullptr && column.count == 1;
+}
+
+std::string format_ply(std::span<const Column> columns, std::size_t points, PlyFlavour flavour) {
   const bool ascii = flavour == PlyFlavour::ascii;
-  const std::vector<PlyColumn> extra = filled(columns, points.size());
-  std::string out = header(points.size(), extra, ascii);
-  out.reserve(out.size() + (ascii ? 10 : 4) * (3 + extra.size()) * points.size());
-  const auto append = [&](float value) {
-    if (ascii) {
-      append_text(out, value);
-      out += ' ';
-    } else {
-      append_bytes(out, value);
-    }
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (const float coordinate : points[i]) append(coordinate);
-    for (const PlyColumn& column : extra) append(column.values[i]);
-    if (ascii) out.back() = '\n';
+  std::string out = header(columns, points, ascii);
+  if (ascii) {
+    append_rows_of_text(out, columns, points);
+  } else {
+    append_points(out, columns, points);
   }
   return out;
+}
+
+std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const PlyColumn> columns,
+                       PlyFlavour flavour) {
+  std::vector<Column> all = coordinate_columns(points);
+  for (const PlyColumn& column : columns) {
+    if (column.values.empty()) continue;
+    if (column.values.size() != points.size()) {
+      throw std::invalid_argument(column.name + ": " + std::to_string(column.values.size()) +
+                                  " values for " + std::to_string(points.size()) + " points");
+    }
+    all.push_back({column.name, ScalarType::f32,
+                   reinterpret_cast<const std::byte*>(column.values.data()), sizeof(float)});
+  }
+  return format_ply(all, points.size(), flavour);
 }
 
 std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const float> intensities,

@@ -7,11 +7,19 @@
 #include <span>
 #include <string>
 
+#include "io/scan_fields.hpp"
+
 namespace surefoot::io {
 
 enum class PlyFlavour { ascii, binary };  ///< binary is little-endian
 
-/// One number of every point.
+/// PLY 1.0 has no integers of 64 bits; lists, which it has, are not written.
+[[nodiscard]] bool fits_ply(const Column& column);
+/// Columns that fit, as PLY 1.0.
+[[nodiscard]] std::string format_ply(std::span<const Column> columns, std::size_t points,
+                                     PlyFlavour flavour);
+
+/// A float of every point.
 struct PlyColumn {
   std::string name;
   std::span<const float> values;

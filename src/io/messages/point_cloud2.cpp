@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/messages/point_cloud2.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -36,7 +37,8 @@ std::optional<ReadField> read_field(MessageReader& reader) {
   field.column.name = reader.string("field's name");
   field.offset = reader.number<std::uint32_t>("field's offset");
   const auto datatype = reader.number<std::uint8_t>("field's type");
-  (void)reader.number<std::uint32_t>("field's count");
+  // Drivers write 0 where they mean 1.
+  field.column.count = std::max(1U, reader.number<std::uint32_t>("field's count"));
   if (datatype < 1 || datatype > kDatatypes.size()) return std::nullopt;  // a driver's own
   field.column.type = kDatatypes[datatype - 1U];
   return field;
@@ -89,10 +91,12 @@ CloudMessage read_point_cloud2(MessageReader& reader) {
   cloud.table.format = "PointCloud2";
   cloud.table.size = static_cast<std::size_t>(points);
   for (ReadField& field : fields) {
-    if (std::uint64_t{field.offset} + size_of(field.column.type) > shape.point_step) {
+    const std::size_t element = size_of(field.column.type);
+    if (std::uint64_t{field.offset} + element > shape.point_step) {
       throw ReadError("field '" + field.column.name + "' at byte " + std::to_string(field.offset) +
                       " of points of " + std::to_string(shape.point_step) + " bytes");
     }
+    if (field.column.count > (shape.point_step - field.offset) / element) field.column.count = 1;
     field.column.first = points > 0 ? data.data() + field.offset : nullptr;
     field.column.stride = shape.point_step;
     cloud.table.columns.push_back(std::move(field.column));

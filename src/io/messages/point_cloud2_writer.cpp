@@ -3,80 +3,67 @@
 #include "io/messages/point_cloud2_writer.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <vector>
-
-#include "io/file_writer.hpp"
 
 namespace surefoot::io {
 namespace {
 
-// sensor_msgs/PointField's numbers of the types.
-enum Datatype : std::uint8_t { kUint16 = 4, kInt32 = 5, kUint32 = 6, kFloat32 = 7 };
-
-struct WrittenField {
-  const char* name;
-  Datatype type;
-  std::uint32_t offset;
-};
-
-struct Layout {
-  std::vector<WrittenField> fields;
-  std::uint32_t step = 0;
-
-  void add(const char* name, Datatype type) {
-    fields.push_back({name, type, step});
-    step += type == kUint16 ? 2 : 4;
+// sensor_msgs/PointField's number of a type; 0: it has none.
+std::uint8_t datatype_of(ScalarType type) {
+  switch (type) {
+    case ScalarType::i8:
+      return 1;
+    case ScalarType::u8:
+      return 2;
+    case ScalarType::i16:
+      return 3;
+    case ScalarType::u16:
+      return 4;
+    case ScalarType::i32:
+      return 5;
+    case ScalarType::u32:
+      return 6;
+    case ScalarType::f32:
+      return 7;
+    case ScalarType::f64:
+      return 8;
+    default:
+      return 0;
   }
-};
-
-Layout layout_of(const Scan& scan) {
-  const auto fits = [&scan](const auto& values) {
-    return values.empty() || values.size() == scan.points.size();
-  };
-  if (!fits(scan.intensities) || !fits(scan.times_ns) || !fits(scan.rings)) {
-    throw std::invalid_argument("a scan's arrays must be empty or as long as its points");
-  }
-  Layout layout;
-  for (const char* name : {"x", "y", "z"}) layout.add(name, kFloat32);
-  if (!scan.intensities.empty()) layout.add("intensity", kFloat32);
-  const bool negative = std::any_of(scan.times_ns.begin(), scan.times_ns.end(),
-                                    [](std::int32_t time) { return time < 0; });
-  if (!scan.times_ns.empty()) layout.add("t", negative ? kInt32 : kUint32);
-  if (!scan.rings.empty()) layout.add("ring", kUint16);
-  return layout;
-}
-
-std::string points_of(const Scan& scan, std::uint32_t step) {
-  std::string bytes;
-  bytes.reserve(scan.points.size() * step);
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    bytes.append(reinterpret_cast<const char*>(scan.points[i].data()), 3 * sizeof(float));
-    if (!scan.intensities.empty()) append_bytes(bytes, scan.intensities[i]);
-    if (!scan.times_ns.empty()) append_bytes(bytes, scan.times_ns[i]);
-    if (!scan.rings.empty()) append_bytes(bytes, scan.rings[i]);
-  }
-  return bytes;
 }
 
 }  // namespace
 
+bool fits_point_cloud2(const Column& column) { return datatype_of(column.type) != 0; }
+
+std::string format_point_cloud2(const CloudHead& head, std::span<const Column> columns,
+                                std::size_t points, MessageWriter::Flavour flavour) {
+  const auto width = static_cast<std::uint32_t>(points);
+  const auto step = static_cast<std::uint32_t>(point_bytes(columns));
+  MessageWriter message(flavour);
+  message.header(head.stamp_ns, head.frame).number(std::uint32_t{1}).number(width);
+  message.count(columns.size());
+  std::uint32_t offset = 0;
+  for (const Column& column : columns) {
+    message.string(column.name).number(offset);
+    message.number(datatype_of(column.type)).number(static_cast<std::uint32_t>(column.count));
+    offset += static_cast<std::uint32_t>(point_bytes({&column, 1}));
+  }
+  message.number(std::uint8_t{0}).number(step).number(step * width);
+  std::string rows;
+  append_points(rows, columns, points);
+  message.count(rows.size()).raw(rows);
+  return message.number(static_cast<std::uint8_t>(head.dense ? 1 : 0)).take();
+}
+
 std::string format_point_cloud2(const Scan& scan, std::string_view frame,
                                 MessageWriter::Flavour flavour) {
-  const Layout layout = layout_of(scan);
-  const auto points = static_cast<std::uint32_t>(scan.points.size());
-  MessageWriter message(flavour);
-  message.header(scan.stamp_ns, frame).number(std::uint32_t{1}).number(points);
-  message.count(layout.fields.size());
-  for (const WrittenField& field : layout.fields) {
-    message.string(field.name).number(field.offset);
-    message.number(static_cast<std::uint8_t>(field.type)).number(std::uint32_t{1});
-  }
-  message.number(std::uint8_t{0}).number(layout.step).number(layout.step * points);
-  message.count(std::size_t{layout.step} * points).raw(points_of(scan, layout.step));
-  const bool dense = std::all_of(scan.points.begin(), scan.points.end(),
-                                 [](const Eigen::Vector3f& point) { return point.allFinite(); });
-  return message.number(static_cast<std::uint8_t>(dense ? 1 : 0)).take();
+  return format_point_cloud2({scan.stamp_ns, frame, is_dense(scan)}, written_columns(scan),
+                             scan.points.size(), flavour);
+}
+
+bool is_dense(const Scan& scan) {
+  return std::all_of(scan.points.begin(), scan.points.end(),
+                     [](const Eigen::Vector3f& point) { return point.allFinite(); });
 }
 
 }  // namespace surefoot::io
