@@ -13,11 +13,11 @@ namespace surefoot {
 struct alignas(64) Surfel {
   int directions = 0;                              ///< 0: too few points
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
+  double extent = 0.0;                             ///< variance of the points, all ways [m^2]
   Eigen::Vector3d across[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                Eigen::Vector3d::Zero()};  ///< unit; a plane's: to who sees it
   double variance[3] = {0.0, 0.0, 0.0};  ///< along them [m^2]: the points', a cloud's widened
   double worth[3] = {1.0, 1.0, 1.0};     ///< share of what residuals along them claim to tell
-  double extent = 0.0;                   ///< variance of the points, all ways [m^2]
 
   [[nodiscard]] bool cloud() const { return directions == 3; }
 

@@ -17,7 +17,7 @@ constexpr double kGrowth = 1.15;
 constexpr std::size_t kTurn = 3;
 
 // So many points ahead, memory is asked for what the map knows of them: they lie all over it.
-constexpr std::size_t kAhead = 8;
+constexpr std::size_t kAhead = 20;
 
 // Scans that are counted: what fits Sight's 16 bits.
 constexpr int kMost = 60'000;
@@ -165,9 +165,9 @@ void SurfelMap::fit(Grid& grid) const {
   grid.stale.clear();
 }
 
-/// What beams went through time and again since one last hit it has moved away.
-std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
-  std::vector<Eigen::Vector3d> emptied;
+/// Notes what this scan hit, and returns the sides that its beams may have gone through.
+std::vector<std::uint32_t> SurfelMap::may_be_passed(Grid& grid, const Beams& beams) const {
+  std::vector<std::uint32_t> sides;
   for (std::size_t at = 0; at < grid.sights.size(); ++at) {
     Sight& sight = grid.sights[at];
     if (sight.now) {
@@ -177,7 +177,20 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
       continue;
     }
     if (sight.hits == 0 || (sight.passed == 0 && (at + scan_) % kTurn != 0)) continue;
-    if (!beams.may_pass(sight.middle) || !beams.pass(grid.surfels[at])) continue;
+    if (beams.may_pass(sight.middle)) sides.push_back(static_cast<std::uint32_t>(at));
+  }
+  return sides;
+}
+
+/// What beams went through time and again since one last hit it has moved away.
+std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
+  std::vector<Eigen::Vector3d> emptied;
+  const std::vector<std::uint32_t> sides = may_be_passed(grid, beams);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i + kAhead < sides.size()) prefetch(grid.surfels[sides[i + kAhead]], kCacheLine);
+    const std::uint32_t at = sides[i];
+    if (!beams.pass(grid.surfels[at])) continue;
+    Sight& sight = grid.sights[at];
     sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
     // [K19]
     if (sight.passed < config_.gone_after + config_.gone_share * sight.hits) continue;

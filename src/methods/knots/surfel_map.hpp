@@ -109,6 +109,7 @@ class SurfelMap {
                                              const VoxelIndex& index);
   void add(Grid& grid, const Sweep& sweep) const;
   void fit(Grid& grid) const;
+  [[nodiscard]] std::vector<std::uint32_t> may_be_passed(Grid& grid, const Beams& beams) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
 
   Config::Knots config_;
