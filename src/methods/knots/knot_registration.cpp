@@ -56,32 +56,49 @@ SurfelResidual residual_of(const Eigen::Vector3d& place, const Surfel& surfel, i
   return residual;
 }
 
+/// A segment's points, moved and looked up some at a time.
+template <typename Function>
+void for_surfels(KnotPoints& points, std::size_t segment, const SurfelMap& map,
+                 const KnotWindow& window, const Look& look, const Function& f) {
+  const Pose& T_first = window.knots[segment + 1];
+  const Pose& T_last = window.knots[segment + 2];
+  const SegmentMotion motion(T_first, se3_log(T_first.inverse() * T_last));  // [K1]
+  const Eigen::Vector3d way = T_last.translation - T_first.translation;
+  std::array<SurfelMap::Question, SurfelMap::kAtOnce> questions;
+  std::array<double, SurfelMap::kAtOnce> shares;
+  const std::size_t end = points.begins[segment + 1];
+  for (std::size_t i = points.begins[segment]; i < end;) {
+    std::size_t n = 0;
+    for (; n < questions.size() && i < end; ++n, i += look.stride) {
+      KnotPoints::Point& point = points.points[i];
+      const Eigen::Vector3d place = motion(point.share, point.position);
+      const Eigen::Vector3d sensor = T_first.translation + point.share * way;
+      questions[n] = {place, place - sensor, &point.place};
+      shares[n] = point.share;
+    }
+    map.find_all({questions.data(), n}, look.finest);
+    for (std::size_t k = 0; k < n; ++k) f(questions[k], shares[k]);
+  }
+}
+
 SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProblem& problem,
                        const KnotWindow& window, const Look& look) {
   SegmentSum sum;
   SegmentRows rows(look.last), doubtful(false);
-  const Pose& T_first = window.knots[segment + 1];
-  const Pose& T_last = window.knots[segment + 2];
-  const SegmentMotion motion(T_first, se3_log(T_first.inverse() * T_last));  // [K1]
-  for (std::size_t i = points.begins[segment]; i < points.begins[segment + 1]; i += look.stride) {
-    KnotPoints::Point& point = points.points[i];
-    const double u = point.share;
-    const Eigen::Vector3d place = motion(u, point.position);
-    const Eigen::Vector3d sensor =
-        T_first.translation + u * (T_last.translation - T_first.translation);
-    const Eigen::Vector3d s = place - sensor;
-    const Surfel* const surfel = problem.map.find(place, s, look.finest, point.place);
-    ++(surfel == nullptr ? sum.unseen : sum.matches);
-    for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-      SurfelResidual residual = residual_of(place, *surfel, d, look, problem.config);
-      residual.arm = s;
-      residual.u = u;
-      rows.add(residual);
-      if (!look.last || surfel->worth[d] >= 1.0) continue;
-      residual.weight *= 1.0 - surfel->worth[d];
-      doubtful.add(residual);
-    }
-  }
+  for_surfels(
+      points, segment, problem.map, window, look, [&](const SurfelMap::Question& point, double u) {
+        const Surfel* const surfel = point.last->surfel;
+        ++(surfel == nullptr ? sum.unseen : sum.matches);
+        for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+          SurfelResidual residual = residual_of(point.place, *surfel, d, look, problem.config);
+          residual.arm = point.ray;
+          residual.u = u;
+          rows.add(residual);
+          if (!look.last || surfel->worth[d] >= 1.0) continue;
+          residual.weight *= 1.0 - surfel->worth[d];
+          doubtful.add(residual);
+        }
+      });
   sum.surfels = rows.sums();
   sum.doubtful = doubtful.sums();
   return sum;

@@ -3,6 +3,7 @@
 #include "methods/knots/knot_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -34,25 +35,38 @@ struct Grain {
   double scale;  // [m]
 };
 
+/// Of a point, by how far it lies off its surfel.
+double fit_of(const Eigen::Vector3d& place, const Surfel& surfel, double scale) {
+  double fit = 0.0;
+  for (int d = 0; d < surfel.directions; ++d) {
+    const double residual = surfel.across[d].dot(place - surfel.mean);
+    const double variance = scale * scale + surfel.variance[d];
+    fit += 1.0 / (1.0 + residual * residual / variance);  // [K29]
+  }
+  return fit / surfel.directions;
+}
+
 double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, std::size_t stride,
               const Pose& pose, const Grain& grain) {
   const int finest = map.level_of(grain.step);
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+  std::array<SurfelMap::Question, SurfelMap::kAtOnce> questions;
+  std::array<SurfelMap::Place, SurfelMap::kAtOnce> answers;
   double sum = 0.0;
   int asked = 0;
-  for (std::size_t i = 0; i < points.size(); i += stride, ++asked) {
-    const Eigen::Vector3d ray = R * points[i];
-    const Eigen::Vector3d place = ray + pose.translation;
-    SurfelMap::Place nowhere;
-    const Surfel* const surfel = map.find(place, ray, finest, nowhere);
-    if (surfel == nullptr) continue;
-    double of_point = 0.0;
-    for (int d = 0; d < surfel->directions; ++d) {
-      const double residual = surfel->across[d].dot(place - surfel->mean);
-      const double variance = grain.scale * grain.scale + surfel->variance[d];
-      of_point += 1.0 / (1.0 + residual * residual / variance);  // [K29]
+  for (std::size_t i = 0; i < points.size();) {
+    std::size_t n = 0;
+    for (; n < questions.size() && i < points.size(); ++n, i += stride) {
+      const Eigen::Vector3d ray = R * points[i];
+      answers[n] = {};
+      questions[n] = {ray + pose.translation, ray, &answers[n]};
     }
-    sum += of_point / surfel->directions;
+    map.find_all({questions.data(), n}, finest);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (answers[k].surfel == nullptr) continue;
+      sum += fit_of(questions[k].place, *answers[k].surfel, grain.scale);
+    }
+    asked += static_cast<int>(n);
   }
   return sum / std::max(asked, 1);
 }

@@ -3,6 +3,7 @@
 #include "methods/knots/surfel_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -75,6 +76,38 @@ const Surfel* SurfelMap::search(VoxelIndex index, const Eigen::Vector3d& ray, in
     if (!surfel->cloud()) break;
   }
   return last.surfel;
+}
+
+/// Three rounds, each of which asks memory for what the next one reads: the searches' misses are
+/// waited for together, not one after the other.
+void SurfelMap::find_all(std::span<const Question> questions, int finest) const {
+  struct Search {
+    const Question* question;
+    VoxelIndex index;
+    std::uint64_t key;
+  };
+  std::array<Search, kAtOnce> searches;
+  std::size_t n = 0;
+  const Grid& grid = grids_[finest];
+  for (const Question& question : questions) {
+    const VoxelIndex index = voxel_index(question.place, grid.inverse_size);
+    if (known(index, question.ray, finest, *question.last)) continue;
+    searches[n++] = {&question, index, voxel_key(index)};
+    grid.table.prefetch(searches[n - 1].key);
+  }
+  const bool coarsest = finest + 1 == static_cast<int>(grids_.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t found = grid.table.find(searches[i].key);
+    if (found != VoxelTable::kNone) {
+      prefetch(grid.surfels[found], 2 * kCacheLine);
+    } else if (!coarsest) {
+      grids_[finest + 1].table.prefetch(voxel_key(half(searches[i].index)));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Question& question = *searches[i].question;
+    (void)search(searches[i].index, question.ray, finest, *question.last);
+  }
 }
 
 int SurfelMap::level_of(double size) const {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/pages.hpp"
@@ -43,15 +44,22 @@ class SurfelMap {
 
   /// The plane or pole of the finest grid, from `finest` on, whose voxel about a place has one that
   /// `ray` (of any length, from the sensor) can have hit; if none has, the finest cloud there, or
-  /// null. `last` is what the last call
-  /// for this point left, and is brought up to date: the map must not change in between.
+  /// null. `last` is what the last call for this point left, and is brought up to date: the map
+  /// must not change in between.
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
                                    int finest, Place& last) const {
     const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
-    const bool known = last.asked == finest && last.voxel == index &&
-                       (last.surfel == nullptr || !last.surfel->from_behind(ray));
-    return known ? last.surfel : search(index, ray, finest, last);
+    return known(index, ray, finest, last) ? last.surfel : search(index, ray, finest, last);
   }
+
+  /// A place [m, map frame] to be looked up, as by find().
+  struct Question {
+    Eigen::Vector3d place, ray;
+    Place* last;  ///< holds the answer, then
+  };
+  static constexpr std::size_t kAtOnce = 32;
+  /// find() for up to kAtOnce places, whose voxels memory fetches all at the same time.
+  void find_all(std::span<const Question> questions, int finest) const;
 
   /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
   /// and empties those that the beams went through: `beams`, or if null the points' own. Returns
@@ -102,6 +110,12 @@ class SurfelMap {
   /// What a scan adds to the map: points, and the beams that measured them.
   struct Sweep;
 
+  /// Whether `last` has the answer already.
+  [[nodiscard]] static bool known(const VoxelIndex& index, const Eigen::Vector3d& ray, int finest,
+                                  const Place& last) {
+    return last.asked == finest && last.voxel == index &&
+           (last.surfel == nullptr || !last.surfel->from_behind(ray));
+  }
   /// find() for a voxel of the finest level asked, without what is known.
   [[nodiscard]] const Surfel* search(VoxelIndex index, const Eigen::Vector3d& ray, int finest,
                                      Place& last) const;

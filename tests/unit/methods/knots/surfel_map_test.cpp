@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -210,6 +211,30 @@ TEST(SurfelMap, ARememberedPlaceChangesNoAnswer) {
   }
   EXPECT_GT(hits, 1000);
   EXPECT_GT(misses, 300);
+}
+
+TEST(SurfelMap, PlacesLookedUpAtOnceGetTheAnswersOfEach) {
+  Random random(9);
+  const SurfelMap map = map_of(yard(random));
+  std::array<SurfelMap::Place, SurfelMap::kAtOnce> remembered;
+  std::array<SurfelMap::Question, SurfelMap::kAtOnce> questions;
+  int hits = 0;
+  for (int round = 0; round < 200; ++round) {
+    const int finest = round / 10 % 4;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const bool stays = round > 0 && i % 3 != 0;  // what is known already, and what is not
+      const Eigen::Vector3d place = stays ? questions[i].place : random.vector(5.0);
+      questions[i] = {place, i % 2 == 0 ? place - kSensor : random.vector(1.0), &remembered[i]};
+    }
+    map.find_all(questions, finest);
+    for (const SurfelMap::Question& question : questions) {
+      SurfelMap::Place fresh;
+      ASSERT_EQ(question.last->surfel, map.find(question.place, question.ray, finest, fresh));
+      EXPECT_EQ(question.last->level, fresh.level);
+      hits += fresh.surfel != nullptr ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 1000);
 }
 
 TEST(SurfelMap, TheWorldMayLieKilometresAway) {
