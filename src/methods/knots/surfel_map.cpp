@@ -53,61 +53,66 @@ SurfelMap::SurfelMap(const Config::Knots& config, double radius)
   }
 }
 
-const Surfel* SurfelMap::search(VoxelIndex index, const Eigen::Vector3d& ray, int finest,
-                                Place& last) const {
-  last = {-1, finest, index, nullptr};
-  // A voxel's index in the next grid, whose voxels are twice as large, is half its own.
-  for (int level = finest; level < static_cast<int>(grids_.size()); ++level, index = half(index)) {
-    const Grid& grid = grids_[level];
-    const std::uint64_t key = voxel_key(index);
-    std::uint32_t found = grid.table.find(key);
-    if (found == VoxelTable::kNone) continue;
-    const Surfel* surfel = &grid.surfels[found];
-    if (surfel->from_behind(ray)) {
-      last.asked = -1;  // the answer depends on the ray, too
-      found = grid.table.find(key | kBack);
-      if (found == VoxelTable::kNone) continue;
-      surfel = &grid.surfels[found];
-      if (surfel->from_behind(ray)) continue;
-    }
-    if (surfel->directions == 0 || (surfel->cloud() && last.level >= 0)) continue;
-    last.level = level;
-    last.surfel = surfel;
-    if (!surfel->cloud()) break;
-  }
-  return last.surfel;
-}
+/// A question that is not answered yet.
+struct SurfelMap::Search {
+  const Question* question;
+  VoxelIndex index;  // in the grid that is asked
+  std::uint64_t key;
+  std::uint32_t found;
+};
 
-/// Three rounds, each of which asks memory for what the next one reads: the searches' misses are
+/// In rounds, each of which asks memory for what the next one reads: the misses of all searches are
 /// waited for together, not one after the other.
 void SurfelMap::find_all(std::span<const Question> questions, int finest) const {
-  struct Search {
-    const Question* question;
-    VoxelIndex index;
-    std::uint64_t key;
-  };
   std::array<Search, kAtOnce> searches;
   std::size_t n = 0;
-  const Grid& grid = grids_[finest];
   for (const Question& question : questions) {
-    const VoxelIndex index = voxel_index(question.place, grid.inverse_size);
+    const VoxelIndex index = voxel_index(question.place, grids_[finest].inverse_size);
     if (known(index, question.ray, finest, *question.last)) continue;
-    searches[n++] = {&question, index, voxel_key(index)};
-    grid.table.prefetch(searches[n - 1].key);
+    *question.last = {-1, finest, index, nullptr};
+    searches[n++] = {&question, index, 0, VoxelTable::kNone};
   }
-  const bool coarsest = finest + 1 == static_cast<int>(grids_.size());
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t found = grid.table.find(searches[i].key);
-    if (found != VoxelTable::kNone) {
-      prefetch(grid.surfels[found], 2 * kCacheLine);
-    } else if (!coarsest) {
-      grids_[finest + 1].table.prefetch(voxel_key(half(searches[i].index)));
+  for (int level = finest; n > 0 && level < static_cast<int>(grids_.size()); ++level) {
+    const Grid& grid = grids_[level];
+    for (std::size_t i = 0; i < n; ++i) {
+      searches[i].key = voxel_key(searches[i].index);
+      grid.table.prefetch(searches[i].key);
     }
+    for (std::size_t i = 0; i < n; ++i) {
+      searches[i].found = grid.table.find(searches[i].key);
+      if (searches[i].found != VoxelTable::kNone) {
+        prefetch(grid.surfels[searches[i].found], 2 * kCacheLine);
+      }
+    }
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (answer(searches[i], level)) continue;
+      searches[open] = searches[i];
+      // A voxel's index in the next grid, whose voxels are twice as large, is half its own.
+      searches[open].index = half(searches[open].index);
+      ++open;
+    }
+    n = open;
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const Question& question = *searches[i].question;
-    (void)search(searches[i].index, question.ray, finest, *question.last);
+}
+
+/// What a voxel tells of a question; returns whether no coarser one is to be asked.
+bool SurfelMap::answer(const Search& search, int level) const {
+  if (search.found == VoxelTable::kNone) return false;
+  const Grid& grid = grids_[level];
+  Place& last = *search.question->last;
+  const Surfel* surfel = &grid.surfels[search.found];
+  if (surfel->from_behind(search.question->ray)) {
+    last.asked = -1;  // the answer depends on the ray, too
+    const std::uint32_t back = grid.table.find(search.key | kBack);
+    if (back == VoxelTable::kNone) return false;
+    surfel = &grid.surfels[back];
+    if (surfel->from_behind(search.question->ray)) return false;
   }
+  if (surfel->directions == 0 || (surfel->cloud() && last.level >= 0)) return false;
+  last.level = level;
+  last.surfel = surfel;
+  return !surfel->cloud();
 }
 
 int SurfelMap::level_of(double size) const {

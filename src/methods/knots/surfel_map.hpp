@@ -42,24 +42,23 @@ class SurfelMap {
     const Surfel* surfel = nullptr;
   };
 
-  /// The plane or pole of the finest grid, from `finest` on, whose voxel about a place has one that
-  /// `ray` (of any length, from the sensor) can have hit; if none has, the finest cloud there, or
-  /// null. `last` is what the last call for this point left, and is brought up to date: the map
-  /// must not change in between.
-  [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
-                                   int finest, Place& last) const {
-    const VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
-    return known(index, ray, finest, last) ? last.surfel : search(index, ray, finest, last);
-  }
-
-  /// A place [m, map frame] to be looked up, as by find().
+  /// A place to be looked up [m, map frame], seen along a ray of any length from the sensor.
   struct Question {
     Eigen::Vector3d place, ray;
-    Place* last;  ///< holds the answer, then
+    Place* last;  ///< what the last answer for this point left, and then this one
   };
   static constexpr std::size_t kAtOnce = 32;
-  /// find() for up to kAtOnce places, whose voxels memory fetches all at the same time.
+  /// For each of up to kAtOnce questions the plane or pole of the finest grid, from `finest` on,
+  /// whose voxel about the place has one that the ray can have hit; if none has, the finest cloud
+  /// there, or null. The map must not change between two answers for a point.
   void find_all(std::span<const Question> questions, int finest) const;
+  /// Likewise, for one.
+  [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
+                                   int finest, Place& last) const {
+    const Question question{place, ray, &last};
+    find_all({&question, 1}, finest);
+    return last.surfel;
+  }
 
   /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
   /// and empties those that the beams went through: `beams`, or if null the points' own. Returns
@@ -116,9 +115,8 @@ class SurfelMap {
     return last.asked == finest && last.voxel == index &&
            (last.surfel == nullptr || !last.surfel->from_behind(ray));
   }
-  /// find() for a voxel of the finest level asked, without what is known.
-  [[nodiscard]] const Surfel* search(VoxelIndex index, const Eigen::Vector3d& ray, int finest,
-                                     Place& last) const;
+  struct Search;
+  [[nodiscard]] bool answer(const Search& search, int level) const;
   [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
                                              const VoxelIndex& index);
   void add(Grid& grid, const Sweep& sweep) const;
