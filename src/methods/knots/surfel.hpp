@@ -39,9 +39,9 @@ class SurfelMoments {
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range) {
     ++count_;
     sum_ += point;
-    products_ += products_of(point);
+    add_products(point, products_);
     ray_sum_ += ray;
-    rays_ += products_of(ray);
+    add_products(ray, rays_);
     squared_ranges_ += range * range;
   }
 
@@ -56,9 +56,14 @@ class SurfelMoments {
   /// The upper triangle of a sum of v v^T, row by row.
   using Products = Eigen::Matrix<double, 6, 1>;
 
-  [[nodiscard]] static Products products_of(const Eigen::Vector3d& v) {
-    return {v.x() * v.x(), v.x() * v.y(), v.x() * v.z(),
-            v.y() * v.y(), v.y() * v.z(), v.z() * v.z()};
+  /// One by one: put together first, they would go through memory.
+  static void add_products(const Eigen::Vector3d& v, Products& sum) {
+    sum[0] += v.x() * v.x();
+    sum[1] += v.x() * v.y();
+    sum[2] += v.x() * v.z();
+    sum[3] += v.y() * v.y();
+    sum[4] += v.y() * v.z();
+    sum[5] += v.z() * v.z();
   }
   [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
   /// What the rings leave unseen between them, as a covariance [m^2].
@@ -67,12 +72,13 @@ class SurfelMoments {
   [[nodiscard]] double of_one_ring(double ring_gap) const;
   void weigh(Surfel& cloud, double size, const Config::Knots& config) const;
 
-  int count_ = 0;
+  // In an order that leaves no gaps: Eigen aligns the products.
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
-  Products products_ = Products::Zero();
-  Eigen::Vector3d ray_sum_ = Eigen::Vector3d::Zero();
-  Products rays_ = Products::Zero();
   double squared_ranges_ = 0.0;
+  Products products_ = Products::Zero();
+  Products rays_ = Products::Zero();
+  Eigen::Vector3d ray_sum_ = Eigen::Vector3d::Zero();
+  int count_ = 0;
 };
 
 }  // namespace surefoot

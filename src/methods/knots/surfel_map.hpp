@@ -79,13 +79,14 @@ class SurfelMap {
 
  private:
   /// One side of a voxel.
-  struct alignas(64) Voxel {  // three cache lines
+  struct alignas(64) Voxel {
     std::uint64_t key = 0;
     VoxelIndex index = VoxelIndex::Zero();
-    SurfelMoments moments;
     int fitted_at = 0;  // count when the surfel was fitted
     bool stale = false;
+    SurfelMoments moments;
   };
+  static_assert(sizeof(Voxel) <= 192, "more than three cache lines");
   /// When it was seen, and what else is asked of every voxel at every scan.
   struct Sight {
     Eigen::Vector3f middle = Eigen::Vector3f::Zero();  // of its points [m]
