@@ -192,7 +192,13 @@ void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
 }
 
 void SurfelMap::fit(Grid& grid) const {
-  for (const std::uint32_t at : grid.stale) {
+  for (std::size_t i = 0; i < grid.stale.size(); ++i) {
+    if (i + kAhead < grid.stale.size()) {
+      const std::uint32_t ahead = grid.stale[i + kAhead];
+      prefetch(grid.voxels[ahead]);
+      prefetch(grid.surfels[ahead]);
+    }
+    const std::uint32_t at = grid.stale[i];
     Voxel& voxel = grid.voxels[at];
     const Eigen::Vector3d corner = voxel.index.cast<double>() * grid.size;
     grid.surfels[at] = voxel.moments.fit(corner, grid.size, config_);
