@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "methods/knots/segment_rows.hpp"
 
-#include <Eigen/Geometry>
-
 namespace surefoot {
 
 namespace {
@@ -11,24 +9,7 @@ namespace {
 // Scale of the Geman-McClure kernel in standard deviations of a residual: the usual three.
 constexpr float kKernelSigmas = 3.0F;
 
-constexpr int kValue = 6;  // the column after J's
-
 }  // namespace
-
-void SegmentRows::add(const SurfelResidual& residual) {
-  const Eigen::Vector3d turn = residual.arm.cross(residual.normal);
-  for (int i = 0; i < 3; ++i) {
-    columns_(rows_, i) = static_cast<float>(residual.normal[i]);
-    columns_(rows_, i + 3) = static_cast<float>(turn[i]);
-  }
-  columns_(rows_, kValue) = static_cast<float>(residual.value);
-  u_[rows_] = static_cast<float>(residual.u);
-  variance_[rows_] = static_cast<float>(residual.variance);
-  weight_[rows_] = static_cast<float>(residual.weight);
-  part_[rows_] = static_cast<float>(residual.part);
-  squared_distance_[rows_] = static_cast<float>(residual.arm.squaredNorm());
-  if (++rows_ == kRows) sum_up();
-}
 
 const SegmentSums& SegmentRows::sums() {
   if (rows_ > 0) sum_up();

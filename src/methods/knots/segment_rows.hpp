@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 
 #include "surefoot/pose.hpp"
@@ -47,11 +48,26 @@ class SegmentRows {
   /// `neighbours`: whether the sums are to hold those.
   explicit SegmentRows(bool neighbours) : neighbours_(neighbours) {}
 
-  void add(const SurfelResidual& residual);
+  /// Here, so that a residual goes into its columns without being put together first.
+  void add(const SurfelResidual& residual) {
+    const Eigen::Vector3d turn = residual.arm.cross(residual.normal);
+    for (int i = 0; i < 3; ++i) {
+      columns_(rows_, i) = static_cast<float>(residual.normal[i]);
+      columns_(rows_, i + 3) = static_cast<float>(turn[i]);
+    }
+    columns_(rows_, kValue) = static_cast<float>(residual.value);
+    u_[rows_] = static_cast<float>(residual.u);
+    variance_[rows_] = static_cast<float>(residual.variance);
+    weight_[rows_] = static_cast<float>(residual.weight);
+    part_[rows_] = static_cast<float>(residual.part);
+    squared_distance_[rows_] = static_cast<float>(residual.arm.squaredNorm());
+    if (++rows_ == kRows) sum_up();
+  }
   [[nodiscard]] const SegmentSums& sums();
 
  private:
   static constexpr int kRows = 32;  // of a block: it stays in the nearest cache
+  static constexpr int kValue = 6;  // the column after J's
   using Column = Eigen::Array<float, kRows, 1>;
 
   void sum_up();
