@@ -137,29 +137,30 @@ struct SurfelMap::Sweep {
   std::vector<double> ranges;
 };
 
-/// The voxel, or its back, made if there is none yet.
-std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
+/// A voxel, or its back, of which there is none yet.
+std::uint32_t SurfelMap::make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
   const auto next = static_cast<std::uint32_t>(grid.voxels.size());
-  const auto [at, inserted] = grid.table.find_or_insert(key, next);
-  if (inserted) {
-    Voxel& fresh = grid.voxels.add();
-    fresh.key = key;
-    fresh.index = index;
-    grid.surfels.add();
-    grid.sights.emplace_back();
-  }
-  return at;
+  grid.table.find_or_insert(key, next);
+  Voxel& fresh = grid.voxels.add();
+  fresh.key = key;
+  fresh.index = index;
+  grid.surfels.add();
+  grid.sights.emplace_back();
+  return next;
+}
+
+std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
+  const std::uint32_t found = grid.table.find(key);
+  return found != VoxelTable::kNone ? found : make_side(grid, key, index);
 }
 
 void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
   const std::size_t n = sweep.points.size();
-  std::vector<VoxelIndex> indices;
-  std::vector<std::uint64_t> keys;
-  indices.reserve(n);
-  keys.reserve(n);
-  for (const Eigen::Vector3d& point : sweep.points) {
-    indices.push_back(voxel_index(point, grid.inverse_size));
-    keys.push_back(voxel_key(indices.back()));
+  std::vector<VoxelIndex> indices(n);
+  std::vector<std::uint64_t> keys(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    indices[i] = voxel_index(sweep.points[i], grid.inverse_size);
+    keys[i] = voxel_key(indices[i]);
   }
   std::vector<std::uint32_t> sides(n);
   for (std::size_t i = 0; i < n; ++i) {

@@ -118,6 +118,7 @@ class SurfelMap {
   }
   struct Search;
   [[nodiscard]] bool answer(const Search& search, int level) const;
+  static std::uint32_t make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index);
   [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
                                              const VoxelIndex& index);
   void add(Grid& grid, const Sweep& sweep) const;
