@@ -94,8 +94,9 @@ struct Config {
     double usual_rate;        // of usual misfit and dependence, per scan
     double unseen_weight;     // of a point where the map has no surfel, among attempts
     double swing;             // [rad/s] attempts that roll and pitch by so much more
+    double turn;              // [rad/s] attempts that turn by so much more
     double swing_kernel;      // [m] of these
-    double looser;            // of the last attempts, times the usual fluctuation
+    double looser;            // of attempts that turn and of the last ones, times the usual
     double gone_share;        // of the scans that ever hit a voxel, besides gone_after
     double lost_probability;  // of a wrong pose, beyond which it is lost; 1: never
     int search_scans;         // that it searches for itself until a new segment begins

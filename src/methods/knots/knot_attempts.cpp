@@ -19,6 +19,9 @@ constexpr std::size_t kProbed = 500;
 constexpr double kSame = 0.01, kSameAngle = 0.005;  // [m], [rad] of every knot
 constexpr double kBetter = 0.98;                    // disagreements' ratio
 
+// A looser velocity model explains more by itself: only what is clearly better was found by it.
+constexpr double kFreer = 0.9;  // disagreements' ratio
+
 // Iterations once the kernel has narrowed: where it leads is seen then, whether it converges is not
 // asked.
 constexpr int kSettling = 6;
@@ -62,6 +65,7 @@ class Attempts {
       : stride_(std::max<std::size_t>(points.points.size() / kProbed, 1)),
         points_(every(stride_, points)),
         config_(weighed(problem.config, stride_)),
+        usual_(problem.model),
         first_(first) {
     // By one look from where it ended, how much of these points disagrees there.
     const Annealing look{config_.kernel_end, 1.0, 1};
@@ -72,14 +76,20 @@ class Attempts {
   void add(const KnotProblem& problem, const KnotWindow& start, Annealing annealing) {
     annealing.max_iterations = std::min(annealing.max_iterations, most_iterations(annealing));
     KnotRegistration found = register_from(start, problem, annealing);
-    if (!found.solved || disagreement(found) >= least_) return;
+    const double most = &problem.model == &usual_ ? least_ : kFreer * least_;
+    if (!found.solved || disagreement(found) >= most) return;
     if (first_.converged && same_end(found.window, first_.window)) return;
     least_ = disagreement(found);
-    best_ = std::move(found.window);
+    best_.emplace(Best{std::move(found.window), problem});
   }
 
-  /// Where one ended better than the first did, if one has.
-  [[nodiscard]] const std::optional<KnotWindow>& best() const { return best_; }
+  /// Where one ended, and by which velocity model and prior.
+  struct Best {
+    KnotWindow window;
+    const KnotProblem& problem;
+  };
+  /// If one ended better than the first did.
+  [[nodiscard]] const std::optional<Best>& best() const { return best_; }
 
  private:
   [[nodiscard]] double disagreement(const KnotRegistration& found) const {
@@ -103,9 +113,10 @@ class Attempts {
   std::size_t stride_;
   KnotPoints points_;
   Config::Knots config_;
+  const VelocityModel& usual_;
   const KnotRegistration& first_;
   double least_ = 1.0;
-  std::optional<KnotWindow> best_;
+  std::optional<Best> best_;
 };
 
 /// By a kernel that leaves a registration where it begins.
@@ -133,6 +144,18 @@ void add_swings(Attempts& attempts, const KnotProblem& problem, const KnotWindow
       velocity.tail<3>() += attitude * (rate * Eigen::Vector3d::Unit(axis));
       attempts.add(problem, predicted.at_velocity(velocity), annealing);
     }
+  }
+}
+
+/// From motions that turn faster than predicted: who stands and looks around begins to, and stops,
+/// within a scan, and where nothing is flat a scan fits nearly as well some degrees off.
+void add_turns(Attempts& attempts, const KnotProblem& problem, const KnotWindow& predicted) {
+  const Annealing annealing = narrow_annealing(problem.config);
+  const double turn = problem.config.turn;
+  for (const double rate : {turn, -turn, 2 * turn, -2 * turn, 3 * turn, -3 * turn}) {
+    Twist velocity = predicted.mean_velocity();
+    velocity[5] += rate;
+    attempts.add(problem, predicted.at_velocity(velocity), annealing);
   }
 }
 
@@ -171,6 +194,7 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
   const VelocityModel looser = problem.model.looser(config.looser);
   const KnotProblem loose{problem.map, problem.prior,   looser,
                           config,      problem.workers, problem.begin_step};
+  add_turns(attempts, loose, predicted);
   const bool wrong = first.misfit_of_seen() > usual.most_misfit_of_seen(config);
   if (wrong) {
     const Annealing patient = patient_annealing(config);
@@ -179,8 +203,8 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
   }
   if (!attempts.best()) return first;
   for (KnotPoints::Point& point : points.points) point.place = {};
-  KnotRegistration again =
-      register_knots(points, wrong ? loose : problem, *attempts.best(), narrow_annealing(config));
+  KnotRegistration again = register_knots(points, attempts.best()->problem, attempts.best()->window,
+                                          narrow_annealing(config));
   return is_better(again, first, config.unseen_weight) ? again : first;
 }
 

@@ -91,7 +91,8 @@ class KnotFrontEnd : public FrontEnd {
                                                 const std::vector<std::uint32_t>& chosen,
                                                 const SearchRegion& region) const;
   [[nodiscard]] std::optional<Registered> register_at(
-      const Pose& place, const PreparedScan& scan, const std::vector<std::uint32_t>& chosen) const;
+      const Pose& place, const Twist& velocity, const PreparedScan& scan,
+      const std::vector<std::uint32_t>& chosen) const;
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] double disagreement_of(const Registered& registered) const;

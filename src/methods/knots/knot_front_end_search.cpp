@@ -51,6 +51,20 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
   return points;
 }
 
+/// How probably a registration of one who is lost is wrong. That he was lost is known. How well
+/// the scan holds the position tells nothing of which place it is; but where it may slide, or be
+/// farther away, only what is held well is believed: there are places that look alike.
+double hazard_where_lost(const SearchRegion& region, Estimate& estimate) {
+  const auto slides = [](const DegenerateDirection& weak) {
+    return weak.name != "roll" && weak.name != "pitch";
+  };
+  estimate.evidence.gap = 0.0;
+  const bool may_slide =
+      std::any_of(estimate.degenerate.begin(), estimate.degenerate.end(), slides);
+  if (!may_slide && region.radius <= kLarge) estimate.evidence.uncertainty = 0.0;
+  return hazard(estimate.evidence);
+}
+
 }  // namespace
 
 /// Where it may be, the longer after the last trusted scan the farther from it.
@@ -69,12 +83,14 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
   return search_places(map_, some_of(scan, chosen), region, kPlaces, session_.workers);
 }
 
-/// A scan registered where a coarse look told that it may be; none if that is not solved.
+/// A scan registered where a coarse look told that it may be, at first by one velocity; none if
+/// that is not solved.
 std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
-    const Pose& place, const PreparedScan& scan, const std::vector<std::uint32_t>& chosen) const {
+    const Pose& place, const Twist& velocity, const PreparedScan& scan,
+    const std::vector<std::uint32_t>& chosen) const {
   const KnotEnd begin = begin_at(place, scan, config_.knots);
   Registered here{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
-  here.predicted = here.predicted.at_velocity(Twist::Zero());
+  here.predicted = here.predicted.at_velocity(velocity);
   KnotPoints points = sort_points(scan, chosen, here.predicted);
   here.found =
       register_knots(points, problem(begin), here.predicted, usual_annealing(config_.knots));
@@ -96,7 +112,7 @@ double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::u
   const auto places = places_in(scan, chosen, region_about(scan.end_ns + kLeewayNs));
   const Pose here = registered.trajectory.at(0.5);
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
-  const std::optional<Registered> other = register_at(places[0].pose, scan, chosen);
+  const std::optional<Registered> other = register_at(places[0].pose, Twist::Zero(), scan, chosen);
   if (!other || same_place(other->trajectory.at(0.5), here)) return 0.0;
   // [K33]
   return strength(disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3));
@@ -110,7 +126,12 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
   std::vector<Registered> found;
   for (const PlaceFit& place : places_in(scan, chosen, region)) {
-    if (auto here = register_at(place.pose, scan, chosen)) found.push_back(std::move(*here));
+    // Whoever was carried stands; whoever lost himself in a turn still goes.
+    const Twist going = model_.mean(place.pose.rotation);
+    for (const Twist& velocity : {Twist(Twist::Zero()), going}) {
+      auto here = register_at(place.pose, velocity, scan, chosen);
+      if (here) found.push_back(std::move(*here));
+    }
   }
   std::stable_sort(found.begin(), found.end(), [&](const Registered& a, const Registered& b) {
     return disagreement_of(a) < disagreement_of(b);
@@ -132,7 +153,8 @@ std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
   Registered next = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
   if (!next.estimate.trusted()) return std::nullopt;
   View view = look(scan, thinned, next.trajectory);
-  const double hazard_now = judge(scan, view, next);
+  (void)judge(scan, view, next);
+  const double hazard_now = hazard_where_lost(region_about(scan.end_ns), next.estimate);
   if (is_doubtful(hazard_now)) return std::nullopt;
   search_.reset();
   forget_verdicts();
@@ -157,10 +179,9 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   if (best && best->estimate.trusted() && !seen_again_) {
     View view = look(scan, thinned, best->trajectory);
     (void)judge(scan, view, *best);
-    Evidence& evidence = best->estimate.evidence;
-    evidence.gap = 0.0;  // that it was lost is known
-    if (!confirms) evidence.motion = 0.0;
-    const double hazard_now = best->estimate.wrong_probability = hazard(evidence);
+    if (!confirms) best->estimate.evidence.motion = 0.0;
+    const double hazard_now = best->estimate.wrong_probability =
+        hazard_where_lost(region_about(scan.end_ns), best->estimate);
     right = !is_doubtful(hazard_now);
     if (right && search_->agreed + 1 >= kAgree) {
       search_.reset();

@@ -321,8 +321,10 @@ TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
   const auto wrong =
       take_scans(slope_with_pillars(), standing({kStart.rotation, {0.0, 0.0, 1.0}}), 1, {}, 10);
   std::array<int, 2> iterations{};
+  constexpr int kOnce = 25;  // it never converges
   for (const bool second : {false, true}) {
     Config config;
+    config.knots.max_iterations = kOnce;
     config.knots.second_attempt = second;
     Odometry odometry(config);
     for (const Scan& scan : scans) (void)odometry.add_scan(scan);
@@ -331,9 +333,8 @@ TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
     (void)odometry.add_scan(wrong.front());
   }
   // Once, and at up to four other places, for a place that is in doubt.
-  const int once = Config().knots.max_iterations;
-  EXPECT_LE(iterations[0], 5 * once + 1);
-  EXPECT_GT(iterations[1], iterations[0] + 2 * once);
+  EXPECT_LE(iterations[0], 5 * kOnce + 1);
+  EXPECT_GT(iterations[1], iterations[0] + 2 * kOnce);
 }
 
 TEST(KnotRuns, ThePoseAtAnyInstantOfAScanIsTheTruths) {
