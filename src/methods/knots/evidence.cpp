@@ -96,6 +96,17 @@ double hazard(const Evidence& evidence) {
 
 bool is_doubtful(double hazard) { return hazard > kVerdictBase / kScans; }
 
+bool has_settled(bool converged, int iterations, bool slides) {
+  constexpr int kSoon = 25;  // some 13 of them until the kernel is narrow
+  return converged && (iterations <= kSoon || slides);
+}
+
+Evidence evidence_where_lost(Evidence evidence, bool slides, bool large) {
+  evidence.gap = 0.0;
+  if (!slides && !large) evidence.uncertainty = 0.0;
+  return evidence;
+}
+
 double Verdict::add(double hazard) {
   right_.push_back(1.0 - hazard);
   if (right_.size() > kScans) right_.pop_front();

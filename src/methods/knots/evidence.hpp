@@ -75,6 +75,16 @@ class UsualSigns {
 /// look at other places.
 [[nodiscard]] bool is_doubtful(double hazard);
 
+/// Whether a registration found its place soon. Where it slides, along a direction that nothing
+/// holds, it may take its time: that direction is named.
+[[nodiscard]] bool has_settled(bool converged, int iterations, bool slides);
+
+/// What speaks against a registration of one who is lost. That he was lost is known. How well the
+/// scan holds the position tells nothing of which place it is; but where it may slide, or where the
+/// region to look in is large, only what is held well is believed: there are places that look
+/// alike.
+[[nodiscard]] Evidence evidence_where_lost(Evidence evidence, bool slides, bool large);
+
 /// How probably something went wrong within the last ten scans, the motion over which a pose is
 /// held to.
 class Verdict {

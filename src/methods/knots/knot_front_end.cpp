@@ -44,13 +44,6 @@ constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 constexpr int kYoung = 20;        // scans: a map of fewer is young
 constexpr double kFollows = 1.5;  // usual periods since the last scan, or one is missing
 
-/// Whether a registration found its place soon. Along a direction that nothing holds it may take
-/// its time: that direction is named.
-bool has_settled(const KnotRegistration& found, const Estimate& estimate) {
-  constexpr int kSoon = 25;  // iterations, some 13 of them until the kernel is narrow
-  return found.converged && (found.iterations <= kSoon || !estimate.degenerate.empty());
-}
-
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
   constexpr std::uint64_t kFactor = 0x100000001b3ULL;
@@ -169,9 +162,10 @@ KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
 double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
                            Registered& registered) const {
   const KnotRegistration& found = registered.found;
+  const bool slides = !registered.estimate.degenerate.empty();
+  const bool settled = has_settled(found.converged, found.iterations, slides);
   registered.signs = {found.misfit_of_seen(), found.unseen, views_.contradiction(view),
-                      registered.begin.prior.surprise(found.window),
-                      has_settled(found, registered.estimate) ? 0.0 : 1.0};
+                      registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
   const Matrix6& covariance = registered.estimate.covariance;
   evidence.uncertainty = strength(std::sqrt(covariance.diagonal().head<3>().maxCoeff()) / kKnown);

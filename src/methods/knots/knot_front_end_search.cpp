@@ -51,17 +51,13 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
   return points;
 }
 
-/// How probably a registration of one who is lost is wrong. That he was lost is known. How well
-/// the scan holds the position tells nothing of which place it is; but where it may slide, or be
-/// farther away, only what is held well is believed: there are places that look alike.
-double hazard_where_lost(const SearchRegion& region, Estimate& estimate) {
+/// How probably a registration in the region is wrong.
+double hazard_in(const SearchRegion& region, Estimate& estimate) {
   const auto slides = [](const DegenerateDirection& weak) {
     return weak.name != "roll" && weak.name != "pitch";
   };
-  estimate.evidence.gap = 0.0;
-  const bool may_slide =
-      std::any_of(estimate.degenerate.begin(), estimate.degenerate.end(), slides);
-  if (!may_slide && region.radius <= kLarge) estimate.evidence.uncertainty = 0.0;
+  const bool any = std::any_of(estimate.degenerate.begin(), estimate.degenerate.end(), slides);
+  estimate.evidence = evidence_where_lost(estimate.evidence, any, region.radius > kLarge);
   return hazard(estimate.evidence);
 }
 
@@ -154,7 +150,7 @@ std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
   if (!next.estimate.trusted()) return std::nullopt;
   View view = look(scan, thinned, next.trajectory);
   (void)judge(scan, view, next);
-  const double hazard_now = hazard_where_lost(region_about(scan.end_ns), next.estimate);
+  const double hazard_now = hazard_in(region_about(scan.end_ns), next.estimate);
   if (is_doubtful(hazard_now)) return std::nullopt;
   search_.reset();
   forget_verdicts();
@@ -181,7 +177,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
     (void)judge(scan, view, *best);
     if (!confirms) best->estimate.evidence.motion = 0.0;
     const double hazard_now = best->estimate.wrong_probability =
-        hazard_where_lost(region_about(scan.end_ns), best->estimate);
+        hazard_in(region_about(scan.end_ns), best->estimate);
     right = !is_doubtful(hazard_now);
     if (right && search_->agreed + 1 >= kAgree) {
       search_.reset();

@@ -110,5 +110,29 @@ TEST(Evidence, TenScansHazardsMakeOneProbability) {
   EXPECT_NEAR(verdict.add(0.2), 0.2, 1e-12);
 }
 
+TEST(Evidence, WhatTakesLongHasNotSettledUnlessItSlides) {
+  EXPECT_TRUE(has_settled(true, 25, false));
+  EXPECT_FALSE(has_settled(true, 26, false));
+  EXPECT_TRUE(has_settled(true, 26, true));
+  EXPECT_FALSE(has_settled(false, 10, false));
+  EXPECT_FALSE(has_settled(false, 100, true));
+}
+
+// Of one who is lost: a wide covariance speaks against a place where others look like it.
+TEST(Evidence, OfWhoIsLost) {
+  Evidence evidence;
+  evidence.gap = 1.0;
+  evidence.uncertainty = 2.0;
+  evidence.misfit = 3.0;
+  for (const bool slides : {false, true}) {
+    for (const bool large : {false, true}) {
+      const Evidence lost = evidence_where_lost(evidence, slides, large);
+      EXPECT_EQ(lost.gap, 0.0);
+      EXPECT_EQ(lost.uncertainty, slides || large ? 2.0 : 0.0);
+      EXPECT_EQ(lost.misfit, 3.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace surefoot
