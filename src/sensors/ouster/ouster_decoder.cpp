@@ -67,7 +67,8 @@ PacketKind OusterDecoder::decode(std::span<const std::byte> payload, Firings& fi
                                : std::uint32_t{load<std::uint16_t>(column + 10, false)} & 1U;
     const std::size_t id = load<std::uint16_t>(column + 8, false);
     const auto time = load<std::uint64_t>(column, false);
-    if (status == 0 || (legacy && status != 0xffffffffU) || id >= columns || time >> 63U != 0) {
+    // No clock is past 2116, and sums of such times still fit.
+    if (status == 0 || (legacy && status != 0xffffffffU) || id >= columns || time >> 62U != 0) {
       continue;
     }
     const auto time_ns = static_cast<std::int64_t>(time);
