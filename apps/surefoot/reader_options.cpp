@@ -34,7 +34,8 @@ void add_time_options(command_line::OptionGroup& group, OpenOptions& options) {
                                   "Whether point times count from the stamp or from the epoch",
                                   {{"auto", TimeReference::automatic},
                                    {"relative", TimeReference::relative},
-                                   {"absolute", TimeReference::absolute}});
+                                   {"absolute", TimeReference::absolute},
+                                   {"own-clock", TimeReference::own_clock}});
   group.add_choice<StampAt>("--stamp-at", options.stamp_at,
                             "Instant of a scan that its stamp names",
                             {{"start", StampAt::start}, {"end", StampAt::end}});

@@ -27,7 +27,8 @@ constexpr Words<io::TimeUnit, 5> kTimeUnits = {{{"auto", io::TimeUnit::automatic
 constexpr Words<io::TimeReference, 3> kTimeReferences = {
     {{"auto", io::TimeReference::automatic},
      {"relative", io::TimeReference::relative},
-     {"absolute", io::TimeReference::absolute}}};
+     {"absolute", io::TimeReference::absolute},
+     {"own-clock", io::TimeReference::own_clock}}};
 constexpr Words<io::StampAt, 2> kStampsAt = {
     {{"start", io::StampAt::start}, {"end", io::StampAt::end}}};
 constexpr Words<io::TimeDirection, 3> kDirections = {{{"forward", io::TimeDirection::forward},

@@ -145,7 +145,7 @@ file, a capture of packets (.pcap, .pcapng), a bag (.bag, .db3, .mcap, or its fo
 
 keep_partial: give also the part of a revolution that a capture begins with.
 The other options are the program's, with _ for -: dataset, robot, topic, format, time_field, time_unit (auto,
-s, ms, us, ns), time_reference (auto, relative, absolute), stamp_at (start, end), point_times
+s, ms, us, ns), time_reference (auto, relative, absolute, own-clock), stamp_at (start, end), point_times
 (forward, backward, none), derive_times (no,
 azimuth), spin (clockwise, counterclockwise), stamps (a file), repair_stamps,
 repair_at_once, rate [Hz],

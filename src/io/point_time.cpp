@@ -27,6 +27,8 @@ constexpr double kEpochGreatest = 4.2e9;
 // How far from a scan's stamp its points may be, where the points do not include the stamp: the
 // longest scan that is one without a warning [s].
 constexpr double kNear = 1.0;
+// No scan takes longer [s]: values of this size count another unit from a later start.
+constexpr double kLongest = 10.0;
 // Shorter scans are unusual [s].
 constexpr double kShortest = 0.01;
 // Stamps nearer to zero than this cannot tell absolute from relative [s].
@@ -49,7 +51,8 @@ std::string seen(const TimeExtents& extents, ScalarType type) {
 
 std::optional<TimeUnit> unit_by_epoch(const TimeExtents& extents) {
   for (const UnitFacts& facts : kUnits) {
-    if (extents.least >= kEpochLeast * facts.per_second &&
+    const bool is_scan = extents.greatest - extents.least <= kLongest * facts.per_second;
+    if (is_scan && extents.least >= kEpochLeast * facts.per_second &&
         extents.greatest <= kEpochGreatest * facts.per_second) {
       return facts.unit;
     }
@@ -121,7 +124,24 @@ std::optional<TimeReference> find_reference(double least, double greatest,
   if (fits_absolute || (!stamp_ns && is_epoch) || (!stamp_ns && least > kNear)) {
     return TimeReference::absolute;
   }
+  // A LiDAR that knows no time under the header of a host that does. The header may be the odd one.
+  const bool is_scan = greatest - least >= kShortest && greatest - least <= kNear;
+  if (stamp_ns && least > kNear && is_scan) {
+    certain = false;
+    return TimeReference::own_clock;
+  }
   return std::nullopt;
+}
+
+const char* text_of(TimeReference reference) {
+  switch (reference) {
+    case TimeReference::own_clock:
+      return " of a clock that is not the stamps', a scan's first at its stamp, ";
+    case TimeReference::absolute:
+      return " since the epoch (absolute), ";
+    default:
+      return " relative to the stamp, ";
+  }
 }
 
 [[noreturn]] void fail(const TimeExtents& extents, ScalarType type,
@@ -172,9 +192,7 @@ std::string describe_point_time(const std::string& field, ScalarType type,
   const double duration = (extents.greatest - extents.least) / facts_of(rule.unit).per_second;
   const bool usual = duration == 0.0 || (duration >= kShortest && duration <= kNear);
   return "time field '" + field + "': " + name_of(type) + ", " + facts_of(rule.unit).name +
-         (rule.reference == TimeReference::relative ? " relative to the stamp, "
-                                                    : " since the epoch (absolute), ") +
-         number(extents.least) + " .. " + number(extents.greatest) +
+         text_of(rule.reference) + number(extents.least) + " .. " + number(extents.greatest) +
          (usual ? "" : "; a scan of " + number(duration) + " s is unusual, 0.01 to 1 s expected");
 }
 

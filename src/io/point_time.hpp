@@ -26,7 +26,8 @@ struct TimeExtents {
 struct PointTimeRule {
   TimeUnit unit = TimeUnit::seconds;
   TimeReference reference = TimeReference::relative;
-  /// The values admit only this meaning. Not so where all are equal, or where the stamp is so near
+  /// The values admit only this meaning. Not so where all are equal, where they fit no stamp (a
+  /// clock of its own, or a stamp that is wrong), or where the stamp is so near
   /// zero that relative and absolute cannot be told apart: then another scan may know better.
   bool certain = true;
 };

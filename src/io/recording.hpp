@@ -27,8 +27,13 @@ class ReadError : public std::runtime_error {
 };
 
 enum class TimeUnit { automatic, seconds, milliseconds, microseconds, nanoseconds };
-/// What the values of a time field count from: the scan's stamp, or the epoch of the stamps.
-enum class TimeReference { automatic, relative, absolute };
+/// What the values of a time field count from.
+enum class TimeReference {
+  automatic,
+  relative,  ///< the scan's stamp
+  absolute,  ///< the epoch of the stamps
+  own_clock  ///< something else, as the LiDAR's start: a scan's first point is at its stamp
+};
 /// Which instant of a scan its stamp names, where relative point times are all positive. automatic:
 /// what the data set says, else the start.
 enum class StampAt { automatic, start, end };

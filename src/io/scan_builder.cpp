@@ -181,27 +181,31 @@ void check_coordinates(const ScanColumns& columns) {
   }
 }
 
-// What has to be taken from the field's times so that they count from the stamp.
-std::int64_t origin_of(const FieldTimes& times, TimeReference reference, std::int64_t stamp_ns,
-                       StampAt stamp_at) {
-  if (reference == TimeReference::absolute) {
-    return stamp_ns;
-  }
-  const bool counts_from_start = times.least >= 0;
-  return stamp_at == StampAt::end && counts_from_start ? times.greatest : 0;
-}
+constexpr std::int64_t kFarthest = std::numeric_limits<std::int32_t>::max();  // [ns] from the stamp
 
-void check_offsets(const FieldTimes& times, std::int64_t origin) {
+bool is_near(const FieldTimes& times, std::int64_t origin) {
   std::int64_t first = 0;
   std::int64_t last = 0;
   const bool overflow = __builtin_sub_overflow(times.least, origin, &first) ||
                         __builtin_sub_overflow(times.greatest, origin, &last);
-  constexpr std::int64_t kFarthest = std::numeric_limits<std::int32_t>::max();
-  if (overflow || first < -kFarthest || last > kFarthest) {
-    throw ReadError("point times: from " + format_seconds(times.least) + " to " +
-                    format_seconds(times.greatest) + " s, counted from " + format_seconds(origin) +
-                    " s; expected no more than 2.1 s between a point and its scan's stamp");
-  }
+  return !overflow && first >= -kFarthest && last <= kFarthest;
+}
+
+// What has to be taken from the field's times so that they count from the stamp.
+std::int64_t origin_of(const FieldTimes& times, TimeReference reference, std::int64_t stamp_ns,
+                       StampAt stamp_at) {
+  const bool at_end = stamp_at == StampAt::end;
+  // A stamp that is far from its points is wrong by itself, and repaired where stamps are.
+  if (reference == TimeReference::absolute && is_near(times, stamp_ns)) return stamp_ns;
+  if (reference != TimeReference::relative) return at_end ? times.greatest : times.least;
+  return at_end && times.least >= 0 ? times.greatest : 0;
+}
+
+void check_offsets(const FieldTimes& times, std::int64_t origin) {
+  if (is_near(times, origin)) return;
+  throw ReadError("point times: from " + format_seconds(times.least) + " to " +
+                  format_seconds(times.greatest) + " s, counted from " + format_seconds(origin) +
+                  " s; expected no more than 2.1 s between a point and its scan's stamp");
 }
 
 // Moves the elements of the points that stay to the front.

@@ -67,6 +67,8 @@ struct OpenRos1Chunk {
   std::size_t number = 0;
 };
 
+constexpr std::string_view kCutShort = "the file is cut short; what is whole was read";
+
 class Ros1BagReader final : public MessageSource {
  public:
   explicit Ros1BagReader(std::unique_ptr<ByteStream> file) : file_(std::move(file)) {
@@ -106,16 +108,17 @@ class Ros1BagReader final : public MessageSource {
 
   void leave_chunk() {
     chunk_->record.skip(chunk_->record.left());
+    if (chunk_->record.left() > 0) note(kCutShort);
     chunk_.reset();
   }
 
   void end_of(bool between_records) {
     if (chunk_) return finish_chunk(between_records);
     ended_ = true;
-    if (!between_records) note("the file is cut short; what is whole was read");
+    if (!between_records) note(kCutShort);
   }
 
-  // Where the file ends within the chunk, that is noted once its end is met.
+  // That the file ends within the chunk is noted where the chunk is left.
   void finish_chunk(bool between_records) {
     const bool is_cut = chunk_->record.left() > 0;
     const std::string name = "chunk " + std::to_string(chunk_->number);

@@ -54,6 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Livox CustomMsg", 0, 99'950'000, u32, kEpochNs, nanoseconds, kRelative},
         Case{"since power-on", 35.2, 35.3, f64, 35'200'000'000, seconds, kAbsolute},
         Case{"since power-on, no stamp", 35.2, 35.3, f64, std::nullopt, seconds, kAbsolute},
+        Case{"nanoseconds since power-on", 1.5e12, 1.5001e12, f64, 1'500'000'000'000, nanoseconds,
+             kAbsolute},
+        Case{"microseconds since power-on", 1'049'000'052, 1'049'100'004, u64, 1'049'000'050'000,
+             microseconds, kAbsolute},
         Case{"milliseconds", 0, 99.9, f32, kEpochNs, milliseconds, kRelative},
         Case{"microseconds", 0, 99'900, u32, kEpochNs, microseconds, kRelative},
         Case{"microseconds, 100 Hz", 0, 9'950, u32, kEpochNs, microseconds, kRelative},
@@ -97,7 +101,7 @@ TEST(PointTimeRules, NoRuleIsAnErrorThatNamesTheValues) {
     std::optional<std::int64_t> stamp;
   };
   for (const Odd& odd : {Odd{0, 7, u32, kEpochNs}, Odd{0, 5000, f32, kEpochNs},
-                         Odd{0, 1e12, f64, kEpochNs}, Odd{50.0, 50.1, f64, kEpochNs},
+                         Odd{0, 1e12, f64, kEpochNs}, Odd{50.0, 50.001, f64, kEpochNs},
                          Odd{-50.0, -49.9, f64, {}}, Odd{12345, 12345, u32, kEpochNs}}) {
     const std::string message = test::message_of<ReadError>([&] {
       (void)decide_point_time({odd.least, odd.greatest, 5}, odd.type, odd.stamp, {});
@@ -105,6 +109,15 @@ TEST(PointTimeRules, NoRuleIsAnErrorThatNamesTheValues) {
     EXPECT_NE(message.find(name_of(odd.type)), std::string::npos) << odd.greatest << message;
     EXPECT_NE(message.find("expected"), std::string::npos) << message;
   }
+}
+
+// A LiDAR without a time server under a host's header; or one header that is wrong: another scan
+// may know better.
+TEST(PointTimeRules, AClockOfItsOwnIsUncertain) {
+  const PointTimeRule rule = decide_point_time({50.0, 50.1, 5}, f64, kEpochNs, {});
+  EXPECT_EQ(rule.unit, seconds);
+  EXPECT_EQ(rule.reference, TimeReference::own_clock);
+  EXPECT_FALSE(rule.certain);
 }
 
 TEST(PointTimeRules, OptionsOverride) {

@@ -117,6 +117,15 @@ TEST(Ros1Bag, CutAnywhere) {
   }
 }
 
+TEST(Ros1Bag, CutIsSaidWhereverItIs) {
+  for (const char* name : {"none", "bz2", "lz4"}) {
+    const std::string whole = bag(name);
+    const std::size_t size = whole.size() * 3 / 4;  // within a chunk
+    const std::string notes = read_ros1(whole.substr(0, size)).notes;
+    EXPECT_NE(notes.find("cut short"), std::string::npos) << name << ": " << notes;
+  }
+}
+
 TEST(Ros1Bag, DamagedChunkIsNotedAndTheNextOneRead) {
   std::string bytes = bag("lz4");
   const std::size_t at = bytes.find("\x04\x22\x4d\x18");

@@ -283,6 +283,30 @@ TEST(PacketMessage, EveryType) {
   EXPECT_EQ(packets[0].bytes.size(), 4U);
 }
 
+TEST(BuildScan, PointsOfAClockOfItsOwnCountFromTheFirst) {
+  const std::array<double, 3> at = {49.5, 49.55, 49.6};
+  const std::vector<Eigen::Vector3f> points(3, Eigen::Vector3f::Ones());
+  PointTable table;
+  table.size = 3;
+  table.columns = coordinate_columns(points);
+  table.columns.push_back({"timestamp", ScalarType::f64,
+                           reinterpret_cast<const std::byte*>(at.data()), sizeof(double)});
+  const PointTimeRule rule{TimeUnit::seconds, TimeReference::own_clock, false};
+  const ScanColumns columns = find_scan_columns(table, {});
+  constexpr std::int64_t kStamp = 1'700'000'000'000'000'000;
+  const Scan start = build_scan(table, columns, rule, kStamp, StampAt::start).scan;
+  EXPECT_EQ(start.stamp_ns, kStamp);
+  EXPECT_EQ(start.times_ns, (std::vector<std::int32_t>{0, 50'000'000, 100'000'000}));
+  const Scan end = build_scan(table, columns, rule, kStamp, StampAt::end).scan;
+  EXPECT_EQ(end.times_ns, (std::vector<std::int32_t>{-100'000'000, -50'000'000, 0}));
+  // The same for absolute times under a stamp that is far off: stamps are repaired later.
+  const PointTimeRule absolute{TimeUnit::seconds, TimeReference::absolute, true};
+  EXPECT_EQ(build_scan(table, columns, absolute, kStamp, StampAt::start).scan.times_ns,
+            start.times_ns);
+  const Scan near = build_scan(table, columns, absolute, 49'400'000'000, StampAt::start).scan;
+  EXPECT_EQ(near.times_ns.front(), 100'000'000);
+}
+
 TEST(PlainTypeName, OfEverySpelling) {
   for (const char* name :
        {"sensor_msgs/PointCloud2", "sensor_msgs/msg/PointCloud2",
