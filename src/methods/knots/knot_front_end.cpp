@@ -129,19 +129,18 @@ KnotFrontEnd::Registered KnotFrontEnd::register_scan(const PreparedScan& scan,
 
 /// Takes a pose for right: learns from it and maps what the scan saw.
 Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registered) {
-  const double drifted = let_drift(registered);
-  learn(registered, (1.0 - hazard_now) * (1.0 - drifted));
+  learn(registered, 1.0 - hazard_now);
   session_.begin_step(Step::map);
   first_scan_.reset();
   integrate(std::move(view));
+  let_drift(registered);
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   return publish(trajectory, std::move(registered.estimate));
 }
 
-/// What a trusted scan does not hold may have moved since one last did; returns how probably it is
-/// wrong by that.
-double KnotFrontEnd::let_drift(Registered& registered) {
+/// What a trusted scan does not hold may have moved since one last did.
+void KnotFrontEnd::let_drift(Registered& registered) {
   Estimate& estimate = registered.estimate;
   const std::int64_t mid_ns = registered.trajectory.mid_ns();
   if (estimate.degenerate.empty()) held_ns_ = mid_ns;
@@ -153,7 +152,6 @@ double KnotFrontEnd::let_drift(Registered& registered) {
   estimate.covariance += drift.covariance;
   estimate.wrong_probability =
       1.0 - (1.0 - estimate.wrong_probability) * (1.0 - drift.wrong_probability);
-  return drift.wrong_probability;
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {

@@ -101,7 +101,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                                 const Registered& registered) const;
   void learn(const Registered& registered, double right);
-  double let_drift(Registered& registered);
+  void let_drift(Registered& registered);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] Beginning beginning_at(const Twist& velocity) const;

@@ -225,20 +225,6 @@ TEST(KnotFaults, ABareFloorHoldsNoPlaceAndItSaysSo) {
   }
 }
 
-// What a floor shows is not what walls will show: it must not become the usual.
-TEST(KnotFaults, AfterABareFloorItIsWhereItIs) {
-  constexpr int kAll = 60, kFor = 20;
-  std::vector<Scan> scans = take_scans(furnished_hall(), walk(), kAll);
-  for (int i = kEvent; i < kEvent + kFor; ++i) make_floor(scans[static_cast<std::size_t>(i)]);
-  Odometry odometry;
-  const auto all = add_scans(odometry, scans);
-  EXPECT_GT(end_error(all, all[kEvent + kFor - 1], walk()), 0.5);  // it took itself to stand
-  for (std::size_t i = kEvent + kFor + 5; i < all.size(); ++i) {
-    EXPECT_EQ(all[i].status, Status::ok) << i << ' ' << statuses(all);
-    EXPECT_LT(end_error(all, all[i], walk()), 0.05) << i;
-  }
-}
-
 TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {
   Config config;
   config.knots.search_scans = 5;
