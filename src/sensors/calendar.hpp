@@ -17,7 +17,9 @@ namespace surefoot::sensors {
 [[nodiscard]] inline std::optional<std::int64_t> unix_seconds(std::span<const std::byte> bytes,
                                                               int year_zero) {
   const auto value = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
-  const std::chrono::year_month_day date{std::chrono::year(year_zero + static_cast<int>(value(0))),
+  // Sensors whose manual counts from 2000 were met that count from 1900.
+  const int zero = value(0) >= 100 ? 1900 : year_zero;
+  const std::chrono::year_month_day date{std::chrono::year(zero + static_cast<int>(value(0))),
                                          std::chrono::month(value(1)), std::chrono::day(value(2))};
   if (date.ok() && value(3) < 24 && value(4) < 60 && value(5) <= 60) {
     const std::chrono::sys_seconds seconds =

@@ -5,8 +5,10 @@
 // and ring from the manuals' formulae and a few values of their tables.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "sensors/calendar.hpp"
 #include "sensors/sensor_list.hpp"
 #include "unit/sensors/decoded.hpp"
 #include "unit/sensors/encoders.hpp"
@@ -289,6 +291,17 @@ TEST(SensorList, NamesInAnyForm) {
   ASSERT_NE(named, nullptr);
   EXPECT_EQ(named->sensor(), "HDL-64E-S2");
   EXPECT_EQ(find_decoder(bytes_of(packet), "PandarXT-16", {}, reason), nullptr);
+}
+
+TEST(Calendar, YearsAreTakenFromEitherCentury) {
+  const auto at = [](unsigned char year, int zero) {
+    const std::array<std::byte, 6> date = {std::byte{year}, std::byte{1},  std::byte{11},
+                                           std::byte{2},    std::byte{15}, std::byte{49}};
+    return unix_seconds(date, zero);
+  };
+  EXPECT_EQ(at(23, 2000), 1673403349);
+  EXPECT_EQ(at(123, 2000), 1673403349);  // as Pandar64s of the field do
+  EXPECT_EQ(at(123, 1900), 1673403349);
 }
 
 }  // namespace
