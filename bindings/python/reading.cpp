@@ -24,7 +24,7 @@ constexpr Words<io::TimeUnit, 5> kTimeUnits = {{{"auto", io::TimeUnit::automatic
                                                 {"ms", io::TimeUnit::milliseconds},
                                                 {"us", io::TimeUnit::microseconds},
                                                 {"ns", io::TimeUnit::nanoseconds}}};
-constexpr Words<io::TimeReference, 3> kTimeReferences = {
+constexpr Words<io::TimeReference, 4> kTimeReferences = {
     {{"auto", io::TimeReference::automatic},
      {"relative", io::TimeReference::relative},
      {"absolute", io::TimeReference::absolute},

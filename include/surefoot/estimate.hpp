@@ -74,7 +74,7 @@ struct Evidence {
   double unseen = 0.0;         ///< share of the points where the map has nothing
   double contradiction = 0.0;  ///< share that scans went through of each other
   double motion = 0.0;         ///< against the velocity model
-  double unconverged = 0.0;    ///< that the last update was not small yet
+  double unconverged = 0.0;    ///< that its updates did not become small soon
   // Others.
   double uncertainty = 0.0;  ///< logarithm of the standard deviation over 1 cm
   double gap = 0.0;          ///< of the time since the last trusted scan over 0.1 s

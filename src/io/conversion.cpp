@@ -146,8 +146,10 @@ ConversionOutcome Conversion::execute() {
     item = recording_->next();
   }
   outcome_.interrupted = listener_.interrupted();
-  if (!sink_ && outcome_.interrupted) return std::move(outcome_);
-  if (!sink_) throw ReadError(request_.input.string() + ": no scan in what is asked for");
+  if (outcome_.scans == 0 && outcome_.interrupted) return std::move(outcome_);
+  if (outcome_.scans == 0) {
+    throw ReadError(request_.input.string() + ": no scan in what is asked for");
+  }
   sink_->finish();
   output_->finish();
   outcome_.notes = recording_->notes();

@@ -46,12 +46,19 @@ UnfinishedOutput::UnfinishedOutput(std::filesystem::path output, bool is_folder)
   }
   constexpr mode_t kFolder = 0777, kFile = 0666;  // as umask allows
   const bool made = !is_folder || ::mkdir(part_.c_str(), kFolder) == 0 || errno == EEXIST;
-  const int how = is_folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_NOFOLLOW;
-  if (made) lock_ = ::open(part_.c_str(), how | O_CLOEXEC, kFile);
+  // A link leads to somebody else's.
+  const int how = is_folder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT;
+  if (made) lock_ = ::open(part_.c_str(), how | O_NOFOLLOW | O_CLOEXEC, kFile);
   if (lock_ < 0) {
     throw WriteError(part_.string() + ": cannot be made: " + std::strerror(errno));
   }
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+  const bool taken = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  // Another may have finished between the two: then what is locked has its name no longer.
+  struct stat locked {
+  }, named{};
+  const bool same = ::fstat(lock_, &locked) == 0 && ::lstat(part_.c_str(), &named) == 0 &&
+                    locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+  if (taken || !same) {
     ::close(lock_);
     throw WriteError(part_.string() + ": is there already: another program writes it");
   }

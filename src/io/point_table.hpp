@@ -24,7 +24,7 @@ enum class ScalarType { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
   return type == ScalarType::f32 || type == ScalarType::f64;
 }
 
-/// One number of every point: the value of point i lies at first + i * stride. Where there are
+/// A field of every point: the value of point i lies at first + i * stride. Where there are
 /// several, the first counts and the others follow it.
 struct Column {
   std::string name;

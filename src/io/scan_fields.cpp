@@ -30,8 +30,9 @@ std::string free_word(std::string name, std::span<const Column> taken) {
     if (std::isgraph(static_cast<unsigned char>(c)) == 0) c = '_';
   }
   if (name.empty() || name == "_") name = "field";
-  while (has_name(taken, name)) name += '_';
-  return name;
+  std::string free = name;
+  for (int number = 2; has_name(taken, free); ++number) free = name + '_' + std::to_string(number);
+  return free;
 }
 
 bool share_bytes(const Column& a, const Column& b) {
@@ -63,10 +64,12 @@ std::vector<FurtherField> further_fields(const PointTable& table,
                                          const std::vector<std::size_t>& kept) {
   std::vector<FurtherField> fields;
   std::vector<const Column*> taken;
+  constexpr std::size_t kMostFields = 1000;  // as many as PCD's reader takes
   for (const Column& column : table.columns) {
+    if (fields.size() == kMostFields) break;
     if (std::find(used.begin(), used.end(), &column) != used.end()) continue;
     const auto shares = [&](const Column* other) { return share_bytes(column, *other); };
-    if (std::any_of(taken.begin(), taken.end(), shares)) continue;
+    if (table.size > 0 && std::any_of(taken.begin(), taken.end(), shares)) continue;
     taken.push_back(&column);
     fields.push_back({column.name, column.type, column.count, values_of(column, table.size, kept)});
   }

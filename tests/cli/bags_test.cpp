@@ -163,6 +163,21 @@ TEST(Convert, TakesOverWhatAKilledOneLeftAndNothingElse) {
   EXPECT_EQ(file_content(folder / "b.mcap.part"), "another's");
 }
 
+TEST(Convert, ALinkUnderItsNameIsNotFollowed) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(1));
+  fs::create_directory(folder / "victim");
+  write_content(folder / "victim" / "keep.txt", "a");
+  for (const std::string output : {"out", "out.mcap"}) {
+    const fs::path link = folder / (output + io::kUnfinished);
+    fs::create_symlink(output == "out" ? "victim" : "victim/keep.txt", link);
+    const ProcessResult result = run_surefoot({"convert", "pcd", output}, folder);
+    EXPECT_EQ(result.exit_code, 2) << result;
+    EXPECT_EQ(file_content(folder / "victim" / "keep.txt"), "a");
+  }
+}
+
 TEST(Convert, AStampThatRosCannotHoldCostsItsScanAlone) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();

@@ -252,7 +252,7 @@ class McapReader final : public MessageSource {
     const std::optional<Compression> compression = compression_named(name);
     if (!compression) throw ReadError("its compression is '" + name + "'; expected lz4 or zstd");
     const auto inside = load<std::uint64_t>(size.data(), false);
-    mend_length(inside);
+    mend_length(inside, *compression == Compression::none);
     chunk_->compressed.emplace(chunk_->record, inside);
     if (*compression == Compression::none) {
       chunk_->content.emplace(*chunk_->compressed);
@@ -264,12 +264,13 @@ class McapReader final : public MessageSource {
 
   // A chunk says twice how long it is. A record that ends within its content, or long after it, is
   // not what was written where the content's length can be: compressed, it is shorter than plain.
-  void mend_length(std::uint64_t inside) {
+  void mend_length(std::uint64_t inside, bool plain) {
     constexpr std::uint64_t kLongestTail = 1 << 16;  // of fields that later versions add
     constexpr std::uint64_t kFrame = 1 << 10;        // of a compression that gains nothing
     const std::uint64_t record = chunk_->record.left();
     const bool agree = inside <= record && record - inside <= kLongestTail;
-    if (agree || inside > chunk_->size + kFrame) return;
+    const bool can_be = plain ? inside == chunk_->size : inside <= chunk_->size + kFrame;
+    if (agree || !can_be) return;
     note("the record of chunk " + std::to_string(chunk_->number) + " has " +
          std::to_string(record) + " bytes left for its content of " + std::to_string(inside) +
          ": the latter is believed");

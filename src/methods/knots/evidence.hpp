@@ -47,7 +47,7 @@ struct Signs {
   double unseen = 0.0;         ///< KnotRegistration::unseen
   double contradiction = 0.0;  ///< LastViews::contradiction()
   double motion = 0.0;         ///< KnotPrior::surprise()
-  double unconverged = 0.0;    ///< 1: the last update was not small yet
+  double unconverged = 0.0;    ///< 1: the updates did not become small soon
 };
 
 /// The logarithm of a ratio, 0 if it is below 1 and 4 at most: no evidence is stronger.

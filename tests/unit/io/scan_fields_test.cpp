@@ -114,7 +114,7 @@ TEST(ScanFields, NamesBecomeWordsThatDiffer) {
       field<float>("two\nwords", ScalarType::f32), field<float>("_", ScalarType::f32),
       field<float>("", ScalarType::f32)};
   std::vector<FurtherField> expected = fields;
-  const char* const names[] = {"t_", "two_words", "two_words_", "field", "field_"};
+  const char* const names[] = {"t_2", "two_words", "two_words_2", "field", "field_2"};
   for (std::size_t i = 0; i < expected.size(); ++i) expected[i].name = names[i];
   expect_same(through(ScanFormat::pcd, fields), expected);
 }
@@ -153,6 +153,15 @@ TEST(ScanFields, ThatShareBytesAreOne) {
     table.columns.push_back({"f", ScalarType::u8, table.storage.data() + i % 4, 4});
   }
   EXPECT_EQ(further_fields(table, {}, {}).size(), 4U);
+}
+
+// Their columns look nowhere.
+TEST(ScanFields, OfNoPointsAreAllThere) {
+  PointTable table;
+  for (const char* name : {"a", "b"}) table.columns.push_back({name, ScalarType::f32, nullptr, 8});
+  const std::vector<FurtherField> fields = further_fields(table, {}, {});
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_TRUE(fields[1].values.empty());
 }
 
 }  // namespace

@@ -244,7 +244,7 @@ TEST(Mcap, LengthsThatLieTakeNoMemory) {
 }
 
 // The lengths of chunks are the ones where a byte that is wrong may cost all that follows.
-TEST(Mcap, AChunkWhoseLengthLiesCostsNothing) {
+TEST(Mcap, AChunkWhoseRecordsLengthLiesByMuchCostsNothing) {
   for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
     const std::string whole = file_with(small_chunks(compression));
     const std::size_t chunk = whole.find('\x06', mcap::kMagic.size() + 9);
