@@ -64,7 +64,8 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
                           " in the bag; not read: " + others(survey.topics, topic.name));
   }
   for (TopicSurvey& one : survey.topics) parts.seen.push_back(std::move(one.topic));
-  return {std::move(parts), std::move(topic), std::move(survey.calibration)};
+  std::string metadata = survey.metadata_for(topic.name);
+  return {std::move(parts), std::move(topic), std::move(metadata)};
 }
 
 void TopicRecordingParts::note_late_topics() {

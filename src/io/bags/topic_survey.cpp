@@ -20,8 +20,10 @@ namespace {
 
 constexpr std::int64_t kLookedAtNs = 2'000'000'000;
 constexpr std::size_t kMostTopics = 10'000;
-// Messages of a topic that are tried before it counts as of no use.
-constexpr std::size_t kMostLookedInto = 200;
+// Messages of a topic that are tried before it counts as of no use, and again with new metadata.
+constexpr std::size_t kMostTried = 200;
+constexpr std::size_t kMostMetadata = 16;  // of topics
+constexpr std::size_t kMostMetadataBytes = 4'000'000;
 constexpr std::size_t kMostListed = 40;
 
 void look_into_cloud(const Message& message, TopicSurvey& survey) {
@@ -64,13 +66,26 @@ void look_into(const Message& message, const OpenOptions& options, const std::st
 
 // Ouster's metadata is a text on a topic of its own.
 std::string metadata_in(const Message& message) {
-  if (message.topic->type != "std_msgs/String" || !message.topic->name.ends_with("metadata")) {
+  if (message.topic->type != "std_msgs/String" || !message.topic->name.ends_with("metadata") ||
+      message.bytes.size() > kMostMetadataBytes) {
     return {};
   }
   try {
     return std::string(MessageReader(message.topic->encoding, message.bytes).string("metadata"));
   } catch (const ReadError&) {
     return {};
+  }
+}
+
+// Each topic's first. Packets before it could not be read without it: they are tried again.
+void take_metadata(const Message& message, BagSurvey& found) {
+  if (found.metadata.size() >= kMostMetadata) return;
+  std::string text = metadata_in(message);
+  if (text.empty() || !found.metadata.try_emplace(message.topic->name, std::move(text)).second) {
+    return;
+  }
+  for (TopicSurvey& survey : found.topics) {
+    if (is_packet_type(survey.topic.type)) survey.tried = 0;
   }
 }
 
@@ -103,6 +118,18 @@ double TopicSurvey::rate_hz() const {
              : static_cast<double>(messages - 1) / seconds(last_ns - first_ns);
 }
 
+std::string BagSurvey::metadata_for(const std::string& topic) const {
+  const std::string* best = nullptr;
+  std::ptrdiff_t most = -1;
+  for (const auto& [name, text] : metadata) {
+    const auto end = std::mismatch(name.begin(), name.end(), topic.begin(), topic.end()).first;
+    if (end - name.begin() <= most) continue;
+    most = end - name.begin();
+    best = &text;
+  }
+  return best == nullptr ? std::string() : *best;
+}
+
 BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {
   BagSurvey found;
   std::vector<TopicSurvey>& topics = found.topics;
@@ -125,9 +152,10 @@ BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {
     TopicSurvey* const survey = &topics[place->second];
     ++survey->messages;
     survey->last_ns = message->logged_ns;
-    if (found.calibration.empty()) found.calibration = metadata_in(*message);
-    if (!survey->usable && survey->messages <= kMostLookedInto) {
-      look_into(*message, options, found.calibration, *survey);
+    take_metadata(*message, found);
+    if (!survey->usable && survey->tried < kMostTried) {
+      ++survey->tried;
+      look_into(*message, options, found.metadata_for(survey->topic.name), *survey);
     }
     const bool is_asked = options.topic.empty() || survey->topic.name == options.topic;
     any_usable = any_usable || (is_asked && survey->usable);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct TopicSurvey {
   Topic topic;
   bool usable = false;
   std::size_t messages = 0;   ///< of those that were looked at
+  std::size_t tried = 0;      ///< of them, whether scans can be made of them
   std::int64_t first_ns = 0;  ///< when they were recorded
   std::int64_t last_ns = 0;
   std::string frame;
@@ -26,11 +28,15 @@ struct TopicSurvey {
 
 struct BagSurvey {
   std::vector<TopicSurvey> topics;  ///< in the order they appear
-  std::string calibration;          ///< a sensor's metadata that is in the bag, as Ouster's
+  /// What sensors say about themselves, as Ousters do, by the topic that it is on.
+  std::map<std::string, std::string> metadata;
+
+  /// Of the metadata that whose topic's name begins most as this one's does; empty: there is none.
+  [[nodiscard]] std::string metadata_for(const std::string& topic) const;
 };
 
 /// A bag's first seconds, or all that comes until there is a topic that scans can be made of: the
-/// one that is asked for, where one is.
+/// one that is asked for, where one is. Packets may lie before their sensor's metadata.
 [[nodiscard]] BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options);
 
 /// The topic to read: the one that is asked for, or the only usable one. Throws ReadError that

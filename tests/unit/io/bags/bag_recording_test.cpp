@@ -5,6 +5,7 @@
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
+#include "io/bags/topic_survey.hpp"
 #include "io/file_writer.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
 #include "io/printable.hpp"
@@ -282,6 +283,60 @@ TEST(BagRecording, OusterPacketsWithTheMetadataOfTheBag) {
   const auto item = recording->next();
   ASSERT_TRUE(item.has_value() && item->scan.has_value());
   EXPECT_EQ(item->scan->points.size(), 28'751U);
+}
+
+// The real bag's messages as a ROS 2 bag: `before` copies of the first packet, then the metadata.
+fs::path write_ouster_bag(const fs::path& file, int before, bool with_metadata) {
+  const auto source = open_bag({fs::path(SUREFOOT_SHARED_DATA) / "ouster_os1/512x10_raw.bag"});
+  const auto messages = test::read_all_messages(*source);
+  const auto bag = make_mcap_bag(file);
+  std::map<std::string, std::size_t> topics;
+  const auto write = [&](const test::ReadMessage& message) {
+    MessageDefinition definition;
+    definition.type = message.type;
+    if (topics.count(message.topic) == 0) {
+      topics[message.topic] = bag->add_topic(message.topic, definition);
+    }
+    bag->write(topics[message.topic], message.logged_ns, std::string("\0\1\0\0", 4) + message.data);
+  };
+  const auto is_metadata = [](const auto& m) { return m.topic.ends_with("metadata"); };
+  const auto first = std::find_if(messages.begin(), messages.end(), [](const auto& message) {
+    return message.topic.ends_with("lidar_packets");
+  });
+  for (int i = 0; i < before; ++i) write(*first);  // all at once: repeats are passed over
+  for (const auto& message : messages) {
+    if (is_metadata(message) && with_metadata) write(message);
+  }
+  for (const auto& message : messages) {
+    if (!is_metadata(message)) write(message);
+  }
+  bag->finish();
+  return file;
+}
+
+// A driver publishes metadata once, and rosbag may subscribe to it last.
+TEST(BagRecording, OusterPacketsBeforeTheirMetadata) {
+  const fs::path file = fs::path(SUREFOOT_SHARED_DATA) / "ouster_os1/512x10_raw.bag";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+  const test::TemporaryFolder folder;
+  const auto recording = open_recording(write_ouster_bag(folder.path() / "a.mcap", 3000, true));
+  const auto item = recording->next();
+  ASSERT_TRUE(item.has_value() && item->scan.has_value());
+  EXPECT_EQ(item->scan->points.size(), 28'751U);
+
+  const fs::path without = write_ouster_bag(folder.path() / "b.mcap", 0, false);
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(without); });
+  EXPECT_NE(message.find("whose metadata (JSON) is not here: give it with --calibration"),
+            std::string::npos)
+      << message;
+}
+
+TEST(BagSurvey, MetadataAreThoseOfTheSensorThatThePacketsAreOf) {
+  BagSurvey survey;
+  EXPECT_EQ(survey.metadata_for("/front/lidar_packets"), "");
+  survey.metadata = {{"/front/metadata", "f"}, {"/rear/metadata", "r"}};
+  EXPECT_EQ(survey.metadata_for("/front/lidar_packets"), "f");
+  EXPECT_EQ(survey.metadata_for("/rear/lidar_packets"), "r");
 }
 
 struct RealBag {
