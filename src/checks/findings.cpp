@@ -87,6 +87,9 @@ class Inspection {
       look_at_points(scans_[i], i + 1 == scans_.size());
       look_at_times(scans_[i]);
     }
+    by_points_ = std::all_of(scans_.begin(), scans_.end(), [](const ScanFacts& scan) {
+      return !scan.error.empty() || scan.clock;
+    });
     judge_stamps();
     judge_points();
     judge_times();
@@ -160,17 +163,17 @@ class Inspection {
   }
 
   void judge_stamps() {
-    found_.judge("stamps that go back", [&](Finding& finding) {
-      finding.suffers = share(finding) > kHabit;
-      finding.detail = "a run puts them where they belong";
-    });
-    found_.judge("stamps that are the last one's again", [&](Finding& finding) {
-      finding.suffers = share(finding) > kHabit;
-      finding.detail =
-          "a run takes the usual interval instead; where most stand still, --rate says it";
-    });
-    found_.judge("stamps that are too late",
-                 [&](Finding& finding) { finding.detail = "a run puts them where they belong"; });
+    const auto mended = [&](const char* what, const char* how) {
+      found_.judge(what, [&](Finding& finding) {
+        // Points that have a clock of their own leave nothing to be guessed.
+        finding.suffers = !by_points_ && share(finding) > kHabit;
+        finding.detail = by_points_ ? "a run takes them from the points' times" : how;
+      });
+    };
+    mended("stamps that go back", "a run puts them where they belong");
+    mended("stamps that are the last one's again",
+           "a run takes the usual interval instead; where most stand still, --rate says it");
+    mended("stamps that are too late", "a run puts them where they belong");
     found_.judge("gaps", [&](Finding& finding) {
       const double bridged = config_.motion_prior.max_extrapolation;
       finding.suffers = longest_gap_ > bridged || missing_ > kHabit * real(figures_.scans);
@@ -279,6 +282,7 @@ class Inspection {
   double longest_gap_ = 0.0;
   double missing_ = 0.0;  // scans
   std::size_t untimed_ = 0;
+  bool by_points_ = false;  // every scan's points have a clock
 };
 
 // Those that occur in at least every tenth scan: a stray number is no ring.
@@ -307,13 +311,15 @@ std::vector<double> values_of(const std::vector<ScanFacts>& scans, Value&& value
 }
 
 void add_stamps(const std::vector<ScanFacts>& scans, Figures& figures) {
-  std::vector<double> steps, forward;
+  std::vector<double> steps, forward, mended;
   const ScanFacts* last = nullptr;
   for (const ScanFacts& scan : scans) {
     if (!scan.error.empty()) continue;
     if (last != nullptr) {
       steps.push_back(seconds(scan.stamp_ns - last->stamp_ns));
       if (steps.back() > 0.0) forward.push_back(steps.back());
+      mended.push_back(seconds(scan.mended_ns.value_or(scan.stamp_ns) -
+                               last->mended_ns.value_or(last->stamp_ns)));
     } else {
       figures.first_stamp_ns = scan.stamp_ns;
     }
@@ -321,7 +327,8 @@ void add_stamps(const std::vector<ScanFacts>& scans, Figures& figures) {
     last = &scan;
   }
   figures.interval_s = spread_of(steps);
-  figures.usual_interval_s = spread_of(forward).median;
+  // Where all stand still, as a run mends them.
+  figures.usual_interval_s = spread_of(forward.empty() ? mended : forward).median;
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ class StampReplay final : public io::Recording {
     if (!facts.sent_again) ++point_;
     scan.points.emplace_back(static_cast<float>(point_ % 1'000'000), 1.0F, 1.0F);
     item.scan = std::move(scan);
+    item.clock = facts.clock;
     return item;
   }
   std::optional<std::size_t> size() const override { return scans_.size(); }

@@ -151,6 +151,7 @@ ScanFacts ScanLooker::look(const io::ScanItem& item) {
   const Scan& scan = *item.scan;
   facts.stamp_ns = scan.stamp_ns;
   facts.logged_ns = item.logged_ns;
+  facts.clock = item.clock;
   facts.points = scan.points.size();
   facts.untimed = item.dropped_points;
   look_at_ranges(scan, facts);

@@ -23,6 +23,7 @@ struct ScanFacts {
   std::int64_t logged_ns = 0;  ///< when its message was received; 0: not known
   /// Its stamp as a run mends it; nothing where that is as it is stored.
   std::optional<std::int64_t> mended_ns;
+  std::optional<io::PointClock> clock;
   std::size_t points = 0;
   std::size_t returns = 0;     ///< finite and not zero
   std::size_t not_finite = 0;  ///< points

@@ -60,7 +60,13 @@ class WatchedRecording : public RecordingFilter {
 
   std::optional<ScanItem> next() override {
     std::optional<ScanItem> item = take();
-    if (item && item->scan) watch(*item->scan);
+    if (item && item->scan) {
+      watch(*item->scan);
+      // Times of another making count from another instant.
+      const bool made = options_.time_direction == TimeDirection::backward ||
+                        options_.derive_times == DeriveTimes::azimuth || options_.rows > 0;
+      if (made) item->clock.reset();
+    }
     merge_notes();
     return item;
   }

@@ -106,6 +106,12 @@ struct OpenOptions {
   bool further_fields = false;
 };
 
+/// What the clock of a scan's points showed, where their times are absolute or of the LiDAR's own.
+struct PointClock {
+  std::int64_t first_ns = 0;   ///< at the first return
+  std::int64_t origin_ns = 0;  ///< at the instant that times_ns count from
+};
+
 /// One scan of a recording, or why there is none: a bad file in a folder does not end the reading.
 struct ScanItem {
   std::optional<Scan> scan;
@@ -118,6 +124,7 @@ struct ScanItem {
   std::string frame;               ///< that its message names
   std::vector<FurtherField> further;  ///< fields that the scan has no room for, where wanted
   double rounded_by = 0.0;            ///< most that a coordinate lost by becoming a float [m]
+  std::optional<PointClock> clock;
 };
 
 /// Counters of a packet capture so far; all zero for other recordings.

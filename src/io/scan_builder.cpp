@@ -325,6 +325,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
   }
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
   check_offsets(times, origin);
+  if (rule->reference != TimeReference::relative) built.clock = PointClock{times.least, origin};
   built.kept = set_times(scan, times, origin);
   built.dropped_points = table.size - scan.points.size();
   return built;

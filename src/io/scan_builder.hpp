@@ -37,6 +37,7 @@ struct BuiltScan {
   std::vector<std::size_t> kept;  ///< the table's points that are in it; empty: all of them
   std::size_t dropped_points = 0;
   double rounded_by = 0.0;  ///< most that a coordinate lost by becoming a float [m]
+  std::optional<PointClock> clock;
 };
 
 /// The fields of the points that are in the scan, for which it has no room.

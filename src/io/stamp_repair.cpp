@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "io/decimal_time.hpp"
+#include "io/point_clock.hpp"
 #include "io/recording_filter.hpp"
+#include "io/saturated.hpp"
 #include "surefoot/quantile.hpp"
 
 namespace surefoot::io {
@@ -27,20 +28,6 @@ constexpr std::int64_t kWildFirst = 100'000;
 // Without a look ahead: so many in a row that go on from each other are of a clock that was set.
 constexpr int kSteady = 3;
 constexpr std::int64_t kLongestInterval = 10'000'000'000;  // [ns] of a LiDAR
-
-/// Stamps may be anything: sums stay within the range of the type.
-std::int64_t sum(std::int64_t a, std::int64_t b) {
-  std::int64_t result = 0;
-  if (!__builtin_add_overflow(a, b, &result)) return result;
-  return b > 0 ? std::numeric_limits<std::int64_t>::max()
-               : std::numeric_limits<std::int64_t>::min();
-}
-std::int64_t difference(std::int64_t a, std::int64_t b) {
-  std::int64_t result = 0;
-  if (!__builtin_sub_overflow(a, b, &result)) return result;
-  return b < 0 ? std::numeric_limits<std::int64_t>::max()
-               : std::numeric_limits<std::int64_t>::min();
-}
 
 class RepairedRecording : public RecordingFilter {
  public:
@@ -263,7 +250,8 @@ class RepairedRecording : public RecordingFilter {
 
 std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
                                          const OpenOptions& options) {
-  return std::make_unique<RepairedRecording>(std::move(recording), options);
+  return std::make_unique<RepairedRecording>(follow_point_clock(std::move(recording), options),
+                                             options);
 }
 
 }  // namespace surefoot::io

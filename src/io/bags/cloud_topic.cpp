@@ -132,6 +132,7 @@ class CloudTopic final : public Recording {
     item.frame = cloud.frame;
     if (options_.further_fields) item.further = further_fields(cloud.table, columns, built);
     item.rounded_by = built.rounded_by;
+    item.clock = built.clock;
     item.scan = std::move(built.scan);
   }
 

@@ -195,6 +195,7 @@ class FolderRecording final : public Recording {
     item.dropped_points = built.dropped_points;
     if (options_.further_fields) item.further = further_fields(table, columns, built);
     item.rounded_by = built.rounded_by;
+    item.clock = built.clock;
     if (options_.kitti_hdl64_correction) {
       correct_kitti_hdl64(built.scan.points);
     }

@@ -101,6 +101,24 @@ TEST(Findings, OneStampThatGoesBackIsAMishapManyHurt) {
   EXPECT_EQ(still.scans, 49U);
 }
 
+TEST(Findings, StampsThatStandHurtUnlessThePointsHaveAClock) {
+  std::vector<ScanFacts> scans = sound(30);
+  for (ScanFacts& scan : scans) scan.stamp_ns = kPeriod;
+  mend_stamps(scans, {});
+  EXPECT_TRUE(found(all_of(scans), "stamps that are the last one's again").suffers);
+
+  scans = sound(30);
+  for (ScanFacts& scan : scans) {
+    scan.clock = io::PointClock{scan.stamp_ns, scan.stamp_ns};
+    scan.stamp_ns = 7 * kPeriod;
+  }
+  mend_stamps(scans, {});
+  const Finding again = found(all_of(scans), "stamps that are the last one's again");
+  EXPECT_FALSE(again.suffers);
+  EXPECT_NE(again.detail.find("the points' times"), std::string::npos) << again.detail;
+  EXPECT_NEAR(figures_of(scans).rate_hz(), 10.0, 1e-9);
+}
+
 TEST(Findings, UnreadableScansHurtAndAreNamed) {
   std::vector<ScanFacts> scans = sound(20);
   scans[3].error = "scan 3: cut short";

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Stamps in files may be anything: sums of them stay within the range of the type.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace surefoot::io {
+
+[[nodiscard]] inline std::int64_t sum(std::int64_t a, std::int64_t b) {
+  std::int64_t result = 0;
+  if (!__builtin_add_overflow(a, b, &result)) return result;
+  return b > 0 ? std::numeric_limits<std::int64_t>::max()
+               : std::numeric_limits<std::int64_t>::min();
+}
+
+[[nodiscard]] inline std::int64_t difference(std::int64_t a, std::int64_t b) {
+  std::int64_t result = 0;
+  if (!__builtin_sub_overflow(a, b, &result)) return result;
+  return b < 0 ? std::numeric_limits<std::int64_t>::max()
+               : std::numeric_limits<std::int64_t>::min();
+}
+
+/// How far apart two are, whichever is the later.
+[[nodiscard]] inline std::int64_t distance(std::int64_t a, std::int64_t b) {
+  return a > b ? difference(a, b) : difference(b, a);
+}
+
+}  // namespace surefoot::io
