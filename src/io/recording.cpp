@@ -5,6 +5,7 @@
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_recording.hpp"
 #include "io/datasets.hpp"
+#include "io/file_kind.hpp"
 #include "io/files/folder_listing.hpp"
 #include "io/files/folder_recording.hpp"
 #include "io/files/scan_files.hpp"
@@ -58,7 +59,7 @@ std::vector<std::string> idle_options(const std::filesystem::path& path, const O
                                       bool as_bag) {
   std::error_code ignored;
   const bool scans = !as_bag &&
-                     (std::filesystem::is_directory(path, ignored) || scan_file_kind(path)) &&
+                     (std::filesystem::is_directory(path, ignored) || scan_kind(kind_of(path))) &&
                      !(std::filesystem::is_directory(path, ignored) && only_capture(path));
   std::vector<std::string> notes;
   const auto idle = [&](bool given, const char* option, const char* of) {
@@ -107,10 +108,9 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
   if (is_folder) {
     if (const auto capture = only_capture(path)) return open_any(*capture, options);
   }
-  if (is_folder || scan_file_kind(path)) {
-    return open_scan_files(path, options);
-  }
-  if (is_capture(path)) {
+  const std::optional<FileKind> kind = kind_of(path);
+  if (is_folder || scan_kind(kind)) return open_scan_files(path, options);
+  if (kind == FileKind::capture) {
 #ifdef SUREFOOT_HAS_PCAP
     return open_capture(path, options);
 #else
@@ -118,10 +118,9 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
                     ": packet captures cannot be read: built without libpcap (SUREFOOT_PCAP=OFF)");
 #endif
   }
-  throw ReadError(
-      path.string() + ": extension '" + path.extension().string() +
-      "'; expected a folder of scans, or a .pcd, .ply, .bin, .las, .pcap, .pcapng, .bag, "
-      ".db3 or .mcap file");
+  throw ReadError(path.string() + ": extension '" + path.extension().string() +
+                  "'; expected a folder of scans, or a .pcd, .ply, .bin, .las, .pcap, .pcapng, "
+                  ".bag, .db3 or .mcap file, or one that begins as these do");
 }
 
 }  // namespace

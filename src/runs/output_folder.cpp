@@ -49,7 +49,7 @@ std::string foreign_file(const fs::path& folder) {
   }
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const bool is_recording = io::scan_file_kind(entry.path()) || io::is_capture(entry.path()) ||
-                              io::is_bag_file(entry.path());
+                              io::has_bag_name(entry.path());
     if (entry.is_regular_file() && is_recording) return entry.path().filename().string();
   }
   return {};

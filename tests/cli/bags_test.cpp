@@ -263,7 +263,7 @@ TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
   ASSERT_EQ(result.exit_code, 0) << result;
   for (const char* bag : {"run.mcap", "bag2"}) {
     std::map<std::string, int> counts;
-    const auto source = io::open_bag(io::bag_files(folder / bag));
+    const auto source = io::open_bag(folder / bag);
     while (const auto message = source->next()) {
       ++counts[message->topic->name + " " + message->topic->type];
     }

@@ -10,8 +10,10 @@
 #include "io/bags/mcap_reader.hpp"
 #include "io/bags/ros1_bag_reader.hpp"
 #include "io/bags/sqlite_bag_reader.hpp"
+#include "io/file_kind.hpp"
 #include "io/file_reader.hpp"
 #include "io/files/scan_files.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -35,35 +37,41 @@ BagMetadata metadata_in(const fs::path& folder) {
   }
 }
 
-// The files that the metadata name, in their order; none where one of them is not there.
-std::vector<fs::path> named_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const std::string& name : metadata_in(folder).files) {
-    const fs::path plain = folder / name;
-    const fs::path compressed = folder / (name + ".zstd");
-    std::error_code ignored;
-    const bool there = fs::is_regular_file(plain, ignored);
-    if (!there && !fs::is_regular_file(compressed, ignored)) return {};
-    files.push_back(there ? plain : compressed);
+// Whole or compressed; nothing where neither is there.
+std::optional<fs::path> part_named(const fs::path& folder, const std::string& name) {
+  std::error_code ignored;
+  for (const char* ending : {"", ".zstd", ".zst"}) {
+    fs::path file = folder / (name + ending);
+    if (fs::is_regular_file(file, ignored)) return file;
   }
-  const bool known = std::all_of(files.begin(), files.end(), is_bag_file);
-  return known ? files : std::vector<fs::path>{};
+  return std::nullopt;
 }
 
-// ".mcap" of "a.mcap", "a.MCAP" and "a.mcap.zstd".
-fs::path kind_of(const fs::path& file) {
-  std::string kind =
-      (file.extension() == ".zstd" ? file.stem().extension() : file.extension()).string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return kind;
+// The files that the metadata name, in their order; none where one of them is not there.
+std::vector<fs::path> named_files(const fs::path& folder, const BagMetadata& metadata) {
+  std::vector<fs::path> files;
+  for (const std::string& name : metadata.files) {
+    const auto file = part_named(folder, name);
+    if (!file || !has_bag_name(*file)) return {};
+    files.push_back(*file);
+  }
+  return files;
+}
+
+// What the metadata name and is not there.
+std::vector<std::string> missing_files(const fs::path& folder, const BagMetadata& metadata) {
+  std::vector<std::string> missing;
+  for (const std::string& name : metadata.files) {
+    if (!part_named(folder, name)) missing.push_back(name);
+  }
+  return missing;
 }
 
 std::unique_ptr<MessageSource> open_part(const fs::path& file) {
   try {
-    const fs::path kind = kind_of(file);
-    if (kind == ".db3") return read_sqlite_bag(file);
-    if (kind == ".bag") return read_ros1_bag(open_stream(file));
+    const std::optional<FileKind> kind = kind_of(file);
+    if (kind == FileKind::sqlite_bag) return read_sqlite_bag(file);
+    if (kind == FileKind::ros1_bag) return read_ros1_bag(open_stream(file));
     return read_mcap(open_stream(file));
   } catch (const ReadError& error) {
     throw ReadError(file.string() + ": " + error.what());
@@ -73,8 +81,13 @@ std::unique_ptr<MessageSource> open_part(const fs::path& file) {
 /// The files of a bag one after the other. The last one stays open at its end.
 class BagParts final : public MessageSource {
  public:
-  explicit BagParts(std::vector<fs::path> files)
-      : files_(std::move(files)), part_(open_part(files_.front())) {}
+  BagParts(std::vector<fs::path> files, const std::vector<std::string>& missing,
+           std::optional<std::uint64_t> announced)
+      : files_(std::move(files)), part_(open_part(files_.front())), announced_messages_(announced) {
+    for (const std::string& name : missing) {
+      note("metadata.yaml names " + printable(name) + ", which is not there");
+    }
+  }
 
   std::optional<Message> next() override {
     do {
@@ -83,6 +96,7 @@ class BagParts final : public MessageSource {
       take_notes();
       if (message) return message;
     } while (open_next());
+    compare_counts();
     return std::nullopt;
   }
 
@@ -109,11 +123,19 @@ class BagParts final : public MessageSource {
     }
   }
 
+  void compare_counts() {
+    const std::uint64_t met = met_before_ + part_->met();
+    if (!announced_messages_ || met == *announced_messages_) return;
+    note("metadata.yaml says " + std::to_string(*announced_messages_) + " messages; " +
+         std::to_string(met) + " were found");
+  }
+
   // False where there is none after this one that can be read.
   bool open_next() {
     while (index_ + 1 < files_.size()) {
       ++index_;
       try {
+        met_before_ += part_->met();
         part_ = open_part(files_[index_]);
         noted_ = announced_ = 0;
         return true;
@@ -129,46 +151,52 @@ class BagParts final : public MessageSource {
   std::size_t index_ = 0;
   std::size_t noted_ = 0;
   std::size_t announced_ = 0;
+  std::optional<std::uint64_t> announced_messages_;  ///< as rosbag2's metadata say
+  std::uint64_t met_before_ = 0;                     ///< in the parts before this one
 };
 
 }  // namespace
 
-bool is_bag_file(const fs::path& file) {
-  const fs::path kind = kind_of(file);
-  return kind == ".bag" || kind == ".db3" || kind == ".mcap";
-}
+bool has_bag_name(const fs::path& file) { return is_bag_kind(kind_by_name(file)); }
+bool is_bag_file(const fs::path& file) { return is_bag_kind(kind_of(file)); }
 
 std::vector<fs::path> bag_files(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
-  std::vector<fs::path> files = named_files(path);
+  std::vector<fs::path> files = named_files(path, metadata_in(path));
   if (!files.empty()) return files;
   for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
     std::error_code ignored;
     const fs::path& file = it->path();
     const bool hidden = file.filename().string().starts_with(".");
-    if (it->is_regular_file(ignored) && !hidden && is_bag_file(file)) files.push_back(file);
+    if (it->is_regular_file(ignored) && !hidden && has_bag_name(file)) files.push_back(file);
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return natural_less(a.filename().string(), b.filename().string());
   });
   // A part that lies there compressed and plain is one part.
   std::erase_if(files, [&](const fs::path& file) {
-    return file.extension() == ".zstd" &&
+    return (file.extension() == ".zstd" || file.extension() == ".zst") &&
            std::find(files.begin(), files.end(), file.parent_path() / file.stem()) != files.end();
   });
   return files;
 }
 
-std::unique_ptr<MessageSource> open_bag(std::vector<fs::path> files) {
+std::unique_ptr<MessageSource> open_bag(const fs::path& path) {
+  std::vector<fs::path> files = bag_files(path);
+  if (files.empty()) throw ReadError(path.string() + ": no bag in it");
   for (const fs::path& file : files) {
-    if (kind_of(file) != kind_of(files.front())) {
+    if (kind_by_name(file) != kind_by_name(files.front())) {
       throw ReadError(file.parent_path().string() + ": bags of several kinds, " +
                       files.front().filename().string() + " and " + file.filename().string() +
                       " among them; name the one to read");
     }
   }
-  return std::make_unique<BagParts>(std::move(files));
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(path, ignored);
+  const BagMetadata metadata = is_folder ? metadata_in(path) : BagMetadata{};
+  return std::make_unique<BagParts>(std::move(files), missing_files(path, metadata),
+                                    metadata.messages);
 }
 
 }  // namespace surefoot::io

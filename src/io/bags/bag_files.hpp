@@ -10,14 +10,18 @@
 
 namespace surefoot::io {
 
-/// True for .bag, .db3 and .mcap, also with .zstd behind.
+/// Whether it is called as bags are: .bag, .db3, .mcap, also with .zstd, .zst or .active behind.
+[[nodiscard]] bool has_bag_name(const std::filesystem::path& file);
+/// Whether it is one, by its content or else its name.
 [[nodiscard]] bool is_bag_file(const std::filesystem::path& file);
 
-/// The parts of a bag in their order: the file itself, or those of a folder in natural order.
+/// The parts of a bag in their order: the file itself, or those of a folder, as rosbag2's metadata
+/// have them or else in natural order.
 [[nodiscard]] std::vector<std::filesystem::path> bag_files(const std::filesystem::path& path);
 
-/// The messages of one bag, whose parts follow each other. A part after the first that cannot be
-/// read is noted and passed over. Throws ReadError naming the file.
-[[nodiscard]] std::unique_ptr<MessageSource> open_bag(std::vector<std::filesystem::path> files);
+/// The messages of one bag, the file or the folder of its parts, which follow each other. A part
+/// after the first that cannot be read is noted and passed over; so is, at the end, what rosbag2's
+/// metadata promise besides. Throws ReadError naming the file.
+[[nodiscard]] std::unique_ptr<MessageSource> open_bag(const std::filesystem::path& path);
 
 }  // namespace surefoot::io

@@ -3,6 +3,7 @@
 #include "io/bags/bag_metadata.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "io/ascii_values.hpp"
@@ -31,12 +32,20 @@ bool value_of(std::string_view line, std::string_view key, std::string_view& val
   return true;
 }
 
+std::optional<std::uint64_t> count_of(std::string_view text) {
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(count)
+                                                                  : std::nullopt;
+}
+
 }  // namespace
 
 BagMetadata parse_bag_metadata(std::string_view text) {
   BagMetadata metadata;
   LineReader reader(text);
   bool in_files = false;
+  std::size_t least_indent = std::string_view::npos;
   for (std::string_view line; reader.next(line);) {
     std::string_view value;
     const std::string_view plain = trimmed(line);
@@ -47,6 +56,12 @@ BagMetadata parse_bag_metadata(std::string_view text) {
       continue;
     }
     in_files = value_of(line, "relative_file_paths", value);
+    // Topics and files have counts, too, further to the right.
+    const std::size_t indent = line.find_first_not_of(' ');
+    if (indent < least_indent && value_of(line, "message_count", value)) {
+      least_indent = indent;
+      metadata.messages = count_of(value);
+    }
     if (value_of(line, "storage_identifier", value)) metadata.storage = value;
     if (value_of(line, "compression_mode", value)) metadata.compression_mode = value;
   }

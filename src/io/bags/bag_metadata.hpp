@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,9 +12,10 @@ namespace surefoot::io {
 
 /// What rosbag2 says of a bag in the metadata.yaml beside its files, as far as readers need it.
 struct BagMetadata {
-  std::string storage;             ///< "sqlite3", "mcap"; empty: not said
-  std::string compression_mode;    ///< "FILE", "MESSAGE", empty or "NONE"
-  std::vector<std::string> files;  ///< their names, without folders, in the bag's order
+  std::string storage;                    ///< "sqlite3", "mcap"; empty: not said
+  std::string compression_mode;           ///< "FILE", "MESSAGE", empty or "NONE"
+  std::vector<std::string> files;         ///< their names, without folders, in the bag's order
+  std::optional<std::uint64_t> messages;  ///< in all of them
 };
 
 /// The few lines that are needed, of YAML as rosbag2 writes it; whatever else there is does not

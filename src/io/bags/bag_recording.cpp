@@ -53,7 +53,7 @@ Topic choose_with_notes(const std::vector<TopicSurvey>& topics, const std::strin
 }  // namespace
 
 BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
-  TopicRecordingParts parts{path.string(), TopicMessages(bag_files(path)), {}, {}};
+  TopicRecordingParts parts{path.string(), TopicMessages(path), {}, {}};
   BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;

@@ -54,14 +54,19 @@ class MessageSource {
   [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
   /// The topics that the bag has said it has, so far, with messages or without.
   [[nodiscard]] const std::vector<Topic>& announced() const { return announced_; }
+  /// Messages that were come across so far, of whatever topic, and since the last rewind.
+  [[nodiscard]] std::uint64_t met() const { return met_; }
   /// From here on messages of one topic alone are needed.
   void want(std::string topic) { wanted_ = std::move(topic); }
 
  protected:
   [[nodiscard]] const std::string& wanted() const { return wanted_; }
-  [[nodiscard]] bool is_wanted(const Topic& topic) const {
+  /// Counts a message; whether it is needed.
+  [[nodiscard]] bool is_wanted(const Topic& topic) {
+    ++met_;
     return wanted_.empty() || topic.name == wanted_;
   }
+  void begin_anew() { met_ = 0; }
   /// Adds a note, once, and unless there are too many already: of damage, or not.
   void note(std::string_view text);
   void note_harmless(std::string_view text);
@@ -77,6 +82,7 @@ class MessageSource {
 
  private:
   std::string wanted_;
+  std::uint64_t met_ = 0;
   std::vector<std::string> notes_, losses_;
   std::vector<Topic> announced_;
 };

@@ -54,7 +54,7 @@ StampedPose read_pose(const Message& message) {
 // Names of the topics with poses, in the order they appear; all of the bag is read.
 std::vector<std::string> pose_topics(const std::filesystem::path& bag) {
   std::vector<std::string> names;
-  const auto source = open_bag(bag_files(bag));
+  const auto source = open_bag(bag);
   while (const std::optional<Message> message = source->next()) {
     const Topic& topic = *message->topic;
     const bool known = std::find(names.begin(), names.end(), topic.name) != names.end();
@@ -108,7 +108,7 @@ bool is_pose_type(const std::string& type) {
 
 Trajectory read_pose_topic(const std::filesystem::path& bag, const std::string& topic) {
   const std::string name = topic.empty() ? only_pose_topic(bag) : topic;
-  const auto source = open_bag(bag_files(bag));
+  const auto source = open_bag(bag);
   source->want(name);
   Trajectory trajectory;
   while (const std::optional<Message> message = source->next()) {
@@ -132,7 +132,7 @@ Trajectory read_pose_topic(const std::filesystem::path& bag, const std::string& 
 Gyroscope read_gyroscope(const std::filesystem::path& bag, std::int64_t begin_ns,
                          std::int64_t end_ns) {
   Gyroscope gyroscope;
-  const auto source = open_bag(bag_files(bag));
+  const auto source = open_bag(bag);
   while (const std::optional<Message> message = source->next()) {
     if (message->logged_ns - kLate > end_ns) break;
     const Topic& topic = *message->topic;

@@ -124,6 +124,7 @@ class SqliteBagReader final : public MessageSource {
   }
 
   bool rewind() override {
+    begin_anew();
     sqlite3_reset(in_order_.get());
     sqlite3_reset(by_number_.get());
     rows_read_ = row_number_ = lost_ = 0;

@@ -6,13 +6,13 @@
 
 namespace surefoot::io {
 
-TopicMessages::TopicMessages(std::vector<std::filesystem::path> files)
-    : files_(std::move(files)), bag_(open_bag(files_)) {}
+TopicMessages::TopicMessages(std::filesystem::path bag)
+    : path_(std::move(bag)), bag_(open_bag(path_)) {}
 
 void TopicMessages::begin(const Topic& topic) {
   format_ = bag_->format();  // known once something was read
   topic_ = topic;
-  if (!bag_->rewind()) bag_ = open_bag(files_);
+  if (!bag_->rewind()) bag_ = open_bag(path_);
   bag_->want(topic_.name);
 }
 

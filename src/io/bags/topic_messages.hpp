@@ -17,7 +17,7 @@ namespace surefoot::io {
 class TopicMessages {
  public:
   /// Throws ReadError naming the file.
-  explicit TopicMessages(std::vector<std::filesystem::path> files);
+  explicit TopicMessages(std::filesystem::path bag);
   /// Of a source that can begin anew.
   explicit TopicMessages(std::unique_ptr<MessageSource> source) : bag_(std::move(source)) {}
 
@@ -35,7 +35,7 @@ class TopicMessages {
   [[nodiscard]] std::string description() const;
 
  private:
-  std::vector<std::filesystem::path> files_;
+  std::filesystem::path path_;
   std::unique_ptr<MessageSource> bag_;
   std::string format_;
   Topic topic_;

@@ -223,7 +223,7 @@ std::unique_ptr<Recording> open_scan_files(const std::filesystem::path& path,
   }
   FolderListing listing;
   listing.folder = path.parent_path();
-  listing.kind = scan_file_kind(path).value();
+  listing.kind = scan_kind(kind_of(path)).value();
   listing.files = {path};
   return std::make_unique<FolderRecording>(std::move(listing), false, options);
 }

@@ -27,32 +27,30 @@ std::string_view take_digits(std::string_view text, std::size_t& at) {
   return text.substr(begin, at - begin);
 }
 
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
-}
-
 }  // namespace
 
 bool is_capture(const std::filesystem::path& file) {
-  const std::string extension = lower_extension(file);
-  return extension == ".pcap" || extension == ".pcapng";
+  return kind_by_name(file) == FileKind::capture;
+}
+
+std::optional<ScanFileKind> scan_kind(std::optional<FileKind> kind) {
+  if (!kind) return std::nullopt;
+  switch (*kind) {
+    case FileKind::pcd:
+      return ScanFileKind::pcd;
+    case FileKind::ply:
+      return ScanFileKind::ply;
+    case FileKind::kitti_bin:
+      return ScanFileKind::kitti_bin;
+    case FileKind::las:
+      return ScanFileKind::las;
+    default:
+      return std::nullopt;
+  }
 }
 
 std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file) {
-  const std::string extension = lower_extension(file);
-  if (extension == ".pcd") {
-    return ScanFileKind::pcd;
-  }
-  if (extension == ".ply") {
-    return ScanFileKind::ply;
-  }
-  if (extension == ".las" || extension == ".laz") {
-    return ScanFileKind::las;
-  }
-  return extension == ".bin" ? std::optional(ScanFileKind::kitti_bin) : std::nullopt;
+  return scan_kind(kind_by_name(file));
 }
 
 const char* name_of(ScanFileKind kind) {

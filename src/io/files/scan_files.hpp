@@ -11,12 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "io/file_kind.hpp"
 #include "io/point_table.hpp"
 
 namespace surefoot::io {
 
 enum class ScanFileKind { pcd, ply, kitti_bin, las };
 
+/// The scan files among the kinds of files.
+[[nodiscard]] std::optional<ScanFileKind> scan_kind(std::optional<FileKind> kind);
 /// By the extension, in any case.
 [[nodiscard]] std::optional<ScanFileKind> scan_file_kind(const std::filesystem::path& file);
 /// Whether it is a packet capture: .pcap or .pcapng, in any case.

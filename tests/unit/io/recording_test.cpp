@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "io/file_kind.hpp"
 #include "io/recording.hpp"
 #include "io/scan_sink.hpp"
 #include "unit/io/scan_folders.hpp"
@@ -32,6 +33,20 @@ TEST(OpenRecording, SaysWhatWasSeenAndExpected) {
   options.format = "xyz";
   EXPECT_NE(error_of(folder.path() / "mixed", options).find("expected pcd, ply, bin or las"),
             std::string::npos);
+}
+
+TEST(OpenRecording, ContentGoesBeforeTheExtension) {
+  const TemporaryFolder folder;
+  const std::string pcd = timed_pcd<float>({0.0F, 0.0625F});
+  for (const char* name : {"a.txt", "a.ply", "a.bag", "scan"}) {
+    const auto recording = open_recording(folder.write(name, pcd));
+    const auto item = recording->next();
+    EXPECT_TRUE(item && item->scan) << name;
+  }
+  EXPECT_EQ(kind_of(folder.write("walk.cap", "\xd4\xc3\xb2\xa1")), FileKind::capture);
+  EXPECT_EQ(kind_of(folder.write("a.mcap", "no mcap")), FileKind::mcap);  // its reader says so
+  EXPECT_EQ(kind_of(folder.write("a.bin", "ply")), FileKind::kitti_bin);
+  EXPECT_EQ(kind_by_name("a.pcd.zst"), std::nullopt);
 }
 
 // A link that leads nowhere, a pipe and a folder keep their places: the others their stamps.

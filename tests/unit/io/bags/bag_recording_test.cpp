@@ -78,6 +78,33 @@ TEST(BagRecording, ExtensionsInAnyCase) {
   expect_scans(*open_recording(folder.path() / "A.MCAP"), 2);
 }
 
+// What a killed rosbag leaves, what zstd names its files, and files that are called otherwise.
+TEST(BagRecording, NamesThatUsersHave) {
+  const test::TemporaryFolder folder;
+  const fs::path& in = folder.path();
+  fs::create_directory(in / "w");
+  const std::string ros1 = test::content_of(write_scans(in / "w/a.bag", ScanFormat::ros1_bag, 2));
+  const std::string mcap = test::content_of(write_scans(in / "w/a.mcap", ScanFormat::mcap, 2));
+  const std::string db3 =
+      test::content_of(write_scans(in / "w/b", ScanFormat::rosbag2, 2) / "b_0.db3");
+  const auto zstd = [](const std::string& bytes) { return compress(Compression::zstd, bytes); };
+  const std::pair<const char*, std::string> files[] = {
+      {"a.bag.active", ros1},   {"a.mcap.zst", zstd(mcap)}, {"a.mcap.zstd", zstd(mcap)},
+      {"a.db3.zst", zstd(db3)}, {"A.DB3.ZST", zstd(db3)},   {"a.bag.zst", zstd(ros1)},
+      {"recording", mcap},      {"a.log", zstd(ros1)},      {"called.bag", mcap},
+      {"called.mcap", db3},     {"called.pcd", ros1}};
+  for (const auto& [name, content] : files) {
+    SCOPED_TRACE(name);
+    expect_scans(*open_recording(folder.write(name, content)), 2);
+  }
+  for (const char* name : {"a.bag.active", "a.db3.zst", "a.mcap.zst"}) {
+    SCOPED_TRACE(name);
+    const std::string below = std::string("only_") + name + "/" + name;
+    const fs::path file = folder.write(below, test::content_of(in / name));
+    expect_scans(*open_recording(file.parent_path()), 2);
+  }
+}
+
 TEST(BagRecording, SaysWhatItTook) {
   const test::TemporaryFolder folder;
   const auto recording = open_recording(write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 3));
@@ -287,7 +314,7 @@ TEST(BagRecording, OusterPacketsWithTheMetadataOfTheBag) {
 
 // The real bag's messages as a ROS 2 bag: `before` copies of the first packet, then the metadata.
 fs::path write_ouster_bag(const fs::path& file, int before, bool with_metadata) {
-  const auto source = open_bag({fs::path(SUREFOOT_SHARED_DATA) / "ouster_os1/512x10_raw.bag"});
+  const auto source = open_bag(fs::path(SUREFOOT_SHARED_DATA) / "ouster_os1/512x10_raw.bag");
   const auto messages = test::read_all_messages(*source);
   const auto bag = make_mcap_bag(file);
   std::map<std::string, std::size_t> topics;
@@ -377,7 +404,7 @@ TEST(BagRecording, DamagedPacketMessageIsNamed) {
   MessageDefinition definition;
   definition.type = "velodyne_msgs/VelodyneScan";
   const std::size_t topic = bag->add_topic("/velodyne_packets", definition);
-  const auto source = open_bag(bag_files(folder));
+  const auto source = open_bag(folder);
   for (int i = 0; const auto message = source->next(); ++i) {
     std::string bytes(reinterpret_cast<const char*>(message->bytes.data()), message->bytes.size());
     if (i == 1) bytes.resize(2000);

@@ -90,8 +90,36 @@ TEST(SqliteBag, FileThatIsCompressedAsAWhole) {
   make_bag(file, kTopics[1], {"one", "two"});
   const fs::path compressed =
       folder.write("c/a.db3.zstd", compress(Compression::zstd, test::content_of(file)));
-  EXPECT_EQ(test::read_all_messages(*open_bag(bag_files(folder.path() / "c"))).size(), 2U);
-  EXPECT_EQ(test::read_all_messages(*open_bag({compressed})).size(), 2U);
+  EXPECT_EQ(test::read_all_messages(*open_bag(folder.path() / "c")).size(), 2U);
+  EXPECT_EQ(test::read_all_messages(*open_bag(compressed)).size(), 2U);
+}
+
+// A part that was not copied along, and messages that are not there.
+TEST(SqliteBag, WhatTheMetadataPromiseAndIsNotThereIsNoted) {
+  const test::TemporaryFolder folder;
+  const auto metadata = [&](const std::string& second, int messages) {
+    folder.write("metadata.yaml",
+                 "rosbag2_bagfile_information:\n  topics_with_message_count:\n"
+                 "    - topic_metadata:\n        name: /t\n      message_count: 77\n"
+                 "  relative_file_paths:\n    - bag_0.db3\n    - " +
+                     second + "\n  message_count: " + std::to_string(messages) + "\n");
+  };
+  const auto losses = [&](const std::string& wanted) {
+    const auto source = open_bag(folder.path());
+    source->want(wanted);
+    EXPECT_EQ(test::read_all_messages(*source).size(), wanted.empty() ? 3U : 0U);
+    EXPECT_FALSE(source->next().has_value());
+    return test::joined(source->losses());
+  };
+  make_bag(folder.path() / "bag_0.db3", kTopics[1], {"x", "y"});
+  make_bag(folder.path() / "bag_1.db3", kTopics[1], {"z"});
+  metadata("bag_1.db3", 3);
+  EXPECT_EQ(losses(""), "");
+  EXPECT_EQ(losses("/another"), "");
+  metadata("bag_1.db3", 9);
+  EXPECT_EQ(losses("/another"), "metadata.yaml says 9 messages; 3 were found\n");
+  metadata("bag\x1b.db3", 3);
+  EXPECT_EQ(losses(""), "metadata.yaml names bag?.db3, which is not there\n");
 }
 
 TEST(SqliteBag, PartsInNaturalOrderAndOnePartThatIsNone) {
@@ -101,7 +129,7 @@ TEST(SqliteBag, PartsInNaturalOrderAndOnePartThatIsNone) {
   }
   folder.write("bag_11.db3", "no database");
   folder.write("metadata.yaml", "rosbag2_bagfile_information:\n");
-  const auto source = open_bag(bag_files(folder.path()));
+  const auto source = open_bag(folder.path());
   const auto messages = test::read_all_messages(*source);
   ASSERT_EQ(messages.size(), 3U);
   EXPECT_EQ(messages[0].logged_ns, 2);
@@ -181,7 +209,7 @@ TEST(SqliteBag, AnotherDatabaseIsRefused) {
   const std::string message =
       test::message_of<ReadError>([&] { (void)read_sqlite_bag(folder.path() / "a.db3"); });
   EXPECT_NE(message.find("no rosbag2 file"), std::string::npos) << message;
-  EXPECT_THROW((void)open_bag({folder.path() / "absent.db3"}), ReadError);
+  EXPECT_THROW((void)open_bag(folder.path() / "absent.db3"), ReadError);
 }
 
 TEST(SqliteBag, WhatIsWrittenIsReadBack) {
@@ -191,7 +219,7 @@ TEST(SqliteBag, WhatIsWrittenIsReadBack) {
   const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
   for (int i = 0; i < 3; ++i) bag->write(topic, 100 + i, "message");
   bag->finish();
-  const auto messages = test::read_all_messages(*open_bag(bag_files(bag_folder)));
+  const auto messages = test::read_all_messages(*open_bag(bag_folder));
   ASSERT_EQ(messages.size(), 3U);
   EXPECT_EQ(messages[2], (ReadMessage{"/points", "sensor_msgs/PointCloud2", 102, "message"}));
   const std::string metadata = test::content_of(bag_folder / "metadata.yaml");
