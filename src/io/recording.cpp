@@ -6,6 +6,7 @@
 #include "io/bags/bag_recording.hpp"
 #include "io/datasets.hpp"
 #include "io/file_kind.hpp"
+#include "io/file_reader.hpp"
 #include "io/files/folder_listing.hpp"
 #include "io/files/folder_recording.hpp"
 #include "io/files/scan_files.hpp"
@@ -98,13 +99,26 @@ std::unique_ptr<Recording> with_notes(std::unique_ptr<Recording> recording,
   return std::make_unique<NotedRecording>(std::move(recording), notes);
 }
 
+// A recording is looked at, then read from its beginning.
+void require_seekable(const std::filesystem::path& path) {
+  try {
+    require_regular_file(path);
+  } catch (const ReadError& error) {
+    std::error_code ignored;
+    const bool is_pipe = std::filesystem::is_fifo(path, ignored);
+    throw ReadError(path.string() + ": " + error.what() +
+                    (is_pipe ? ": it is read more than once, which a pipe cannot be" : ""));
+  }
+}
+
 std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const OpenOptions& options) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     throw ReadError(path.string() + ": no such file or folder");
   }
-  if (is_bag(path, options)) return open_bag_recording(path, options);
   const bool is_folder = std::filesystem::is_directory(path, ignored);
+  if (!is_folder && !scan_kind(kind_of(path))) require_seekable(path);
+  if (is_bag(path, options)) return open_bag_recording(path, options);
   if (is_folder) {
     if (const auto capture = only_capture(path)) return open_any(*capture, options);
   }

@@ -248,12 +248,16 @@ TEST(BadInput, LinkToItself) {
 // Opening a pipe would wait for a writer; a device may have no end.
 TEST(BadInput, NoRegularFile) {
   const ScratchFolder scratch;
-  for (const char* name : {"scan.pcd", "walk.pcap", "path.tum"}) {
+  for (const char* name : {"scan.pcd", "walk.pcap", "walk.mcap", "walk", "path.tum"}) {
     ASSERT_EQ(mkfifo((scratch.path() / name).c_str(), 0600), 0);
   }
   fs::create_symlink("/dev/zero", scratch.path() / "endless.ply");
   expect_input_refused({"run", "scan.pcd", "-o", "out"}, "scan.pcd: it is a named pipe", scratch);
-  expect_input_refused({"run", "walk.pcap"}, "walk.pcap: it is a named pipe", scratch);
+  for (const std::string name : {"walk.pcap", "walk.mcap", "walk"}) {
+    expect_input_refused(
+        {"run", name},
+        name + ": it is a named pipe; expected a regular file: it is read more than once", scratch);
+  }
   expect_input_refused({"run", "endless.ply", "-o", "out"}, "endless.ply: it is a device", scratch);
   expect_input_refused({"eval", "path.tum", "path.tum"}, "path.tum: it is a named pipe", scratch);
 }

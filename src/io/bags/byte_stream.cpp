@@ -74,6 +74,37 @@ std::uint64_t LimitedStream::skip(std::uint64_t count) {
   return done;
 }
 
+std::size_t LookAheadStream::read(std::span<std::byte> to) {
+  if (ahead_.empty()) return whole_.read(to);
+  const std::size_t kept = std::min(to.size(), ahead_.size() - next_);
+  std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(next_), kept, to.begin());
+  next_ += kept;
+  if (next_ == ahead_.size()) {
+    ahead_ = {};
+    next_ = 0;
+  }
+  return kept + (kept < to.size() ? whole_.read(to.subspan(kept)) : 0);
+}
+
+std::size_t LookAheadStream::peek(std::size_t offset, std::span<std::byte> to) {
+  ahead_.erase(ahead_.begin(), ahead_.begin() + static_cast<std::ptrdiff_t>(next_));
+  next_ = 0;
+  constexpr std::size_t kStep = 1 << 20;  // grows as bytes come
+  while (ahead_.size() < offset + to.size()) {
+    const std::size_t have = ahead_.size();
+    const std::size_t step = std::min(kStep, offset + to.size() - have);
+    ahead_.resize(have + step);
+    const std::size_t got = whole_.read(std::span(ahead_).subspan(have));
+    ahead_.resize(have + got);
+    if (got < step) break;
+  }
+  const std::size_t there = ahead_.size() > offset ? ahead_.size() - offset : 0;
+  const std::size_t count = std::min(there, to.size());
+  std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, ahead_.size())), count,
+              to.begin());
+  return count;
+}
+
 std::size_t ChecksumStream::read(std::span<std::byte> to) {
   const std::size_t got = whole_.read(to);
   crc_ = crc32(to.first(got), crc_);

@@ -67,6 +67,21 @@ class LimitedStream final : public ByteStream {
   std::uint64_t left_;
 };
 
+/// Another stream, of which a part can be looked at before it is read.
+class LookAheadStream final : public ByteStream {
+ public:
+  explicit LookAheadStream(ByteStream& whole) : whole_(whole) {}
+  std::size_t read(std::span<std::byte> to) override;
+  /// Fills `to` from what comes after `offset` more bytes, which are kept in memory until they are
+  /// read; returns how many there are.
+  std::size_t peek(std::size_t offset, std::span<std::byte> to);
+
+ private:
+  ByteStream& whole_;
+  std::vector<std::byte> ahead_;
+  std::size_t next_ = 0;  ///< of those
+};
+
 /// Reads what another stream holds and keeps its CRC-32 (IEEE).
 class ChecksumStream final : public ByteStream {
  public:

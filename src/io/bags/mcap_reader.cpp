@@ -17,6 +17,9 @@ using mcap::Opcode;
 // Longer schemas, channels and headers are passed over [bytes].
 constexpr std::uint64_t kMostRecordBytes = 16 << 20;
 
+constexpr std::uint64_t kLongestFrame = 1 << 10;  // that a compression adds which gains nothing
+constexpr std::uint64_t kLongestRecord = std::uint64_t{1} << 40;
+
 struct RecordHead {
   Opcode opcode{};
   std::uint64_t length = 0;
@@ -36,6 +39,7 @@ struct OpenChunk {
   LimitedStream record;  ///< what is left of the chunk's record
   std::optional<LimitedStream> compressed;
   std::unique_ptr<ByteStream> inside;
+  std::optional<LimitedStream> announced;  ///< of `inside`, where no length tells its end
   std::optional<ChecksumStream> content;
   std::uint64_t size = 0;
   std::uint32_t crc = 0;
@@ -47,7 +51,8 @@ struct OpenChunk {
 
 class McapReader final : public MessageSource {
  public:
-  explicit McapReader(std::unique_ptr<ByteStream> file) : file_(std::move(file)), data_(*file_) {
+  explicit McapReader(std::unique_ptr<ByteStream> file)
+      : file_(std::move(file)), ahead_(*file_), data_(ahead_) {
     std::array<std::byte, mcap::kMagic.size()> magic{};
     const std::size_t got = data_.read(magic);
     if (got < magic.size() || std::memcmp(magic.data(), mcap::kMagic.data(), got) != 0) {
@@ -144,12 +149,12 @@ class McapReader final : public MessageSource {
 
   // Nothing in the summary is needed; behind it the file ends.
   void pass_summary() {
-    while (const std::optional<RecordHead> head = read_head(*file_)) {
-      LimitedStream record(*file_, head->length);
+    while (const std::optional<RecordHead> head = read_head(ahead_)) {
+      LimitedStream record(ahead_, head->length);
       record.skip(record.left());
       if (head->opcode != Opcode::footer) continue;
       std::array<std::byte, mcap::kMagic.size() + 1> end{};
-      if (file_->read(end) == end.size()) {
+      if (ahead_.read(end) == end.size()) {
         note("the file goes on after its end, with another recording perhaps: it is not read");
       }
       return;
@@ -251,30 +256,73 @@ class McapReader final : public MessageSource {
     chunk_->record.read(size);
     const std::optional<Compression> compression = compression_named(name);
     if (!compression) throw ReadError("its compression is '" + name + "'; expected lz4 or zstd");
-    const auto inside = load<std::uint64_t>(size.data(), false);
-    mend_length(inside, *compression == Compression::none);
-    chunk_->compressed.emplace(chunk_->record, inside);
-    if (*compression == Compression::none) {
+    const bool plain = *compression == Compression::none;
+    const ChunkEnd end = find_end(load<std::uint64_t>(size.data(), false), plain);
+    chunk_->compressed.emplace(chunk_->record, end.content);
+    if (plain) {
       chunk_->content.emplace(*chunk_->compressed);
-    } else {
-      chunk_->inside = decompress(*compression, *chunk_->compressed);
-      chunk_->content.emplace(*chunk_->inside);
+      return;
     }
+    chunk_->inside = decompress(*compression, *chunk_->compressed);
+    if (end.has_tail) chunk_->announced.emplace(*chunk_->inside, chunk_->size);
+    chunk_->content.emplace(end.has_tail ? static_cast<ByteStream&>(*chunk_->announced)
+                                         : *chunk_->inside);
   }
 
-  // A chunk says twice how long it is. A record that ends within its content, or long after it, is
-  // not what was written where the content's length can be: compressed, it is shorter than plain.
-  void mend_length(std::uint64_t inside, bool plain) {
-    constexpr std::uint64_t kLongestTail = 1 << 16;  // of fields that later versions add
-    constexpr std::uint64_t kFrame = 1 << 10;        // of a compression that gains nothing
+  /// Bytes of a chunk's content, and whether something may follow it within the record.
+  struct ChunkEnd {
+    std::uint64_t content = 0;
+    bool has_tail = false;
+  };
+
+  // A chunk says twice how long it is, `inside` and by its record's length; where they differ, one
+  // is right that another record follows. Behind the content a record may have fields that later
+  // versions add.
+  ChunkEnd find_end(std::uint64_t inside, bool plain) {
     const std::uint64_t record = chunk_->record.left();
-    const bool agree = inside <= record && record - inside <= kLongestTail;
-    const bool can_be = plain ? inside == chunk_->size : inside <= chunk_->size + kFrame;
-    if (agree || !can_be) return;
+    const std::uint64_t size = chunk_->size;
+    if (inside == record) return {inside, false};
+    constexpr std::uint64_t kLongestTail = 1 << 16;
+    const bool has_tail = inside < record && record - inside <= kLongestTail;
+    const bool can_be = plain ? inside == size : inside <= size + kLongestFrame;
+    const bool record_fits = is_followed(record);
+    if (can_be && (is_followed(inside) || (!record_fits && !has_tail))) {
+      note_length(record, inside, "latter");
+      chunk_->record.set_left(inside);
+      return {inside, false};
+    }
+    if (!record_fits) return {inside, false};
+    if (!has_tail) note_length(record, inside, "former");
+    return {plain ? std::min(size, record) : record, true};
+  }
+
+  // Whether two records of known or private kinds lie so many bytes further on, as far as the file
+  // goes, and it is not too far.
+  bool is_followed(std::uint64_t offset) {
+    constexpr std::uint64_t kFarthest = 64 << 20;
+    for (int i = 0; i < 2; ++i) {
+      if (offset > kFarthest) return i > 0;
+      std::array<std::byte, 9> bytes{};
+      const std::size_t got = ahead_.peek(offset, bytes);
+      if (got == 0 && i > 0) return ahead_.peek(offset - 1, std::span(bytes).first(1)) == 1;
+      const auto opcode = static_cast<Opcode>(bytes[0]);
+      const auto length = load<std::uint64_t>(bytes.data() + 1, false);
+      if (got < bytes.size() || !is_kind(opcode) || length > kLongestRecord) return false;
+      if (opcode == Opcode::footer) return true;
+      offset += bytes.size() + length;
+    }
+    return true;
+  }
+
+  static bool is_kind(Opcode opcode) {
+    constexpr auto kPrivate = static_cast<Opcode>(0x80);
+    return (opcode >= Opcode::header && opcode <= Opcode::data_end) || opcode >= kPrivate;
+  }
+
+  void note_length(std::uint64_t record, std::uint64_t inside, const char* believed) {
     note("the record of chunk " + std::to_string(chunk_->number) + " has " +
          std::to_string(record) + " bytes left for its content of " + std::to_string(inside) +
-         ": the latter is believed");
-    chunk_->record.set_left(inside);
+         ": the " + believed + " is believed");
   }
 
   // A chunk that is cut with the file has no checksum to be compared.
@@ -300,6 +348,7 @@ class McapReader final : public MessageSource {
   }
 
   std::unique_ptr<ByteStream> file_;
+  LookAheadStream ahead_;
   ChecksumStream data_;
   std::optional<OpenChunk> chunk_;
   std::string profile_;

@@ -243,20 +243,60 @@ TEST(Mcap, LengthsThatLieTakeNoMemory) {
   }
 }
 
+/// A file of small chunks, and where the first one's two lengths stand.
+struct ChunkLengths {
+  std::string bytes;
+  std::size_t record = 0;
+  std::size_t content = 0;
+  [[nodiscard]] Outcome with(std::size_t at, std::uint64_t lie) const {
+    std::string lying = bytes;
+    lying.replace(at, 8, little(lie));
+    return read_bytes(lying);
+  }
+  [[nodiscard]] std::uint64_t at(std::size_t place) const {
+    return load<std::uint64_t>(test::bytes_of(bytes).data() + place, false);
+  }
+};
+
+ChunkLengths chunk_lengths(Compression compression) {
+  ChunkLengths chunk{file_with(small_chunks(compression)), 0, 0};
+  const std::size_t begin = chunk.bytes.find('\x06', mcap::kMagic.size() + 9);
+  chunk.record = begin + 1;
+  const std::size_t name = begin + 9 + 28;  // behind times, size and checksum
+  chunk.content = name + 4 + load<std::uint32_t>(test::bytes_of(chunk.bytes).data() + name, false);
+  return chunk;
+}
+
+constexpr Compression kChunkCompressions[] = {Compression::none, Compression::lz4,
+                                              Compression::zstd};
+
 // The lengths of chunks are the ones where a byte that is wrong may cost all that follows.
-TEST(Mcap, AChunkWhoseRecordsLengthLiesByMuchCostsNothing) {
-  for (const Compression compression : {Compression::none, Compression::lz4, Compression::zstd}) {
-    const std::string whole = file_with(small_chunks(compression));
-    const std::size_t chunk = whole.find('\x06', mcap::kMagic.size() + 9);
-    const auto length = load<std::uint64_t>(test::bytes_of(whole).data() + chunk + 1, false);
+TEST(Mcap, AChunkWhoseRecordsLengthLiesCostsNothing) {
+  for (const Compression compression : kChunkCompressions) {
+    const ChunkLengths chunk = chunk_lengths(compression);
+    const std::uint64_t length = chunk.at(chunk.record);
     ASSERT_LT(length, 1000U);  // a chunk it is
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-    for (const std::uint64_t lie : {length - 60, length + (std::uint64_t{1} << 40), kMost}) {
-      std::string bytes = whole;
-      bytes.replace(chunk + 1, 8, little(lie));
-      const Outcome outcome = read_bytes(bytes);
-      ASSERT_EQ(outcome.messages.size(), kMessages) << lie << '\n' << outcome.notes;
+    for (const std::uint64_t lie :
+         {length - 60, length - 1, length + 1, length + 40, length + 256, length + 4096,
+          length + 65536, length + (std::uint64_t{1} << 40), kMost}) {
+      const Outcome outcome = chunk.with(chunk.record, lie);
+      ASSERT_EQ(outcome.messages.size(), kMessages) << length << ' ' << lie << outcome.notes;
       EXPECT_NE(outcome.notes.find("the record of chunk 0 has "), std::string::npos);
+    }
+  }
+}
+
+TEST(Mcap, AChunkWhoseContentsLengthLiesCostsNothing) {
+  for (const Compression compression : kChunkCompressions) {
+    const ChunkLengths chunk = chunk_lengths(compression);
+    const std::uint64_t length = chunk.at(chunk.content);
+    ASSERT_LT(length, chunk.at(chunk.record));
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    for (const std::uint64_t lie : {std::uint64_t{0}, length / 2, length - 1, length + 1,
+                                    length + 300, length + (std::uint64_t{1} << 40), kMost}) {
+      const Outcome outcome = chunk.with(chunk.content, lie);
+      ASSERT_EQ(outcome.messages.size(), kMessages) << length << ' ' << lie << outcome.notes;
     }
   }
 }
