@@ -27,9 +27,9 @@ namespace {
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
 constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
 
-/// Of those that choose the points to be mapped: a voxel takes several points of a scan.
+/// Of those that choose the points to be mapped: every voxel that was seen takes one at least.
 PointChoice::Cubes cubes_of_map(const Config::Knots& config) {
-  const double coarsest = 0.5 * config.finest_voxel;
+  const double coarsest = std::max(config.finest_voxel, config.map_voxel);
   return {config.map_voxel, coarsest, coarsest};
 }
 
