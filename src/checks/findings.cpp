@@ -20,10 +20,17 @@ using io::spread_of;
 constexpr double kGap = 1.5;
 // Sweeps that last so much longer than it is to the next one lie over each other.
 constexpr double kOverlap = 1.25;
+// Intervals that differ from the usual one by less than this share of it are regular.
+constexpr double kRegular = 0.1;
+// Sweeps of so small a share of the interval leave room for others.
+constexpr double kPartOfInterval = 0.75;
+// Sweeps may lie over each other by this share of one: a packet, or a rounding.
+constexpr double kBefore = 0.05;
 // A scan with less than this share of the usual returns, or directions, is part of one.
 constexpr double kPart = 0.5;
 // What more than every tenth scan (or packet, or point) has is the recording's way, not a mishap.
 constexpr double kHabit = 0.1;
+constexpr double kMost = 0.5;
 constexpr double kSlowest = 5.0;  // [Hz] rates of LiDARs that spin are 5 to 20
 
 std::string text(const char* format, double a, double b = 0.0) {
@@ -78,6 +85,7 @@ class Inspection {
 
   std::vector<Finding> execute(const io::CaptureCounts& counts,
                                const std::vector<std::string>& losses) {
+    look_at_pace();
     for (std::size_t i = 0; i < scans_.size(); ++i) {
       if (!scans_[i].error.empty()) {
         found_.scan("scans that cannot be read", scans_[i].error);
@@ -103,26 +111,84 @@ class Inspection {
     return real(finding.scans) / std::max(1.0, real(figures_.scans));
   }
 
+  /// A run's interval between two scans, as it mends their stamps.
+  static double step_between(const ScanFacts& last, const ScanFacts& scan) {
+    const double stored = seconds(scan.stamp_ns - last.stamp_ns);
+    const double mended =
+        seconds(scan.mended_ns.value_or(scan.stamp_ns) - last.mended_ns.value_or(last.stamp_ns));
+    // What goes back, or stands, is told as it is stored; a gap is one for a run.
+    return stored > 0.0 && mended > 0.0 ? mended : stored;
+  }
+  static double shift_of(const ScanFacts& scan) {
+    return seconds(scan.mended_ns.value_or(scan.stamp_ns) - scan.stamp_ns);
+  }
+
+  /// How often the LiDAR measures, which its sweeps tell where scans are missing all along; and
+  /// whether stamps are mended all along.
+  void look_at_pace() {
+    const double usual = figures_.usual_interval_s, sweep = figures_.duration_s.median;
+    pace_s_ = usual;
+    double close = 0.0, regular = 0.0, shifted = 0.0;
+    const ScanFacts* last = nullptr;
+    for (const ScanFacts& scan : scans_) {
+      if (!scan.error.empty()) continue;
+      if (last != nullptr) {
+        const double step = step_between(*last, scan);
+        close += std::abs(step - sweep) < (1.0 - kPartOfInterval) * sweep ? 1.0 : 0.0;
+        regular += std::abs(step - usual) < kRegular * usual ? 1.0 : 0.0;
+        const double shift = std::abs(shift_of(scan));
+        const bool moves = std::abs(shift - std::abs(shift_of(*last))) > 0.0;
+        shifted += moves && shift < usual ? 1.0 : 0.0;
+      }
+      last = &scan;
+    }
+    come_and_go_ = shifted > kMost * real(figures_.scans);
+    if (!(sweep > 0.0) || sweep >= kPartOfInterval * usual) return;
+    const bool some_follow = close > kHabit * real(figures_.scans);
+    if (!some_follow && figures_.around.median < kLooksAround) return;
+    if (regular > (1.0 - kHabit) * real(figures_.scans)) {
+      found_.recording(false, "sweeps with pauses between them",
+                       text("they last %.3f s, scans are %.3f s apart: the others are missing, or "
+                            "were left out",
+                            sweep, usual));
+    } else {
+      pace_s_ = sweep;
+    }
+  }
+
   void look_at_stamp(const ScanFacts& scan) {
     if (last_ != nullptr) {
-      const double stored = seconds(scan.stamp_ns - last_->stamp_ns);
-      const double mended = seconds(scan.mended_ns.value_or(scan.stamp_ns) -
-                                    last_->mended_ns.value_or(last_->stamp_ns));
-      const double usual = figures_.usual_interval_s;
-      // What goes back, or stands, is told as it is stored; a gap is one for a run.
-      const double step = stored > 0.0 && mended > 0.0 ? mended : stored;
+      const double step = step_between(*last_, scan);
       if (step < 0.0) found_.scan("stamps that go back", scan.name);
       if (step == 0.0) found_.scan("stamps that are the last one's again", scan.name);
-      if (usual > 0.0 && step > kGap * usual) {
+      if (pace_s_ > 0.0 && step > kGap * pace_s_) {
         found_.scan("gaps", scan.name);
         longest_gap_ = std::max(longest_gap_, step);
-        missing_ += step / usual - 1.0;
+        missing_ += step / pace_s_ - 1.0;
+      }
+      if (lies_over_last(scan, step)) {
+        found_.scan("sweeps that begin before the last one has ended", scan.name);
       }
     }
-    const bool wild = scan.mended_ns && *scan.mended_ns < scan.stamp_ns;
-    if (wild) found_.scan("stamps that are too late", scan.name);
+    const double shift = shift_of(scan), last_shift = last_ != nullptr ? shift_of(*last_) : 0.0;
+    const bool goes_on = last_ == nullptr || seconds(scan.stamp_ns - last_->stamp_ns) > 0.0;
+    if (come_and_go_) {
+      if (shift != 0.0) found_.scan("stamps that come and go", scan.name);
+      greatest_shift_ = std::max(greatest_shift_, std::abs(shift));
+    } else if (shift < 0.0) {
+      found_.scan("stamps that are too late", scan.name);
+    } else if (shift > 0.0 && goes_on && shift - last_shift > kBefore * pace_s_) {
+      found_.scan("stamps that are too early", scan.name);
+    }
     if (scan.sent_again) found_.scan("scans that are the last one again", scan.name);
     last_ = &scan;
+  }
+
+  [[nodiscard]] bool lies_over_last(const ScanFacts& scan, double step) const {
+    if (scan.times != PointTimes::there || last_->times != PointTimes::there) return false;
+    const double sweep = figures_.duration_s.median;
+    if (come_and_go_ || sweep > kOverlap * figures_.usual_interval_s) return false;  // is said
+    return step > 0.0 && last_->last_s - (step + scan.first_s) > kBefore * sweep;
   }
 
   void look_at_points(const ScanFacts& scan, bool is_last) {
@@ -174,6 +240,17 @@ class Inspection {
     mended("stamps that are the last one's again",
            "a run takes the usual interval instead; where most stand still, --rate says it");
     mended("stamps that are too late", "a run puts them where they belong");
+    mended("stamps that are too early", "a run puts them where they belong");
+    found_.judge("stamps that come and go", [&](Finding& finding) {
+      finding.detail = text(
+          "by up to %.3f s beside steady sweeps: times of arrival? A run takes a "
+          "line through them",
+          greatest_shift_);
+    });
+    found_.judge("sweeps that begin before the last one has ended", [&](Finding& finding) {
+      finding.suffers = share(finding) > kHabit;
+      finding.detail = "no LiDAR does so: their stamps are wrong, times of arrival perhaps";
+    });
     found_.judge("gaps", [&](Finding& finding) {
       const double bridged = config_.motion_prior.max_extrapolation;
       finding.suffers = longest_gap_ > bridged || missing_ > kHabit * real(figures_.scans);
@@ -244,7 +321,9 @@ class Inspection {
 
   void judge_untimed(Finding& finding) {
     finding.suffers = share(finding) > kHabit;
-    finding.detail = "nothing can be deskewed; if the LiDAR spins, --derive-times azimuth";
+    finding.detail = finding.suffers
+                         ? "nothing can be deskewed; if the LiDAR spins, --derive-times azimuth"
+                         : "of a few scans, which are not deskewed";
   }
 
   void judge_recording(const io::CaptureCounts& counts) {
@@ -282,7 +361,10 @@ class Inspection {
   double longest_gap_ = 0.0;
   double missing_ = 0.0;  // scans
   std::size_t untimed_ = 0;
-  bool by_points_ = false;  // every scan's points have a clock
+  double pace_s_ = 0.0;  // between sweeps
+  bool come_and_go_ = false;
+  double greatest_shift_ = 0.0;  // of those stamps [s]
+  bool by_points_ = false;       // every scan's points have a clock
 };
 
 // Those that occur in at least every tenth scan: a stray number is no ring.

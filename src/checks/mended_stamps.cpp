@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "checks/mended_stamps.hpp"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -10,7 +11,8 @@
 namespace surefoot::checks {
 namespace {
 
-/// Scans again, of which the mending looks at stamps alone: a point each, unlike the last one's.
+/// Scans again, of which the mending looks at stamps and times alone: the first and the last point
+/// of each, unlike the last one's.
 class StampReplay final : public io::Recording {
  public:
   explicit StampReplay(const std::vector<ScanFacts>& scans) : scans_(scans) {}
@@ -25,7 +27,11 @@ class StampReplay final : public io::Recording {
     Scan scan;
     scan.stamp_ns = facts.stamp_ns;
     if (!facts.sent_again) ++point_;
-    scan.points.emplace_back(static_cast<float>(point_ % 1'000'000), 1.0F, 1.0F);
+    scan.points.assign(2, {static_cast<float>(point_ % 1'000'000), 1.0F, 1.0F});
+    if (facts.times != io::PointTimes::none) {
+      scan.times_ns = {static_cast<std::int32_t>(std::llround(1e9 * facts.first_s)),
+                       static_cast<std::int32_t>(std::llround(1e9 * facts.last_s))};
+    }
     item.scan = std::move(scan);
     item.clock = facts.clock;
     return item;

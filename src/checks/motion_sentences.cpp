@@ -42,6 +42,7 @@ void settle_untimed(const TimeTrials& trials, std::vector<Finding>& findings) {
     if (finding.what != "no point times" && finding.what != "point times that are all equal") {
       continue;
     }
+    if (!finding.suffers) continue;  // a few scans say nothing of the others
     const TimeReading best = trials.trials[trials.preferred].reading;
     if (trials.preferred > 0) {
       finding.detail =

@@ -20,8 +20,6 @@ namespace {
 constexpr std::size_t kLeastScans = 10;
 // Of a scan that is tried; the odometry takes some thousands of them.
 constexpr std::size_t kMostPoints = 40'000;
-// Who sees so much of the directions around spins, and its times may come of them.
-constexpr double kLooksAround = 0.8;
 constexpr std::int64_t kMarginNs = 1'000'000'000;
 
 Scan thinned(const Scan& scan) {

@@ -15,6 +15,9 @@
 
 namespace surefoot::checks {
 
+/// Who sees so much of the directions around spins: no pauses between sweeps, times by azimuth.
+inline constexpr double kLooksAround = 0.8;
+
 struct ScanFacts {
   std::string name;
   std::string error;   ///< why it could not be read; empty: it could, else the rest is zero

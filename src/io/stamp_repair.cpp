@@ -12,6 +12,8 @@
 #include "io/point_clock.hpp"
 #include "io/recording_filter.hpp"
 #include "io/saturated.hpp"
+#include "io/stamp_steadying.hpp"
+#include "io/sweep_span.hpp"
 #include "surefoot/quantile.hpp"
 
 namespace surefoot::io {
@@ -23,10 +25,10 @@ constexpr std::size_t kIntervals = 15;  // last ones, whose median is the usual 
 constexpr std::int64_t kUnknownInterval = 100'000'000;  // [ns] before any is known
 // A stamp off by more than so many intervals is wild, if its neighbours fit each other.
 constexpr std::int64_t kWild = 5;
-// The first has one neighbour: a driver that did not know the time yet says zero.
-constexpr std::int64_t kWildFirst = 100'000;
+// The first and the last have one neighbour: so long a pause beside a single scan is none.
+constexpr std::int64_t kWildAtTheEnd = 1000;
 // Without a look ahead: so many in a row that go on from each other are of a clock that was set.
-constexpr int kSteady = 3;
+constexpr std::size_t kSteady = 3;
 constexpr std::int64_t kLongestInterval = 10'000'000'000;  // [ns] of a LiDAR
 
 class RepairedRecording : public RecordingFilter {
@@ -99,11 +101,15 @@ class RepairedRecording : public RecordingFilter {
     Scan& scan = *item.scan;
     const std::int64_t given = scan.stamp_ns;
     if (!last_) {
-      scan.stamp_ns = first_stamp(given, item.name);
-    } else if (is_wild(given)) {
+      scan.stamp_ns = first_stamp(item);
+    } else if (is_wild(item)) {
       // Where it would be, but before the next.
-      const std::int64_t next = sum(stamps_ahead().front(), offset_ns_);
-      scan.stamp_ns = sum(*last_, std::min(usual_interval_ns(), difference(next, *last_) / 2 + 1));
+      scan.stamp_ns = sum(*last_, usual_interval_ns());
+      const std::vector<std::int64_t> ahead = stamps_ahead();
+      if (!ahead.empty()) {
+        const std::int64_t to_next = difference(sum(ahead.front(), offset_ns_), *last_);
+        scan.stamp_ns = std::min(scan.stamp_ns, sum(*last_, to_next / 2 + 1));
+      }
       note_wild(given, item.name);
     } else if (at_once_ && !fits_at_once(item)) {
       const std::int64_t intervals = intervals_since_last(item);
@@ -126,30 +132,42 @@ class RepairedRecording : public RecordingFilter {
       if (intervals_.size() > kIntervals) intervals_.pop_front();
     }
     given_ns_ = given;
+    if (last_) last_step_ns_ = difference(scan.stamp_ns, *last_);
     last_ = scan.stamp_ns;
     last_logged_ns_ = item.logged_ns;
+    last_sweep_ = span_of(scan);
     last_points_ = scan.points;
   }
 
   /// The first one's, or, where the next two fit each other and not the first, what fits them.
-  std::int64_t first_stamp(std::int64_t given, const std::string& name) {
+  std::int64_t first_stamp(const ScanItem& item) {
+    const std::int64_t given = item.scan->stamp_ns;
     const std::vector<std::int64_t> ahead = stamps_ahead();
     if (ahead.size() < 2) return given;
     const std::int64_t interval = difference(ahead[1], ahead[0]);
     if (interval <= 0 || interval > kLongestInterval) return given;
     const std::int64_t step = difference(ahead[0], given), steps = difference(ahead[1], given);
-    if (step > 0 && step < kWildFirst * interval) return given;
+    if (step > 0 && step < kWildAtTheEnd * interval) return given;
     if (steps > 0 && steps <= kLongestInterval) return given;  // it is the second that is wild
-    note_wild(given, name);
+    const std::int64_t logged_next = waiting().front().logged_ns;
+    const bool both = item.logged_ns != 0 && logged_next != 0;
+    if (both && step > 0 && difference(logged_next, item.logged_ns) > step / 2) return given;
+    note_wild(given, item.name);
     return difference(ahead[0], interval);
   }
 
   /// Whether the next ones go on from the last, as if this one had told its stamp wrongly.
-  [[nodiscard]] bool is_wild(std::int64_t given) const {
+  [[nodiscard]] bool is_wild(const ScanItem& item) const {
     const std::int64_t usual = usual_interval_ns();
-    const std::int64_t step = difference(sum(given, offset_ns_), *last_);
-    if (step > 0 && step <= kWild * usual) return false;
+    const std::int64_t step = difference(sum(item.scan->stamp_ns, offset_ns_), *last_);
     const std::vector<std::int64_t> ahead = stamps_ahead();
+    const bool within = step > 0 && step <= kWild * usual;
+    const std::int64_t given = item.scan->stamp_ns;
+    if (within && !is_too_soon(*item.scan) && !is_late(step, ahead, given)) return false;
+    if (ahead.empty() && !at_once_) {  // the last one
+      const bool known = intervals_.size() >= kSteady && item.logged_ns == 0;
+      return known && step >= kWildAtTheEnd * usual;
+    }
     std::int64_t intervals = 2;
     for (const std::int64_t stamp : ahead) {
       const std::int64_t since = difference(sum(stamp, offset_ns_), *last_);
@@ -157,6 +175,45 @@ class RepairedRecording : public RecordingFilter {
       ++intervals;
     }
     return !ahead.empty();
+  }
+
+  /// By how much sweeps may overlap by their stamps, or be early or late: half of one, and far more
+  /// than stamps vary otherwise. Nothing where that is not known yet.
+  [[nodiscard]] std::optional<std::int64_t> margin() const {
+    if (intervals_.size() < kSteady) return std::nullopt;
+    const std::int64_t usual = usual_interval_ns();
+    std::vector<std::int64_t> off;  // gaps are few, the turns of two LiDARs are not
+    for (const std::int64_t interval : intervals_) {
+      off.push_back(std::min(distance(interval, usual), kLongestInterval));
+    }
+    return std::min(usual, lasting_ns()) / 2 + 2 * quantile(std::move(off), 0.8);
+  }
+  [[nodiscard]] std::int64_t lasting_ns() const {
+    const std::int64_t lasts = std::int64_t{last_sweep_.last_ns} - last_sweep_.first_ns;
+    return lasts > 0 ? lasts : usual_interval_ns();
+  }
+
+  /// A LiDAR does not begin a sweep while it is at the last one, nor much sooner than it usually
+  /// does; unless it is the last one that came late.
+  [[nodiscard]] bool is_too_soon(const Scan& scan) const {
+    const std::optional<std::int64_t> most = margin();
+    if (!most) return false;
+    const std::int64_t usual = usual_interval_ns();
+    const std::int64_t step = difference(sum(scan.stamp_ns, offset_ns_), *last_);
+    const std::int64_t first = std::int64_t{span_of(scan).first_ns} - last_sweep_.first_ns;
+    const bool overlaps = difference(lasting_ns(), sum(step, first)) > *most;
+    const std::int64_t both = difference(sum(usual, usual), sum(step, last_step_ns_));
+    return overlaps && difference(usual, step) > *most && both > *most;
+  }
+
+  /// Much later than usual, and the next one follows much sooner.
+  [[nodiscard]] bool is_late(std::int64_t step, const std::vector<std::int64_t>& ahead,
+                             std::int64_t given) const {
+    const std::optional<std::int64_t> most = margin();
+    if (!most || ahead.empty()) return false;
+    const std::int64_t usual = usual_interval_ns();
+    return difference(step, usual) > *most &&
+           difference(usual, difference(ahead.front(), given)) > *most;
   }
 
   /// No message overtakes the fastest one by much: its stamp is of another clock.
@@ -178,7 +235,7 @@ class RepairedRecording : public RecordingFilter {
   /// Whether a stamp goes on from those before, if need be by a clock that was set.
   bool fits_at_once(const ScanItem& item) {
     const std::int64_t given = item.scan->stamp_ns;
-    if (sum(given, offset_ns_) <= *last_ || is_ahead(item)) {
+    if (sum(given, offset_ns_) <= *last_ || is_ahead(item) || is_too_soon(*item.scan)) {
       const std::int64_t step = difference(given, given_ns_);
       steady_ = step > 0 && step <= kWild * usual_interval_ns() ? steady_ + 1 : 1;
       if (steady_ < kSteady) {
@@ -237,9 +294,11 @@ class RepairedRecording : public RecordingFilter {
   std::optional<std::int64_t> last_;  // as given out
   std::int64_t given_ns_ = 0;         // the same scan's, as read
   std::vector<Eigen::Vector3f> last_points_;
+  SweepSpan last_sweep_;
+  std::int64_t last_step_ns_ = 0;
   std::int64_t offset_ns_ = 0;
   std::int64_t last_logged_ns_ = 0;
-  int steady_ = 0;  // stamps in a row that fit each other, but not those before
+  std::size_t steady_ = 0;  // stamps in a row that fit each other, but not those before
   std::optional<std::int64_t> least_late_ns_;  // of receipts after stamps
   bool gap_noted_ = false, wild_noted_ = false, set_back_noted_ = false, ahead_noted_ = false,
        stands_noted_ = false, twice_ = false;
@@ -250,8 +309,10 @@ class RepairedRecording : public RecordingFilter {
 
 std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
                                          const OpenOptions& options) {
-  return std::make_unique<RepairedRecording>(follow_point_clock(std::move(recording), options),
-                                             options);
+  auto repaired = std::make_unique<RepairedRecording>(
+      follow_point_clock(std::move(recording), options), options);
+  if (options.repair_at_once) return repaired;
+  return steady_stamps(std::move(repaired));
 }
 
 }  // namespace surefoot::io

@@ -119,6 +119,53 @@ TEST(Findings, StampsThatStandHurtUnlessThePointsHaveAClock) {
   EXPECT_NEAR(figures_of(scans).rate_hz(), 10.0, 1e-9);
 }
 
+// Every third is lost: half of the intervals are as long as a sweep.
+TEST(Findings, ScansThatAreMissingAllAlongAreGaps) {
+  std::vector<ScanFacts> scans = sound(60);
+  for (std::size_t i = scans.size(); i-- > 0;) {
+    if (i % 3 == 1) scans.erase(scans.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  const Finding gaps = found(all_of(scans), "gaps");
+  EXPECT_TRUE(gaps.suffers);
+  EXPECT_EQ(gaps.scans, 20U);
+  EXPECT_NE(gaps.detail.find("about 20 scans missing"), std::string::npos) << gaps.detail;
+
+  scans = sound(60);
+  for (ScanFacts& scan : scans) scan.stamp_ns *= 2;  // thinned out
+  const auto findings = all_of(scans);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].what, "sweeps with pauses between them");
+  EXPECT_FALSE(findings[0].suffers);
+  for (ScanFacts& scan : scans) scan.seen_around = 0.3;  // it may rest
+  EXPECT_TRUE(all_of(scans).empty());
+}
+
+TEST(Findings, StampsThatAreMendedForwardAreNamed) {
+  std::vector<ScanFacts> scans = sound(30);
+  scans[0].stamp_ns -= 10'000 * kPeriod;
+  scans[9].stamp_ns = scans[8].stamp_ns + 10'000;
+  mend_stamps(scans, {});
+  const std::vector<Finding> findings = all_of(scans);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].what, "stamps that are too early");
+  EXPECT_EQ(findings[0].scans, 2U);
+  EXPECT_FALSE(findings[0].suffers);
+}
+
+TEST(Findings, StampsThatComeAndGo) {
+  std::vector<ScanFacts> scans = sound(60);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    scans[i].stamp_ns += static_cast<std::int64_t>(i * 37 % 80) * 1'000'000;
+  }
+  // As they are stored no run can use them; as a run mends them it can.
+  EXPECT_TRUE(found(all_of(scans), "sweeps that begin before the last one has ended").suffers);
+  mend_stamps(scans, {});
+  const std::vector<Finding> findings = all_of(scans);
+  ASSERT_EQ(findings.size(), 1U) << findings[1].what << findings[1].detail;
+  EXPECT_EQ(findings[0].what, "stamps that come and go");
+  EXPECT_FALSE(findings[0].suffers);
+}
+
 TEST(Findings, UnreadableScansHurtAndAreNamed) {
   std::vector<ScanFacts> scans = sound(20);
   scans[3].error = "scan 3: cut short";

@@ -61,6 +61,9 @@ Repaired repaired(std::vector<std::int64_t> stamps) {
   return result;
 }
 
+Repaired repaired_by_receipts(std::vector<std::int64_t> stamps,
+                              std::vector<std::int64_t> true_stamps, const OpenOptions& options);
+
 TEST(StampRepair, LeavesWhatCanBeToTheNanosecond) {
   std::vector<std::int64_t> stamps = regular(30);
   stamps[7] += 12'345'678;                                            // jitter
@@ -84,6 +87,23 @@ TEST(StampRepair, OneWildStampIsPutWhereItBelongs) {
       ASSERT_EQ(result.notes.size(), 1U);
       EXPECT_NE(result.notes[0].find("scan " + std::to_string(at)), std::string::npos);
     }
+  }
+}
+
+// A hundred seconds beside a single scan, while nothing says that they passed.
+TEST(StampRepair, TheFirstAndTheLastAreWildWhereTheyAreFarOff) {
+  for (const std::size_t at : {std::size_t{0}, std::size_t{19}}) {
+    std::vector<std::int64_t> stamps = regular(20);
+    stamps[at] += (at == 0 ? -1 : 1) * 1000 * kSecond;
+    const Repaired result = repaired(stamps);
+    EXPECT_EQ(result.stamps, regular(20)) << at;
+    ASSERT_EQ(result.notes.size(), 1U);
+    EXPECT_NE(result.notes[0].find("scan " + std::to_string(at)), std::string::npos);
+    // By receipts it is a gap.
+    EXPECT_EQ(repaired_by_receipts(stamps, stamps, {}).stamps, stamps);
+    // Two scans of different days are no recording with one wild stamp.
+    stamps = {kFirstScan, kFirstScan + 1000 * kSecond};
+    EXPECT_EQ(repaired(stamps).stamps, stamps);
   }
 }
 
@@ -199,6 +219,141 @@ TEST(StampRepairAtOnce, WhereStampsStandReceiptsTellWhatWasLost) {
   true_stamps.erase(true_stamps.begin() + 6, true_stamps.begin() + 9);
   EXPECT_EQ(repaired_at_once(std::vector<std::int64_t>(17, kFirstScan), true_stamps).stamps,
             true_stamps);
+}
+
+/// Scans whose points have times, from the stamp on.
+class Swept : public Stamped {
+ public:
+  Swept(std::vector<std::int64_t> stamps, std::int32_t lasts_ns)
+      : Stamped(std::move(stamps)), lasts_ns_(lasts_ns) {}
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = Stamped::next();
+    if (!item) return item;
+    item->scan->points.push_back(item->scan->points.front());
+    item->scan->times_ns = {0, lasts_ns_};
+    return item;
+  }
+
+ private:
+  std::int32_t lasts_ns_;
+};
+
+Repaired repaired_sweeps(std::vector<std::int64_t> stamps, std::int32_t lasts_ns = 99'900'000,
+                         const OpenOptions& options = {}) {
+  const auto recording =
+      repair_stamps(std::make_unique<Swept>(std::move(stamps), lasts_ns), options);
+  Repaired result;
+  while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
+  result.notes = recording->notes();
+  return result;
+}
+
+TEST(StampRepair, AStampRightAfterTheLastOneIsPutWhereItBelongs) {
+  for (const std::int64_t after : {10'000, 1'000'000, 30'000'000}) {
+    std::vector<std::int64_t> stamps = regular(20);
+    stamps[9] = stamps[8] + after;
+    const Repaired result = repaired_sweeps(stamps);
+    EXPECT_EQ(result.stamps, regular(20)) << after;
+    EXPECT_EQ(result.notes.size(), 1U);
+    EXPECT_EQ(repaired(stamps).stamps, regular(20)) << "without point times";
+    OpenOptions live;
+    live.repair_at_once = true;
+    EXPECT_EQ(repaired_sweeps(stamps, 99'900'000, live).stamps, regular(20)) << after;
+  }
+}
+
+// Those after it are right, and no clock was set.
+TEST(StampRepair, AStampThatComesLateIsPutWhereItBelongs) {
+  for (const std::int64_t by : {85'000'000, 110'000'000, 250'000'000}) {
+    std::vector<std::int64_t> stamps = regular(60);
+    for (std::size_t i = 6; i < stamps.size(); i += 9) stamps[i] += by;
+    EXPECT_EQ(repaired_sweeps(stamps).stamps, regular(60)) << by;
+    EXPECT_EQ(repaired(stamps).stamps, regular(60)) << by;
+  }
+}
+
+TEST(StampRepair, SweepsThatOverlapAllAlongAreLeftAsTheyAre) {
+  std::vector<std::int64_t> two_lidars = regular(60), windows = regular(60);
+  for (std::size_t i = 0; i < 60; ++i) {
+    two_lidars[i] = kFirstScan + static_cast<std::int64_t>(i / 2) * kSecond / 10 +
+                    static_cast<std::int64_t>(i % 2) * 3'000'000;
+    windows[i] = kFirstScan + static_cast<std::int64_t>(i) * kSecond / 50;
+  }
+  EXPECT_EQ(repaired_sweeps(two_lidars).stamps, two_lidars);
+  EXPECT_EQ(repaired_sweeps(windows).stamps, windows);
+}
+
+/// How far off stamps are at most, and by how much more from scan to scan, but for what is common.
+struct Off {
+  double most_ms = 0.0, step_ms = 0.0;
+};
+Off off_by(const std::vector<std::int64_t>& stamps, const std::vector<std::int64_t>& right) {
+  std::vector<double> off;
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    off.push_back(1e-6 * static_cast<double>(stamps[i] - right[i]));
+  }
+  std::vector<double> sorted = off;
+  std::sort(sorted.begin(), sorted.end());
+  Off result;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    result.most_ms = std::max(result.most_ms, std::abs(off[i] - sorted[off.size() / 2]));
+    if (i > 0) result.step_ms = std::max(result.step_ms, std::abs(off[i] - off[i - 1]));
+  }
+  return result;
+}
+
+/// Stamps that come late by up to so much, as if at random.
+std::vector<std::int64_t> late_by(std::vector<std::int64_t> stamps, std::int64_t most) {
+  std::uint64_t state = 12345;
+  for (std::int64_t& stamp : stamps) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    stamp += static_cast<std::int64_t>((state >> 33U) % static_cast<std::uint64_t>(most));
+  }
+  return stamps;
+}
+
+TEST(StampSteadying, StampsThatComeAndGoBesideSteadySweepsAreSteadied) {
+  std::vector<std::int64_t> right = regular(300);
+  for (std::size_t i = 100; i < right.size(); ++i) right[i] += 3 * kSecond / 10;  // three missing
+  for (std::size_t i = 200; i < right.size(); ++i) right[i] += 30 * kSecond;      // a pause
+  const Repaired result = repaired_sweeps(late_by(right, 80'000'000));
+  const Off off = off_by(result.stamps, right);
+  EXPECT_LT(off.most_ms, 20.0);
+  EXPECT_LT(off_by(late_by(right, 80'000'000), right).step_ms, 81.0);
+  EXPECT_LT(off.step_ms, 20.0);
+  ASSERT_EQ(result.notes.size(), 2U);  // the pause, too
+  EXPECT_NE(result.notes[0].find("come and go"), std::string::npos) << result.notes[0];
+}
+
+TEST(StampSteadying, AFewThatAreMuchTooLateMoveNothing) {
+  std::vector<std::int64_t> stamps = late_by(regular(200), 50'000'000);
+  for (std::size_t i = 5; i < stamps.size(); i += 9) stamps[i] += 90'000'000;
+  const Off off = off_by(repaired_sweeps(stamps).stamps, regular(200));
+  EXPECT_LT(off.most_ms, 15.0);
+}
+
+TEST(StampSteadying, NothingIsDoneWhereItIsNotClear) {
+  const std::vector<std::int64_t> little = late_by(regular(60), 3'000'000);
+  EXPECT_EQ(repaired_sweeps(little).stamps, little) << "a few milliseconds";
+  const std::vector<std::int64_t> much = late_by(regular(60), 60'000'000);
+  EXPECT_EQ(repaired_sweeps(much, 20'000'000).stamps, much) << "pauses between sweeps";
+  EXPECT_EQ(repaired(much).stamps, much) << "no times";
+  OpenOptions live;
+  live.repair_at_once = true;
+  EXPECT_EQ(repaired_sweeps(much, 99'900'000, live).stamps, much) << "live";
+}
+
+TEST(StampSteadying, ScansThatArePassedOverChangeNoOther) {
+  const std::vector<std::int64_t> given = late_by(regular(120), 80'000'000);
+  const auto recording = repair_stamps(std::make_unique<Swept>(given, 99'900'000), {});
+  std::vector<std::int64_t> stamps, right;
+  for (std::size_t i = 0; i < given.size(); i += 3) {
+    stamps.push_back(recording->next()->scan->stamp_ns);
+    right.push_back(regular(120)[i]);
+    recording->skip(2);
+    recording->skip(0);
+  }
+  EXPECT_LT(off_by(stamps, right).most_ms, 20.0);
 }
 
 TEST(StampRepair, WhatWasSentTwiceIsLeftOut) {
