@@ -152,7 +152,9 @@ ScanFacts ScanLooker::look(const io::ScanItem& item) {
   facts.stamp_ns = scan.stamp_ns;
   facts.logged_ns = item.logged_ns;
   facts.clock = item.clock;
-  facts.points = scan.points.size();
+  facts.points = scan.points.size() + item.dropped_not_finite + item.dropped_zero;
+  facts.not_finite = item.dropped_not_finite;
+  facts.zero = item.dropped_zero;
   facts.untimed = item.dropped_points;
   look_at_ranges(scan, facts);
   look_at_times(scan, facts);

@@ -69,7 +69,7 @@ class Conversion {
   std::unique_ptr<ScanSink> sink_;
   ConversionOutcome outcome_;
   std::optional<std::int64_t> first_ns_;
-  std::size_t dropped_points_ = 0;
+  std::size_t dropped_points_ = 0, dropped_empty_ = 0;
   std::size_t late_in_a_row_ = 0;
   double rounded_by_ = 0.0;  ///< [m]
 };
@@ -100,6 +100,7 @@ void Conversion::add(const ScanItem& item) {
   ++outcome_.scans;
   outcome_.points += item.scan->points.size();
   dropped_points_ += item.dropped_points;
+  dropped_empty_ += item.dropped_not_finite + item.dropped_zero;
   rounded_by_ = std::max(rounded_by_, item.rounded_by);
   listener_.progress(outcome_.scans, recording_->progress());
 }
@@ -134,6 +135,10 @@ std::vector<std::string> Conversion::losses() const {
   if (dropped_points_ > 0) {
     lines.push_back("left out: " + std::to_string(dropped_points_) +
                     " points without a usable time");
+  }
+  if (dropped_empty_ > 0) {
+    lines.push_back("left out: " + std::to_string(dropped_empty_) +
+                    " points that are no returns and of no time of the sweep");
   }
   return lines;
 }

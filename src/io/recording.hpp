@@ -120,8 +120,10 @@ struct ScanItem {
   std::string layout;              ///< what is stored: "PCD binary: x f32, y f32, z f32, time f32"
   std::int64_t logged_ns = 0;      ///< when its message was received; 0: not known
   std::string remark;              ///< what is odd about this scan alone: "partial revolution"
-  std::size_t dropped_points = 0;  ///< points left out for want of a usable time
-  std::string frame;               ///< that its message names
+  std::size_t dropped_points = 0;  ///< returns left out for want of a usable time
+  /// Left out for the same reason, but no returns at all: their time tells nothing.
+  std::size_t dropped_not_finite = 0, dropped_zero = 0;
+  std::string frame;                  ///< that its message names
   std::vector<FurtherField> further;  ///< fields that the scan has no room for, where wanted
   double rounded_by = 0.0;            ///< most that a coordinate lost by becoming a float [m]
   std::optional<PointClock> clock;

@@ -40,7 +40,7 @@ class Summariser {
                   item.name + ": " + std::to_string(item.dropped_points));
     }
     add_stamp(*item.scan, item.name);
-    add_points(*item.scan, item.name);
+    add_points(item);
     add_times(*item.scan, item.name);
     rings_.insert(item.scan->rings.begin(), item.scan->rings.end());
   }
@@ -91,12 +91,14 @@ class Summariser {
     summary_.last_stamp_ns = scan.stamp_ns;
   }
 
-  void add_points(const Scan& scan, const std::string& name) {
-    points_.push_back(static_cast<double>(scan.points.size()));
+  void add_points(const ScanItem& item) {
+    const Scan& scan = *item.scan;
+    const std::string& name = item.name;
     std::vector<double> ranges;
     std::vector<double> intensities;
-    std::size_t not_finite = 0;
-    std::size_t zero = 0;
+    std::size_t not_finite = item.dropped_not_finite;
+    std::size_t zero = item.dropped_zero;
+    points_.push_back(static_cast<double>(scan.points.size() + not_finite + zero));
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
       const double range = scan.points[i].cast<double>().norm();
       not_finite += std::isfinite(range) ? 0 : 1;

@@ -220,8 +220,17 @@ void keep_only(std::vector<T>& values, const std::vector<std::size_t>& kept) {
   values.resize(kept.size());
 }
 
-// Sets times_ns; points without a usable time go. Returns those that stay; empty: all of them.
-std::vector<std::size_t> set_times(Scan& scan, const FieldTimes& times, std::int64_t origin) {
+void count_dropped(const Eigen::Vector3f& point, BuiltScan& built) {
+  if (is_return(point)) {
+    ++built.dropped_points;
+  } else {
+    ++(point.isZero() ? built.dropped_zero : built.dropped_not_finite);
+  }
+}
+
+// Sets times_ns and `kept`; points without a usable time go.
+void set_times(BuiltScan& built, const FieldTimes& times, std::int64_t origin) {
+  Scan& scan = built.scan;
   const auto is_usable = [&](std::int64_t ns) { return ns >= times.least && ns <= times.greatest; };
   scan.times_ns.resize(times.ns.size());
   std::size_t usable = 0;
@@ -231,17 +240,20 @@ std::vector<std::size_t> set_times(Scan& scan, const FieldTimes& times, std::int
                                                  static_cast<std::uint64_t>(origin));
     usable += is_usable(times.ns[i]) ? 1 : 0;
   }
-  std::vector<std::size_t> kept;
-  if (usable == times.ns.size()) return kept;
+  if (usable == times.ns.size()) return;
+  std::vector<std::size_t>& kept = built.kept;
   kept.reserve(usable);
   for (std::size_t i = 0; i < times.ns.size(); ++i) {
-    if (is_usable(times.ns[i])) kept.push_back(i);
+    if (is_usable(times.ns[i])) {
+      kept.push_back(i);
+    } else {
+      count_dropped(scan.points[i], built);
+    }
   }
   keep_only(scan.points, kept);
   keep_only(scan.intensities, kept);
   keep_only(scan.rings, kept);
   keep_only(scan.times_ns, kept);
-  return kept;
 }
 
 }  // namespace
@@ -326,8 +338,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
   check_offsets(times, origin);
   if (rule->reference != TimeReference::relative) built.clock = PointClock{times.least, origin};
-  built.kept = set_times(scan, times, origin);
-  built.dropped_points = table.size - scan.points.size();
+  set_times(built, times, origin);
   return built;
 }
 

@@ -34,8 +34,10 @@ struct ScanColumns {
 
 struct BuiltScan {
   Scan scan;
-  std::vector<std::size_t> kept;  ///< the table's points that are in it; empty: all of them
-  std::size_t dropped_points = 0;
+  std::vector<std::size_t> kept;       ///< the table's points that are in it; empty: all of them
+  std::size_t dropped_points = 0;      ///< returns
+  std::size_t dropped_not_finite = 0;  ///< without return: NaN or infinite
+  std::size_t dropped_zero = 0;
   double rounded_by = 0.0;  ///< most that a coordinate lost by becoming a float [m]
   std::optional<PointClock> clock;
 };

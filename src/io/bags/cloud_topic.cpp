@@ -129,6 +129,8 @@ class CloudTopic final : public Recording {
     if (!rule_) look_at_times(cloud, stamp_ns, columns);
     BuiltScan built = build_scan(cloud.table, columns, rule_, stamp_ns, options_.stamp_at);
     item.dropped_points = built.dropped_points;
+    item.dropped_not_finite = built.dropped_not_finite;
+    item.dropped_zero = built.dropped_zero;
     item.frame = cloud.frame;
     if (options_.further_fields) item.further = further_fields(cloud.table, columns, built);
     item.rounded_by = built.rounded_by;

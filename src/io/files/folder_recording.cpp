@@ -193,6 +193,8 @@ class FolderRecording final : public Recording {
     if (columns.time != nullptr && !rule_) look_at_times(index, table, columns);
     BuiltScan built = build_scan(table, columns, rule_, given_stamp(index), options_.stamp_at);
     item.dropped_points = built.dropped_points;
+    item.dropped_not_finite = built.dropped_not_finite;
+    item.dropped_zero = built.dropped_zero;
     if (options_.further_fields) item.further = further_fields(table, columns, built);
     item.rounded_by = built.rounded_by;
     item.clock = built.clock;

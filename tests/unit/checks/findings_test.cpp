@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "checks/mended_stamps.hpp"
+#include "checks/motion_sentences.hpp"
 
 namespace surefoot::checks {
 namespace {
@@ -198,6 +199,26 @@ TEST(Findings, PointsWithoutTimesRingsOrReturns) {
   scans = sound(20);
   for (ScanFacts& scan : scans) scan.not_finite = 5'000;
   EXPECT_NE(found(all_of(scans), "points that are NaN").detail.find("50.0 %"), std::string::npos);
+}
+
+// One scan's equal times do not mean that the recording is deskewed already.
+TEST(Findings, OfAFewScansWithoutTimesNothingIsConcluded) {
+  std::vector<ScanFacts> scans = sound(30);
+  scans[0].times = io::PointTimes::equal;
+  MotionCheck motion;
+  motion.count = 30;
+  motion.trials.trials.resize(2);
+  motion.trials.trials[1].reading = TimeReading::none;
+  motion.trials.decided = true;
+  const auto concluded = [&] {
+    std::vector<Finding> findings = all_of(scans);
+    std::vector<std::string> sentences;
+    conclude(motion, {}, figures_of(scans), findings, sentences);
+    return found(findings, "point times that are all equal").detail;
+  };
+  EXPECT_EQ(concluded().find("deskewed already"), std::string::npos) << concluded();
+  for (ScanFacts& scan : scans) scan.times = io::PointTimes::equal;
+  EXPECT_NE(concluded().find("deskewed already"), std::string::npos) << concluded();
 }
 
 TEST(Findings, LostPacketsAreAShareOfAll) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/recording.hpp"
+#include "io/recording_summary.hpp"
 #include "unit/io/scan_folders.hpp"
 
 namespace surefoot::io {
@@ -102,6 +103,27 @@ TEST(FolderRecording, OneScanOfOddTimesDoesNotRefuseTheOthers) {
   EXPECT_EQ(items[0].scan->times_ns[1], 62'500'000);
   EXPECT_FALSE(items[1].scan);
   EXPECT_EQ(items[2].scan->times_ns[1], 62'500'000);
+}
+
+// A sweep's first and last points may be none: that says nothing of their times.
+TEST(FolderRecording, PointsThatAreNoReturnsAreNotSaidToLackTimes) {
+  const TemporaryFolder folder;
+  folder.write("0.pcd",
+               "VERSION .7\nFIELDS x y z time\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\n"
+               "WIDTH 6\nHEIGHT 1\nPOINTS 6\nDATA ascii\n"
+               "nan nan nan 0\n0 0 0 0.01\n1 2 3 0.02\nnan nan nan 0.05\n4 5 6 0.09\n"
+               "nan 1 2 0.1\n");
+  const ScanItem item = read_all(folder.path())[0];
+  ASSERT_EQ(item.scan->points.size(), 3U);
+  EXPECT_EQ(item.dropped_points, 0U);
+  EXPECT_EQ(item.dropped_not_finite, 2U);
+  EXPECT_EQ(item.dropped_zero, 1U);
+  const RecordingSummary summary = summarise(*open_recording(folder.path()));
+  EXPECT_EQ(summary.points.median, 6.0);
+  for (const Oddity& oddity : summary.oddities) {
+    EXPECT_EQ(oddity.what.find("usable time"), std::string::npos) << oddity.what;
+    EXPECT_TRUE(oddity.what != "points that are NaN or infinite" || oddity.first == "0.pcd: 3");
+  }
 }
 
 // As drivers leave them that overwrite what they still fill.
