@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
 #include <memory>
 
 #include "command_line/option_checks.hpp"
@@ -13,10 +15,26 @@
 
 namespace surefoot::app {
 
+namespace {
+
+io::EarthPlace earth_place(const std::array<double, 4>& given) {
+  const auto [latitude, longitude, height, azimuth] = given;
+  if (!(std::abs(latitude) <= 90.0 && std::abs(longitude) <= 180.0 && std::abs(height) <= 1e5 &&
+        std::abs(azimuth) <= 360.0)) {
+    throw CLI::ValidationError("--tiles-at",
+                               "expected a latitude of -90 to 90, a longitude of -180 to 180, a "
+                               "height of up to 100 km, an azimuth of -360 to 360");
+  }
+  return {latitude, longitude, height, azimuth};
+}
+
+}  // namespace
+
 void add_export_command(CLI::App& app, int& /*exit_code*/) {
   struct ExportOptions {
     std::filesystem::path map;
     runs::MapExport files;
+    std::array<double, 4> place{};
   };
   auto options = std::make_shared<ExportOptions>();
   runs::MapExport& files = options->files;
@@ -28,6 +46,15 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   command->add_option("--pcd", files.pcd, "points, to this PCD file");
   command->add_option("--ply", files.ply, "points, to this PLY file");
   command->add_option("--las", files.las, "points, to this LAS 1.4 file, in millimetres");
+  CLI::Option* tiles = command->add_option(
+      "--tiles", files.tiles, "points, as 3D Tiles into this new folder, for maps of any size");
+  const CLI::Option* at =
+      command
+          ->add_option(
+              "--tiles-at", options->place,
+              "where on the earth the map's origin is: LATITUDE LONGITUDE [deg], HEIGHT above "
+              "the ellipsoid [m], and the AZIMUTH of its x axis, clockwise from north [deg]")
+          ->needs(tiles);
   command->add_option("--grid", files.grid,
                       "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
   command->add_option("--cell", files.occupancy.cell, "of the occupancy grid [m]")
@@ -38,8 +65,14 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   command->add_option("--elevation-cell", files.elevation_cell, "[m]")
       ->check(command_line::number_within(0.02, 10.0))
       ->capture_default_str();
-  command->callback([options] {
-    for (const runs::ExportedGrid& grid : runs::export_map(options->map, options->files)) {
+  command->callback([options, at] {
+    if (at->count() > 0) options->files.tiles_at = earth_place(options->place);
+    const runs::MapExported done = runs::export_map(options->map, options->files);
+    if (done.tiles.tiles > 0) {
+      fmt::print("{}: {} points in {} tiles, {} levels\n", options->files.tiles.string(),
+                 done.tiles.points, done.tiles.tiles, done.tiles.levels);
+    }
+    for (const runs::ExportedGrid& grid : done.grids) {
       fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,
                  grid.cell);
     }

@@ -28,6 +28,22 @@ std::vector<Eigen::Vector3<T>> points_of(const mapping::SavedMap& map) {
   return points;
 }
 
+/// Near the origin that they are counted from, floats keep their digits.
+io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wanted) {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (const mapping::Piece& piece : map.pieces) {
+    origin += piece.T_world_piece.translation / static_cast<double>(map.pieces.size());
+  }
+  origin = origin.array().round();
+  std::vector<Eigen::Vector3f> points;
+  for (const mapping::Piece& piece : map.pieces) {
+    for (const Eigen::Vector3f& point : piece.points) {
+      points.emplace_back((piece.T_world_piece * point.cast<double>() - origin).cast<float>());
+    }
+  }
+  return io::write_point_tiles(wanted.tiles, origin, std::move(points), wanted.tiles_at);
+}
+
 fs::path beside(fs::path file, const std::string& ending) { return file.replace_extension(ending); }
 
 ExportedGrid export_occupancy(const mapping::SavedMap& map, const MapExport& wanted) {
@@ -51,11 +67,11 @@ ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wan
 
 }  // namespace
 
-std::vector<ExportedGrid> export_map(const fs::path& map, const MapExport& wanted) {
-  if (wanted.pcd.empty() && wanted.ply.empty() && wanted.las.empty() && wanted.grid.empty() &&
-      wanted.elevation.empty()) {
+MapExported export_map(const fs::path& map, const MapExport& wanted) {
+  if (wanted.pcd.empty() && wanted.ply.empty() && wanted.las.empty() && wanted.tiles.empty() &&
+      wanted.grid.empty() && wanted.elevation.empty()) {
     throw std::invalid_argument(
-        "nothing to write: expected --pcd, --ply, --las, --grid or --elevation");
+        "nothing to write: expected --pcd, --ply, --las, --tiles, --grid or --elevation");
   }
   const mapping::SavedMap saved = read_saved_map(map);
   if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));
@@ -65,10 +81,11 @@ std::vector<ExportedGrid> export_map(const fs::path& map, const MapExport& wante
     io::write_pcd(wanted.pcd, points);
   }
   if (!wanted.las.empty()) io::write_las(wanted.las, points_of<double>(saved));
-  std::vector<ExportedGrid> grids;
-  if (!wanted.grid.empty()) grids.push_back(export_occupancy(saved, wanted));
-  if (!wanted.elevation.empty()) grids.push_back(export_elevation(saved, wanted));
-  return grids;
+  MapExported done;
+  if (!wanted.tiles.empty()) done.tiles = export_tiles(saved, wanted);
+  if (!wanted.grid.empty()) done.grids.push_back(export_occupancy(saved, wanted));
+  if (!wanted.elevation.empty()) done.grids.push_back(export_elevation(saved, wanted));
+  return done;
 }
 
 }  // namespace surefoot::runs

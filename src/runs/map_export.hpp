@@ -5,8 +5,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "io/files/point_tiles.hpp"
 #include "mapping/grid_map.hpp"
 
 namespace surefoot::runs {
@@ -14,6 +16,8 @@ namespace surefoot::runs {
 /// Files to write; empty: not this one.
 struct MapExport {
   std::filesystem::path pcd, ply, las;
+  std::filesystem::path tiles;  ///< a new folder: 3D Tiles
+  std::optional<io::EarthPlace> tiles_at;
   std::filesystem::path grid;       ///< .pgm and .yaml beside each other
   std::filesystem::path elevation;  ///< .asc and _variance.asc
   mapping::GridOptions occupancy;
@@ -26,7 +30,12 @@ struct ExportedGrid {
   double cell = 0.0;          ///< [m]
 };
 
+struct MapExported {
+  std::vector<ExportedGrid> grids;
+  io::TileCounts tiles;
+};
+
 /// Throws io::ReadError, io::WriteError, std::invalid_argument where nothing is asked for.
-std::vector<ExportedGrid> export_map(const std::filesystem::path& map, const MapExport& wanted);
+MapExported export_map(const std::filesystem::path& map, const MapExport& wanted);
 
 }  // namespace surefoot::runs

@@ -73,6 +73,19 @@ TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   expect_refused({"export", "map"}, "nothing to write");
 }
 
+TEST_F(MapCommand, BecomesTilesInAFolderOfTheirOwn) {
+  const ProcessResult result =
+      surefoot({"export", "map", "--tiles", "tiles", "--tiles-at", "48.1", "11.6", "520", "90"});
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.output.find(" points in "), std::string::npos) << result;
+  EXPECT_NE(file_content(path("tiles/tileset.json")).find("\"1.1\""), std::string::npos);
+  EXPECT_EQ(file_content(path("tiles/tiles/r.glb")).substr(0, 4), "glTF");
+  expect_refused({"export", "map", "--tiles", "tiles"}, "tiles");
+  expect_refused({"export", "map", "--tiles", "more", "--tiles-at", "91", "0", "0", "0"},
+                 "--tiles-at");
+  EXPECT_FALSE(fs::exists(path("more")));
+}
+
 TEST_F(MapCommand, IsFoundAgainByItsOwnRecording) {
   const ProcessResult result = surefoot({"run", "in", "-o", "again", "--localize", "map", "--start",
                                          "5", "--no-report", "--no-picture", "--no-map"});
