@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -72,6 +73,7 @@ class Conversion {
   std::size_t dropped_points_ = 0, dropped_empty_ = 0;
   std::size_t late_in_a_row_ = 0;
   double rounded_by_ = 0.0;  ///< [m]
+  std::set<std::string> field_losses_;
 };
 
 // What is not asked for is the source's.
@@ -93,7 +95,7 @@ void Conversion::leave_out(const std::string& why) {
 
 void Conversion::add(const ScanItem& item) {
   if (!sink_) open_output(item);
-  if (const std::string why = sink_->refusal(*item.scan); !why.empty()) {
+  if (const std::string why = sink_->refusal(*item.scan, item.further); !why.empty()) {
     return leave_out(item.name + ": " + why);
   }
   sink_->add(*item.scan, item.further);
@@ -102,6 +104,10 @@ void Conversion::add(const ScanItem& item) {
   dropped_points_ += item.dropped_points;
   dropped_empty_ += item.dropped_not_finite + item.dropped_zero;
   rounded_by_ = std::max(rounded_by_, item.rounded_by);
+  constexpr std::size_t kMostLosses = 20;
+  for (const std::string& loss : item.losses) {
+    if (field_losses_.size() < kMostLosses) field_losses_.insert(loss);
+  }
   listener_.progress(outcome_.scans, recording_->progress());
 }
 
@@ -126,6 +132,7 @@ std::vector<std::string> Conversion::losses() const {
   if (const std::string fields = sink_->lost(); !fields.empty()) {
     lines.push_back("lost: fields that the format does not hold: " + printable(fields));
   }
+  for (const std::string& loss : field_losses_) lines.push_back("lost: " + printable(loss));
   if (rounded_by_ > 0.0) {
     std::array<char, 32> metres;
     std::snprintf(metres.data(), metres.size(), "%.2g", rounded_by_);

@@ -125,6 +125,7 @@ struct ScanItem {
   std::size_t dropped_not_finite = 0, dropped_zero = 0;
   std::string frame;                  ///< that its message names
   std::vector<FurtherField> further;  ///< fields that the scan has no room for, where wanted
+  std::vector<std::string> losses;    ///< what neither those nor the scan hold, where wanted
   double rounded_by = 0.0;            ///< most that a coordinate lost by becoming a float [m]
   std::optional<PointClock> clock;
 };

@@ -154,11 +154,11 @@ FieldTimes field_times(const Column& column, const std::vector<Eigen::Vector3f>&
   return times;
 }
 
-const Column* times_in_curvature(const PointTable& table, ScanColumns columns) {
-  columns.time = find_one_of(table, {&kCurvature, 1});
-  if (columns.time == nullptr) return nullptr;
+bool times_in_curvature(const PointTable& table, const Column& curvature) {
+  const auto axis = [&table](std::string_view name) { return find_one_of(table, {&name, 1}); };
+  const ScanColumns columns{axis("x"), axis("y"), axis("z"), nullptr, nullptr, &curvature};
   const TimeExtents extents = time_extents(table, columns);
-  return extents.greatest - extents.least >= kLeastMilliseconds ? columns.time : nullptr;
+  return extents.greatest - extents.least >= kLeastMilliseconds;
 }
 
 // Coordinates of a byte each are none, and those that share their bytes neither: either would
@@ -272,7 +272,10 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   columns.ring = find_one_of(table, kRingNames);
   if (options.time_field.empty()) {
     columns.time = find_one_of(table, kTimeNames);
-    if (columns.time == nullptr) columns.time = times_in_curvature(table, columns);
+    const Column* const curvature = find_one_of(table, {&kCurvature, 1});
+    if (columns.time == nullptr && curvature != nullptr && times_in_curvature(table, *curvature)) {
+      columns.time = curvature;
+    }
   } else {
     columns.time = table.find(options.time_field);
     if (columns.time == nullptr) {
@@ -283,11 +286,10 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   return columns;
 }
 
-std::vector<FurtherField> further_fields(const PointTable& table, const ScanColumns& columns,
-                                         const BuiltScan& built) {
-  const std::array<const Column*, 6> used = {columns.x,         columns.y,    columns.z,
-                                             columns.intensity, columns.ring, columns.time};
-  return further_fields(table, used, built.kept);
+bool may_be_times(const PointTable& table, const Column& column) {
+  const std::string name = plain_name(column.name);
+  if (name != kCurvature) return std::count(kTimeNames.begin(), kTimeNames.end(), name) > 0;
+  return times_in_curvature(table, column);
 }
 
 TimeExtents time_extents(const PointTable& table, const ScanColumns& columns) {

@@ -42,10 +42,8 @@ struct BuiltScan {
   std::optional<PointClock> clock;
 };
 
-/// The fields of the points that are in the scan, for which it has no room.
-[[nodiscard]] std::vector<FurtherField> further_fields(const PointTable& table,
-                                                       const ScanColumns& columns,
-                                                       const BuiltScan& built);
+/// Whether a table without other point times would have its times in that column.
+[[nodiscard]] bool may_be_times(const PointTable& table, const Column& column);
 
 /// The scan that a table holds. `rule` is needed where there is a time column. Without a `stamp_ns`
 /// absolute times give it: the earliest return's; else it is zero. Points whose time is not finite

@@ -61,7 +61,8 @@ std::vector<std::byte> values_of(const Column& column, std::size_t points,
 
 std::vector<FurtherField> further_fields(const PointTable& table,
                                          std::span<const Column* const> used,
-                                         const std::vector<std::size_t>& kept) {
+                                         const std::vector<std::size_t>& kept,
+                                         std::vector<std::string>* left_out) {
   std::vector<FurtherField> fields;
   std::vector<const Column*> taken;
   constexpr std::size_t kMostFields = 1000;  // as many as PCD's reader takes
@@ -69,7 +70,10 @@ std::vector<FurtherField> further_fields(const PointTable& table,
     if (fields.size() == kMostFields) break;
     if (std::find(used.begin(), used.end(), &column) != used.end()) continue;
     const auto shares = [&](const Column* other) { return share_bytes(column, *other); };
-    if (table.size > 0 && std::any_of(taken.begin(), taken.end(), shares)) continue;
+    if (table.size > 0 && std::any_of(taken.begin(), taken.end(), shares)) {
+      if (left_out != nullptr) left_out->push_back(column.name);
+      continue;
+    }
     taken.push_back(&column);
     fields.push_back({column.name, column.type, column.count, values_of(column, table.size, kept)});
   }

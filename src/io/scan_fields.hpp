@@ -25,10 +25,11 @@ struct FurtherField {
 };
 
 /// Of a table's points in `kept` (empty: all), the columns that are not in `used`. Of several that
-/// share bytes there is one, so that they take no more than the table does.
-[[nodiscard]] std::vector<FurtherField> further_fields(const PointTable& table,
-                                                       std::span<const Column* const> used,
-                                                       const std::vector<std::size_t>& kept);
+/// share bytes there is one, so that they take no more than the table does; the names of the others
+/// go to `left_out`, where it is not null.
+[[nodiscard]] std::vector<FurtherField> further_fields(
+    const PointTable& table, std::span<const Column* const> used,
+    const std::vector<std::size_t>& kept, std::vector<std::string>* left_out = nullptr);
 
 /// x y z of points [m].
 [[nodiscard]] std::vector<Column> coordinate_columns(std::span<const Eigen::Vector3f> points);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "io/bags/bag_writer.hpp"
+#include "io/bags/message_source.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "io/files/pcd_writer.hpp"
@@ -27,8 +28,27 @@ class BagSink final : public ScanSink {
         options_(std::move(options)),
         topic_(bag_->add_topic(options_.topic, point_cloud2_definition())) {}
 
+  [[nodiscard]] std::string refusal(const Scan& scan,
+                                    std::span<const FurtherField> further) const override {
+    std::string why = stamp_refusal(scan);
+    if (!why.empty()) return why;
+    constexpr std::uint64_t kHead = 1 << 10;  // of the message, and of each field
+    std::uint64_t bytes = kHead + options_.frame.size();
+    for (const Column& column : written_columns(scan, further)) {
+      if (!holds(column)) continue;
+      bytes += kHead + column.name.size() +
+               std::uint64_t{scan.points.size()} * column.count * size_of(column.type);
+    }
+    if (bytes <= kMostMessageBytes) return {};
+    return "its message would have some " + std::to_string(bytes >> 20) +
+           " MiB; readers take at most 256 MiB";
+  }
+
+  void finish() override { bag_->finish(); }
+
+ private:
   // ROS 1 counts seconds from 1970 in 32 bits without a sign, ROS 2 with one.
-  [[nodiscard]] std::string refusal(const Scan& scan) const override {
+  [[nodiscard]] std::string stamp_refusal(const Scan& scan) const {
     constexpr std::int64_t kSecond = 1'000'000'000;
     const bool ros1 = bag_->flavour() == MessageWriter::Flavour::ros1;
     const std::int64_t least = ros1 ? 0 : std::numeric_limits<std::int32_t>::min() * kSecond;
@@ -40,9 +60,6 @@ class BagSink final : public ScanSink {
            std::to_string(seconds) + " s";
   }
 
-  void finish() override { bag_->finish(); }
-
- private:
   [[nodiscard]] bool holds(const Column& column) const override {
     return fits_point_cloud2(column);
   }
@@ -110,7 +127,7 @@ void ScanSink::add(const Scan& scan, std::span<const FurtherField> further) {
   for (const Column& column : written_columns(scan, further)) {
     if (holds(column)) {
       columns.push_back(column);
-    } else {
+    } else if (constexpr std::size_t kMostNames = 100; lost_.size() < kMostNames) {
       lost_.insert(column.name);
     }
   }

@@ -37,7 +37,10 @@ class ScanSink {
  public:
   virtual ~ScanSink() = default;
   /// Why the format cannot hold a scan at all; empty: it can.
-  [[nodiscard]] virtual std::string refusal(const Scan& /*scan*/) const { return {}; }
+  [[nodiscard]] virtual std::string refusal(const Scan& /*scan*/,
+                                            std::span<const FurtherField> /*further*/ = {}) const {
+    return {};
+  }
   /// Scans in their order, but for refused ones, and what the recording has of their points
   /// besides. Throws WriteError.
   void add(const Scan& scan, std::span<const FurtherField> further = {});

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scan_builder.hpp"
+#include "io/all_fields.hpp"
 
 namespace surefoot::fuzz {
 
@@ -26,7 +26,9 @@ inline void go_on_to_a_scan(const io::PointTable& table, std::optional<std::int6
     const io::TimeExtents extents = io::time_extents(table, columns);
     rule = io::decide_point_time(extents, columns.time->type, stamp_ns, {});
   }
-  (void)io::build_scan(table, columns, rule, stamp_ns, stamp_at);
+  const io::BuiltScan built = io::build_scan(table, columns, rule, stamp_ns, stamp_at);
+  io::ScanItem item;
+  io::take_all_fields(table, columns, built, item);
 }
 
 inline Scan small_scan() {

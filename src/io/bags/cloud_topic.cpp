@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <new>
 
+#include "io/all_fields.hpp"
 #include "io/bags/topic_recordings.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/scan_builder.hpp"
@@ -132,7 +133,7 @@ class CloudTopic final : public Recording {
     item.dropped_not_finite = built.dropped_not_finite;
     item.dropped_zero = built.dropped_zero;
     item.frame = cloud.frame;
-    if (options_.further_fields) item.further = further_fields(cloud.table, columns, built);
+    if (options_.further_fields) take_all_fields(cloud.table, columns, built, item);
     item.rounded_by = built.rounded_by;
     item.clock = built.clock;
     item.scan = std::move(built.scan);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 
+#include "io/all_fields.hpp"
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_reader.hpp"
@@ -195,7 +196,7 @@ class FolderRecording final : public Recording {
     item.dropped_points = built.dropped_points;
     item.dropped_not_finite = built.dropped_not_finite;
     item.dropped_zero = built.dropped_zero;
-    if (options_.further_fields) item.further = further_fields(table, columns, built);
+    if (options_.further_fields) take_all_fields(table, columns, built, item);
     item.rounded_by = built.rounded_by;
     item.clock = built.clock;
     if (options_.kitti_hdl64_correction) {

@@ -4,6 +4,8 @@
 // Fields that a scan has no room for, carried from one format to another.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "io/scan_fields.hpp"
 #include "io/scan_sink.hpp"
 #include "unit/io/scan_folders.hpp"
@@ -162,6 +164,106 @@ TEST(ScanFields, OfNoPointsAreAllThere) {
   const std::vector<FurtherField> fields = further_fields(table, {}, {});
   ASSERT_EQ(fields.size(), 2U);
   EXPECT_TRUE(fields[1].values.empty());
+}
+
+// A scan of two hundred points whose fields are given as PCD has them; `value` of point i.
+struct PcdField {
+  const char* name;
+  const char* type;  // "F 8"
+  std::size_t count;
+  std::function<double(int)> value;
+};
+ScanItem item_of(const std::vector<PcdField>& fields, OpenOptions options = {}) {
+  const TemporaryFolder folder;
+  std::string names = "FIELDS x y z", sizes = "SIZE 4 4 4", types = "TYPE F F F",
+              counts = "COUNT 1 1 1", rows;
+  for (const PcdField& field : fields) {
+    names += std::string(" ") + field.name;
+    types += std::string(" ") + field.type[0];
+    sizes += std::string(" ") + field.type[2];
+    counts += " " + std::to_string(field.count);
+  }
+  for (int i = 0; i < 200; ++i) {
+    rows += "1 2 " + std::to_string(i);
+    for (const PcdField& field : fields) {
+      for (std::size_t k = 0; k < field.count; ++k) {
+        char text[40];
+        std::snprintf(text, sizeof(text), " %.17g", field.value(i));
+        rows += text;
+      }
+    }
+    rows += '\n';
+  }
+  folder.write("a.pcd", "VERSION .7\n" + names + "\n" + sizes + "\n" + types + "\n" + counts +
+                            "\nWIDTH 200\nHEIGHT 1\nPOINTS 200\nDATA ascii\n" + rows);
+  options.further_fields = true;
+  return read_all(folder.path(), options).front();
+}
+std::string losses_of(const std::vector<PcdField>& fields, const OpenOptions& options = {}) {
+  std::string text;
+  for (const std::string& loss : item_of(fields, options).losses) text += loss + '\n';
+  return text;
+}
+
+TEST(ScanFields, WhatNeitherTheScanNorItsFieldsHoldIsSaid) {
+  const auto tenth = [](int i) { return 0.1 * i; };
+  const auto whole = [](int i) { return i; };
+  const auto high = [](int i) { return i + 65'500.0; };
+  const auto nan = [](int) { return std::numeric_limits<double>::quiet_NaN(); };
+  const auto time = [](int i) { return 0.0005 * i; };
+  EXPECT_EQ(losses_of({{"intensity", "F 8", 1, whole}, {"ring", "U 4", 1, whole}}), "");
+  EXPECT_EQ(losses_of({{"intensity", "F 8", 1, tenth}}),
+            "field 'intensity' (f64) becomes a float, which rounds it\n");
+  EXPECT_EQ(losses_of({{"ring", "U 4", 1, high}}),
+            "field 'ring' (u32) becomes a whole number from 0 to 65535, the nearest where it is "
+            "none\n");
+  EXPECT_EQ(losses_of({{"intensity", "F 4", 2, tenth}}),
+            "field 'intensity' (f32) has 2 numbers a point: the first one stays\n");
+  EXPECT_EQ(losses_of({{"t", "F 4", 1, nan}}),
+            "field 't' (f32) is left out: its times are not used\n");
+  EXPECT_EQ(losses_of({{"t", "F 4", 1, time}}), "");
+}
+
+// Times that are left out do not come back by another field.
+TEST(ScanFields, ASecondFieldOfTimesIsLeftOutWithTheFirst) {
+  const auto time = [](int i) { return 0.0005 * i; };
+  const auto milliseconds = [](int i) { return 0.5 * i; };
+  const std::vector<PcdField> fields = {{"t", "F 4", 1, time},
+                                        {"stamp", "F 4", 1, time},
+                                        {"curvature", "F 4", 1, milliseconds},
+                                        {"depth", "F 4", 1, time}};
+  EXPECT_EQ(item_of(fields).further.size(), 3U);
+  OpenOptions options;
+  options.time_direction = TimeDirection::none;
+  const ScanItem item = item_of(fields, options);
+  ASSERT_EQ(item.further.size(), 1U);
+  EXPECT_EQ(item.further[0].name, "depth");
+  EXPECT_EQ(item.losses.size(), 3U);
+}
+
+TEST(ScanFields, OfFieldsThatShareBytesTheSecondIsNamed) {
+  const std::string bytes(kPoints * 4, '\1');
+  PointTable table;
+  table.size = kPoints;
+  const std::byte* const first = test::bytes_of(bytes).data();
+  table.columns = {{"all", ScalarType::u32, first, 4}, {"low", ScalarType::u16, first, 4}};
+  std::vector<std::string> left_out;
+  EXPECT_EQ(further_fields(table, {}, {}, &left_out).size(), 1U);
+  EXPECT_EQ(left_out, std::vector<std::string>{"low"});
+}
+
+// Our own reader takes no larger one.
+TEST(ScanSink, AMessageThatNobodyReadsIsRefused) {
+  const TemporaryFolder folder;
+  constexpr std::size_t kMany = 1'000'000;
+  Scan scan;
+  scan.points.assign(kMany, {1.0F, 2.0F, 3.0F});
+  std::vector<FurtherField> fields = {
+      {"all", ScalarType::u8, 250, std::vector<std::byte>(kMany * 250)}};
+  const auto bag = make_scan_sink(folder.path() / "a.mcap", ScanFormat::mcap);
+  EXPECT_EQ(bag->refusal(scan, fields), "");
+  fields.push_back({"more", ScalarType::u8, 8, std::vector<std::byte>(kMany * 8)});
+  EXPECT_NE(bag->refusal(scan, fields).find("readers take at most 256 MiB"), std::string::npos);
 }
 
 }  // namespace
