@@ -28,6 +28,27 @@ io::EarthPlace earth_place(const std::array<double, 4>& given) {
   return {latitude, longitude, height, azimuth};
 }
 
+void add_elevation_options(CLI::App& command, runs::MapExport& files) {
+  command.add_option(
+      "--elevation", files.elevation,
+      "heights of the ground, to FILE.asc and FILE_variance.asc (ESRI ASCII grid), or "
+      "with slope, steps, roughness and traversability to FILE.tif (GeoTIFF)");
+  command.add_option("--elevation-cell", files.elevation_cell, "[m]")
+      ->check(command_line::number_within(0.02, 10.0))
+      ->capture_default_str();
+  const auto add = [&](const char* name, double& value, const char* help, double most) {
+    command.add_option(name, value, help)
+        ->check(command_line::number_within(0.001, most))
+        ->capture_default_str();
+  };
+  add("--robot-radius", files.robot.radius,
+      "for traversability: of a disc that covers the body [m]", 5.0);
+  add("--max-slope", files.robot.most_slope_deg, "for traversability: of the ground [deg]", 80.0);
+  add("--max-step", files.robot.most_step, "for traversability: height of a step [m]", 5.0);
+  add("--max-roughness", files.robot.most_roughness,
+      "for traversability: of the ground off its plane, root mean square [m]", 5.0);
+}
+
 }  // namespace
 
 void add_export_command(CLI::App& app, int& /*exit_code*/) {
@@ -60,11 +81,7 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   command->add_option("--cell", files.occupancy.cell, "of the occupancy grid [m]")
       ->check(command_line::number_within(0.01, 10.0))
       ->capture_default_str();
-  command->add_option("--elevation", files.elevation,
-                      "heights of the ground, to FILE.asc and FILE_variance.asc (ESRI ASCII grid)");
-  command->add_option("--elevation-cell", files.elevation_cell, "[m]")
-      ->check(command_line::number_within(0.02, 10.0))
-      ->capture_default_str();
+  add_elevation_options(*command, files);
   command->callback([options, at] {
     if (at->count() > 0) options->files.tiles_at = earth_place(options->place);
     const runs::MapExported done = runs::export_map(options->map, options->files);

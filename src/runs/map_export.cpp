@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/file_writer.hpp"
+#include "io/files/geotiff_writer.hpp"
 #include "io/files/las_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
@@ -55,8 +56,29 @@ ExportedGrid export_occupancy(const mapping::SavedMap& map, const MapExport& wan
   return {image, grid.width, grid.height, grid.cell};
 }
 
+/// Layers by the names that GridMap's users give them.
+std::string elevation_layers(const mapping::ElevationGrid& grid,
+                             const mapping::LeggedRobot& robot) {
+  const mapping::Traversability found = mapping::draw_traversability(grid, robot);
+  return io::format_geotiff({grid.width,
+                             grid.height,
+                             grid.cell,
+                             grid.low.x(),
+                             grid.low.y(),
+                             {{"elevation", grid.heights},
+                              {"variance", grid.variances},
+                              {"slope", found.slope},
+                              {"step_height", found.step},
+                              {"roughness", found.roughness},
+                              {"traversability", found.score}}});
+}
+
 ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wanted) {
   const mapping::ElevationGrid grid = mapping::draw_elevation(map.pieces, wanted.elevation_cell);
+  if (wanted.elevation.extension() == ".tif" || wanted.elevation.extension() == ".tiff") {
+    io::write_whole_file(wanted.elevation, elevation_layers(grid, wanted.robot));
+    return {wanted.elevation, grid.width, grid.height, grid.cell};
+  }
   const fs::path heights = beside(wanted.elevation, ".asc");
   io::write_whole_file(heights, mapping::format_asc(grid, grid.heights));
   fs::path variances = heights;

@@ -10,6 +10,7 @@
 
 #include "io/files/point_tiles.hpp"
 #include "mapping/grid_map.hpp"
+#include "mapping/traversability.hpp"
 
 namespace surefoot::runs {
 
@@ -19,9 +20,10 @@ struct MapExport {
   std::filesystem::path tiles;  ///< a new folder: 3D Tiles
   std::optional<io::EarthPlace> tiles_at;
   std::filesystem::path grid;       ///< .pgm and .yaml beside each other
-  std::filesystem::path elevation;  ///< .asc and _variance.asc
+  std::filesystem::path elevation;  ///< .asc and _variance.asc; .tif: all layers in one
   mapping::GridOptions occupancy;
   double elevation_cell = 0.2;  ///< [m]
+  mapping::LeggedRobot robot;
 };
 
 struct ExportedGrid {

@@ -5,6 +5,7 @@
 // and found again.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 
 #include "io/trajectory_files.hpp"
@@ -84,6 +85,26 @@ TEST_F(MapCommand, BecomesTilesInAFolderOfTheirOwn) {
   expect_refused({"export", "map", "--tiles", "more", "--tiles-at", "91", "0", "0", "0"},
                  "--tiles-at");
   EXPECT_FALSE(fs::exists(path("more")));
+}
+
+TEST_F(MapCommand, HeightsAreLayersThatGdalReads) {
+  const ProcessResult result = surefoot({"export", "map", "--elevation", "ground.tif",
+                                         "--elevation-cell", "0.25", "--max-step", "0.1"});
+  ASSERT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(file_content(path("ground.tif")).substr(0, 3), "II*");
+  expect_refused({"export", "map", "--elevation", "ground.tif", "--max-slope", "nan"},
+                 "--max-slope");
+  const std::string info = path("info.txt").string();
+  const std::string command = "gdalinfo -stats " + path("ground.tif").string() + " > " + info;
+  if (std::system("command -v gdalinfo > /dev/null") != 0) GTEST_SKIP() << "no gdalinfo here";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string said = file_content(info);
+  for (const char* layer :
+       {"elevation", "variance", "slope", "step_height", "roughness", "traversability"}) {
+    EXPECT_NE(said.find(std::string("Description = ") + layer), std::string::npos) << said;
+  }
+  EXPECT_NE(said.find("Pixel Size = (0.25"), std::string::npos) << said;
+  EXPECT_NE(said.find("NoData Value=nan"), std::string::npos) << said;
 }
 
 TEST_F(MapCommand, IsFoundAgainByItsOwnRecording) {
