@@ -103,6 +103,7 @@ py::dict counts_of(const ScanIterator& self) {
   result["truncated"] = counts.truncated;
   result["other"] = counts.other;
   result["fragments"] = counts.fragments;
+  result["reordered"] = counts.reordered;
   result["lost"] = counts.lost;
   return result;
 }

@@ -96,6 +96,7 @@ std::string to_json(const io::RecordingSummary& summary) {
                        {"truncated", counts.truncated},
                        {"other", counts.other},
                        {"fragments", counts.fragments},
+                       {"reordered", counts.reordered},
                        {"lost", counts.lost}};
   }
   json["odd"] = Json::array();

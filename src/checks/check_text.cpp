@@ -59,9 +59,10 @@ void add_scans(Rows& rows, const io::RecordingSummary& summary) {
 
 std::string packets_text(const io::CaptureCounts& counts) {
   return fmt::format(
-      "{}: {} data, {} position, {} truncated, {} other, {} fragments of longer ones; {} lost",
+      "{}: {} data, {} position, {} truncated, {} other, {} fragments of longer ones; {} "
+      "reordered, {} lost",
       counts.packets, counts.data_packets, counts.position_packets, counts.truncated, counts.other,
-      counts.fragments, counts.lost);
+      counts.fragments, counts.reordered, counts.lost);
 }
 
 void add_figures(Rows& rows, const Figures& figures) {

@@ -138,6 +138,7 @@ struct CaptureCounts {
   std::size_t truncated = 0;         ///< cut by the capture's snap length or malformed, skipped
   std::size_t other = 0;             ///< other traffic, skipped
   std::size_t fragments = 0;         ///< parts of longer datagrams, before their last
+  std::size_t reordered = 0;         ///< of the used ones, those that others had overtaken
   std::size_t lost = 0;              ///< missing between used packets, from the sensor's clock
 };
 

@@ -92,4 +92,14 @@ std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, Time
   return reading;
 }
 
+std::optional<std::int64_t> SensorClock::stamp_before_last(std::int64_t time_ns,
+                                                           TimeBase base) const {
+  if (!started_ || time_ns < 0 || time_ns > kGreatestNs) return std::nullopt;
+  const std::int64_t step = base == TimeBase::hour
+                                ? nearest_by_hours(time_ns % kHourNs - last_time_ns_, 0)
+                                : time_ns - last_time_ns_;
+  if (step >= 0 || step < -kSetBackNs) return std::nullopt;
+  return last_stamp_ns_ + step;
+}
+
 }  // namespace surefoot::io

@@ -30,6 +30,10 @@ class SensorClock {
   [[nodiscard]] std::optional<Reading> read(std::int64_t time_ns, sensors::TimeBase base,
                                             std::int64_t arrival_ns);
 
+  /// Stamp of a packet that is earlier than the last one by less than a set clock would be.
+  [[nodiscard]] std::optional<std::int64_t> stamp_before_last(std::int64_t time_ns,
+                                                              sensors::TimeBase base) const;
+
   /// What was decided, for the user.
   [[nodiscard]] const std::string& note() const { return note_; }
   /// "GPS or PTP", "time past the hour", ...

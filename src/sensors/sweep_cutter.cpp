@@ -56,6 +56,40 @@ void SweepCutter::add(const Firings& packet, std::int64_t stamp_ns, std::int64_t
   }
 }
 
+bool SweepCutter::add_late(const Firings& packet, std::int64_t stamp_ns) {
+  if (!begun_) return false;
+  for (const Firing& firing : packet.firings) {
+    const std::int64_t lasted_ns = stamp_ns + firing.offset_ns - current_.scan.stamp_ns;
+    if (lasted_ns < 0 || lasted_ns > kLongestNs) return false;
+  }
+  Scan& scan = current_.scan;
+  Scan late;
+  std::size_t next = 0;
+  for (const Firing& firing : packet.firings) {
+    current_.turned_deg += firing.turned_deg;
+    const auto since_start = static_cast<std::int32_t>(stamp_ns + firing.offset_ns - scan.stamp_ns);
+    for (; next < firing.end; ++next) {
+      const FiringPoint& point = packet.points[next];
+      late.points.push_back(point.position);
+      late.intensities.push_back(point.intensity);
+      late.times_ns.push_back(since_start + point.offset_ns);
+      late.rings.push_back(point.ring);
+    }
+  }
+  if (late.points.empty()) return true;
+  // Before those of the packets that came too soon.
+  std::size_t at = scan.times_ns.size();
+  while (at > 0 && scan.times_ns[at - 1] > late.times_ns.back()) --at;
+  const auto insert = [at](auto& values, const auto& more) {
+    values.insert(values.begin() + static_cast<std::ptrdiff_t>(at), more.begin(), more.end());
+  };
+  insert(scan.points, late.points);
+  insert(scan.intensities, late.intensities);
+  insert(scan.times_ns, late.times_ns);
+  insert(scan.rings, late.rings);
+  return true;
+}
+
 bool SweepCutter::starts_sweep(const Firing& firing, double past_cut_deg,
                                std::int64_t stamp_ns) const {
   const std::int64_t lasted_ns = stamp_ns - current_.scan.stamp_ns;

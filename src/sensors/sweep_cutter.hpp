@@ -29,6 +29,9 @@ class SweepCutter {
 
   /// Adds a packet's firings; its time was `stamp_ns`, `since_last_ns` after the packet before.
   void add(const Firings& packet, std::int64_t stamp_ns, std::int64_t since_last_ns);
+  /// Adds a packet that came after one that it precedes, where the sweep at hand has a place for
+  /// it. False where that sweep is over, or began later.
+  [[nodiscard]] bool add_late(const Firings& packet, std::int64_t stamp_ns);
   /// Ends the sweep at hand, wherever the head is: the end of the stream, or a break in it. A
   /// partial one without any point is dropped.
   void finish();

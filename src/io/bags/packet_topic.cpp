@@ -44,6 +44,7 @@ class PacketTopic final : public Recording {
   CaptureCounts capture_counts() const override {
     CaptureCounts counts = counts_;
     counts.lost = scans_.lost();
+    counts.reordered = scans_.reordered();
     return counts;
   }
 

@@ -57,6 +57,7 @@ void PacketIntake::remember_traffic(const UdpDatagram& datagram) {
 CaptureCounts PacketIntake::counts() const {
   CaptureCounts counts = counts_;
   counts.lost = scans_.lost();
+  counts.reordered = scans_.reordered();
   return counts;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/packets/packet_scans.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -83,7 +84,7 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
   const std::optional<SensorClock::Reading> reading =
       clock_.read(firings_.time_ns, firings_.base, arrival_ns);
   if (!reading) {
-    return PacketUse::late;
+    return add_late();
   }
   if (!cutter_) {
     begin();
@@ -92,8 +93,9 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
     cutter_->finish();
     note_jump();
     last_number_.reset();
+    holes_.clear();
   } else {
-    count_lost(reading->since_last_ns);
+    count_lost(*reading);
   }
   last_period_ns_ = firings_.period_ns;
   if (firings_.numbers > 0) {
@@ -120,7 +122,7 @@ void PacketScans::begin() {
 }
 
 // By the packets' numbers where they have some, else by their times.
-void PacketScans::count_lost(std::int64_t since_last_ns) {
+void PacketScans::count_lost(const SensorClock::Reading& reading) {
   // More than an hour of packets is not lost but counted anew.
   constexpr std::uint64_t kMost = 20'000'000;
   std::uint64_t missing = 0;
@@ -129,11 +131,39 @@ void PacketScans::count_lost(std::int64_t since_last_ns) {
         (firings_.number + firings_.numbers - *last_number_ % firings_.numbers) % firings_.numbers;
     missing = step > 0 ? step - 1 : 0;
   } else if (firings_.numbers == 0 && last_period_ns_ > 0) {
-    const double packets =
-        std::round(static_cast<double>(since_last_ns) / static_cast<double>(last_period_ns_));
+    const double packets = std::round(static_cast<double>(reading.since_last_ns) /
+                                      static_cast<double>(last_period_ns_));
     missing = packets > 1.0 ? static_cast<std::uint64_t>(packets) - 1 : 0;
   }
-  lost_ += missing <= kMost ? missing : 0;
+  if (missing == 0 || missing > kMost) return;
+  lost_ += missing;
+  constexpr std::size_t kMostHoles = 8;
+  holes_.push_back({reading.stamp_ns - reading.since_last_ns, reading.stamp_ns, missing, {}});
+  if (holes_.size() > kMostHoles) holes_.pop_front();
+}
+
+// Not lost, but overtaken on its way; one that was used already is no such packet.
+PacketUse PacketScans::add_late() {
+  const std::optional<std::int64_t> stamp_ns =
+      clock_.stamp_before_last(firings_.time_ns, firings_.base);
+  if (!stamp_ns || !cutter_) return PacketUse::late;
+  for (Hole& hole : holes_) {
+    const bool is_in = *stamp_ns > hole.after_ns && *stamp_ns < hole.before_ns;
+    const auto& filled = hole.filled_ns;
+    if (!is_in || filled.size() == hole.missing ||
+        std::find(filled.begin(), filled.end(), *stamp_ns) != filled.end() ||
+        !cutter_->add_late(firings_, *stamp_ns)) {
+      continue;
+    }
+    hole.filled_ns.push_back(*stamp_ns);
+    --lost_;
+    if (++reordered_ == 1) {
+      notes_.push_back("packets came in another order than they were sent, first in revolution " +
+                       std::to_string(next_) + "; they are put where they belong");
+    }
+    return PacketUse::used;
+  }
+  return PacketUse::late;
 }
 
 void PacketScans::finish() {

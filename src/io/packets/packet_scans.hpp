@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,7 +23,7 @@ namespace surefoot::io {
 /// What became of a packet.
 enum class PacketUse {
   used,
-  late,      ///< repeated, or out of order: skipped
+  late,      ///< repeated, or so late that its sweep is over: skipped
   other,     ///< not firings: skipped
   malformed  ///< contradicts itself: skipped
 };
@@ -58,6 +59,8 @@ class PacketScans {
   [[nodiscard]] std::string return_mode() const;
   /// Data packets that are missing, by the packets' numbers or the sensor's clock.
   [[nodiscard]] std::size_t lost() const { return lost_; }
+  /// Data packets that came after one that they precede, and were put where they belong.
+  [[nodiscard]] std::size_t reordered() const { return reordered_; }
   /// Return mode, clock, and what happened to it: grows while packets are added.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   /// Where stamps come from: "the sensor's time past the hour".
@@ -66,7 +69,15 @@ class PacketScans {
  private:
   void begin();
   void note_jump();
-  void count_lost(std::int64_t since_last_ns);
+  void count_lost(const SensorClock::Reading& reading);
+  PacketUse add_late();
+
+  /// Where packets were missing when the next one came; they may come yet.
+  struct Hole {
+    std::int64_t after_ns = 0, before_ns = 0;  ///< stamps of those at its ends
+    std::uint64_t missing = 0;
+    std::vector<std::int64_t> filled_ns;
+  };
 
   OpenOptions options_;
   sensors::DecoderOptions decoder_options_;
@@ -77,7 +88,8 @@ class PacketScans {
   sensors::Firings firings_;
   std::optional<std::uint64_t> last_number_;
   std::int64_t last_period_ns_ = 0;
-  std::size_t lost_ = 0;
+  std::deque<Hole> holes_;  ///< the last ones
+  std::size_t lost_ = 0, reordered_ = 0;
   std::size_t next_ = 0;
   std::size_t jumps_ = 0;
   std::string reason_;

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // From packets to scans, as a bag's reader feeds them: cut, stamped, lost ones counted.
+#include "io/packets/packet_scans.hpp"
+
 #include <gtest/gtest.h>
 
-#include "io/packets/packet_scans.hpp"
+#include <algorithm>
+#include <numeric>
+
 #include "unit/sensors/encoders.hpp"
 
 namespace surefoot::io {
@@ -77,6 +81,44 @@ TEST(PacketScans, LostPacketsByTheirNumbers) {
   const std::vector<ScanItem> items = all_of(scans);
   ASSERT_EQ(items.size(), 2U);
   EXPECT_EQ(items[1].scan->stamp_ns - items[0].scan->stamp_ns, 100'000'000);
+}
+
+// Two are swapped on their way: the same scans as in order, and nothing is lost.
+TEST(PacketScans, SwappedPacketsArePutWhereTheyBelong) {
+  const packets::HesaiLayout& layout = packets::hesai_layouts()[1];
+  const auto packet_of = [&](unsigned i) {
+    auto packet = packets::hesai_packet(layout, i * 144 % 36000, 18, 1, 0x37, i * 400, 1000 + i);
+    packets::set_hesai(packet, layout, 0, 0, static_cast<std::uint16_t>(100 + i), 1);
+    return packet;
+  };
+  std::vector<unsigned> in_order(300);
+  std::iota(in_order.begin(), in_order.end(), 0U);
+  const auto read = [&](const std::vector<unsigned>& order, PacketScans& scans) {
+    for (const unsigned i : order) {
+      scans.add(1'673'403'349'000'000'000 + i * 400'000LL, bytes_of(packet_of(i)));
+    }
+    return all_of(scans);
+  };
+  PacketScans ordered({}), swapped({});
+  std::vector<unsigned> order = in_order;
+  std::swap(order[40], order[41]);
+  std::rotate(order.begin() + 70, order.begin() + 71, order.begin() + 74);  // by three
+  order.insert(order.begin() + 42, 40);                                     // and once more
+  const std::vector<ScanItem> expected = read(in_order, ordered);
+  const std::vector<ScanItem> items = read(order, swapped);
+  EXPECT_EQ(swapped.lost(), 0U);
+  EXPECT_EQ(swapped.reordered(), 2U);
+  EXPECT_EQ(ordered.reordered(), 0U);
+  EXPECT_EQ(swapped.notes().size(), ordered.notes().size() + 1);
+  ASSERT_EQ(items.size(), expected.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    EXPECT_EQ(items[i].remark, expected[i].remark);
+    EXPECT_EQ(items[i].scan->stamp_ns, expected[i].scan->stamp_ns);
+    EXPECT_EQ(items[i].scan->times_ns, expected[i].scan->times_ns);
+    EXPECT_EQ(items[i].scan->points, expected[i].scan->points);
+    EXPECT_EQ(items[i].scan->rings, expected[i].scan->rings);
+    EXPECT_EQ(items[i].scan->intensities, expected[i].scan->intensities);
+  }
 }
 
 // A clock that stands still ends no sweep and must not fill the memory; nor must noise.
