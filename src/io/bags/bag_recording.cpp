@@ -50,6 +50,17 @@ Topic choose_with_notes(const std::vector<TopicSurvey>& topics, const std::strin
   }
 }
 
+// What a preset would have taken, where the bag does not have it; empty: it has, or none was asked.
+std::string missed_text(const OpenOptions& options, const std::string& taken) {
+  const auto& likely = options.likely_topics;
+  if (std::find(likely.begin(), likely.end(), taken) != likely.end()) return {};
+  if (!options.topic.empty() || likely.empty()) return {};
+  std::string names;
+  for (const std::string& name : likely) names += (names.empty() ? "" : ", ") + name;
+  return "topic: " + (options.dataset.empty() ? options.robot : options.dataset) + " has " + names +
+         ", this bag has no scans there; " + printable(taken) + " is taken instead";
+}
+
 }  // namespace
 
 BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
@@ -58,6 +69,9 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
   Topic topic = choose_with_notes(survey.topics, asked, parts);
+  if (std::string text = missed_text(options, topic.name); !text.empty()) {
+    parts.notes.push_back(std::move(text));
+  }
   if (survey.topics.size() > 1) {
     parts.notes.push_back("topic: " + topic.name + ", one of " +
                           std::to_string(survey.topics.size()) +

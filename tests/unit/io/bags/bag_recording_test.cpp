@@ -114,6 +114,26 @@ TEST(BagRecording, SaysWhatItTook) {
   EXPECT_NE(notes.find("nanoseconds relative"), std::string::npos) << notes;
 }
 
+TEST(BagRecording, AnotherTopicThanThePresetsIsNotTakenUnsaid) {
+  const test::TemporaryFolder folder;
+  const fs::path bag = write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 2);
+  const auto said = [&](const OpenOptions& options) {
+    const auto recording = open_recording(bag, options);
+    for (const std::string& note : recording->notes()) {
+      if (note.starts_with("topic: ")) return note;
+    }
+    return std::string();
+  };
+  OpenOptions options;
+  options.dataset = "leg-kilo";
+  EXPECT_EQ(
+      said(options),
+      "topic: leg-kilo has /points_raw, this bag has no scans there; /points is taken instead");
+  options.topic = "/points";
+  EXPECT_EQ(said(options), "");
+  EXPECT_EQ(said({}), "");
+}
+
 TEST(BagRecording, SkipAndMessagesThatAreBad) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.mcap";
