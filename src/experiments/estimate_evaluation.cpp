@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "runs/run_folder.hpp"
+
 #ifdef SUREFOOT_HAS_PICTURES
 #include "experiments/compare_figures.hpp"
 #endif
@@ -56,6 +58,9 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
   for (std::size_t i = 0; i < request.estimates.size(); ++i) {
     try {
       const Trajectory estimate = runs::read_estimate(request.estimates[i], reference);
+      if (const std::string text = runs::unfinished_text(request.estimates[i]); !text.empty()) {
+        listener.note(names[i] + ": " + text);
+      }
       evaluations.push_back(
           evaluation::evaluate(names[i], reference.truth.poses, estimate, options));
       paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));

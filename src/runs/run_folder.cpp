@@ -126,6 +126,22 @@ void read_loops(const fs::path& folder, RunFolder& run) {
 
 }  // namespace
 
+std::string unfinished_text(const fs::path& estimate) {
+  std::error_code ignored;
+  const fs::path folder = fs::is_directory(estimate, ignored) ? estimate : estimate.parent_path();
+  if (!fs::exists(folder / kScansFile, ignored)) return {};
+  if (!fs::exists(folder / kDescriptionFile, ignored)) {
+    return "no run.yaml: the run did not come to its end, the trajectory is only what it had "
+           "written";
+  }
+  try {
+    if (read_run_yaml(folder / kDescriptionFile).interrupted != "true") return {};
+  } catch (const ReadError&) {
+    return {};  // who evaluates a trajectory does not ask for its description
+  }
+  return "the run was interrupted";
+}
+
 RunFolder read_run_folder(const fs::path& folder) {
   if (!fs::is_directory(folder) || !fs::exists(folder / kScansFile)) {
     throw ReadError(folder.string() +

@@ -34,4 +34,8 @@ struct RunFolder {
 /// broken, or any other of the run's files is broken.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);
 
+/// Why a run's trajectory is not all of it, in a few words: it was killed or interrupted.
+/// `estimate`: its folder, or a trajectory in it; empty for what is no run's, or is whole.
+[[nodiscard]] std::string unfinished_text(const std::filesystem::path& estimate);
+
 }  // namespace surefoot::runs

@@ -167,5 +167,22 @@ TEST_F(Eval, ABadEstimateAmongGoodOnesIsLeftOut) {
   EXPECT_EQ(json[0]["estimate"], "zigzag");
 }
 
+// A killed run leaves what it had written.
+TEST_F(Eval, ARunThatDidNotComeToItsEndIsSaid) {
+  const std::filesystem::path run = scratch_.path() / "killed";
+  std::filesystem::create_directory(run);
+  io::write_tum(run / "trajectory.tum", zigzag(winding_walk()));
+  write_content(run / "scans.csv", "scan\n");
+  for (const char* estimate : {"killed", "killed/trajectory.tum"}) {
+    const ProcessResult result = eval({"truth.tum", estimate});
+    EXPECT_EQ(result.exit_code, 0) << result;
+    EXPECT_NE(result.errors.find("no run.yaml"), std::string::npos) << result;
+  }
+  write_content(run / "run.yaml", "surefoot: 0.1.0\nresult:\n  interrupted: true\n");
+  EXPECT_NE(eval({"truth.tum", "killed"}).errors.find("interrupted"), std::string::npos);
+  write_content(run / "run.yaml", "surefoot: 0.1.0\nresult:\n  interrupted: false\n");
+  EXPECT_TRUE(eval({"truth.tum", "killed"}).errors.empty());
+}
+
 }  // namespace
 }  // namespace surefoot::test
