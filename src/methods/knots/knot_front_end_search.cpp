@@ -34,6 +34,10 @@ constexpr std::size_t kPlaces = 4;    // to register at
 // The second best place must be so many times worse, or it is not known which one it is.
 constexpr double kBetter = 1.15;
 
+// So much more doubt is allowed straight after the scan that went wrong: where the robot would be
+// had that one not come is a likelier place than one that was looked for.
+constexpr double kStraightOn = 2.0;
+
 /// A scan that begins at a place of which nothing is known but what a coarse look told.
 KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
   constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
@@ -151,7 +155,7 @@ std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
   View view = look(scan, thinned, next.trajectory);
   (void)judge(scan, view, next);
   const double hazard_now = hazard_in(region_about(scan.end_ns), next.estimate);
-  if (is_doubtful(hazard_now)) return std::nullopt;
+  if (is_doubtful(hazard_now / kStraightOn)) return std::nullopt;
   search_.reset();
   forget_verdicts();
   next.estimate.wrong_probability = verdict_.add(hazard_now);
