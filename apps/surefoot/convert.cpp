@@ -5,7 +5,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
@@ -22,10 +26,29 @@ namespace {
 
 struct ConvertOptions {
   io::ConversionRequest request;
+  std::vector<std::string> topics;
   bool quiet = false;
 };
 
+// One at a time, as a run takes them, and how.
+void refuse_several(const ConvertOptions& options) {
+  if (options.topics.size() < 2) return;
+  const io::ConversionRequest& request = options.request;
+  std::string text = "an output holds the scans of one topic; convert them one by one:";
+  for (const std::string& topic : options.topics) {
+    std::string name = topic;
+    std::replace(name.begin(), name.end(), '/', '_');
+    std::filesystem::path output = request.output;
+    output.replace_filename(output.stem().string() + name + output.extension().string());
+    text += "\n  surefoot convert " + io::shell_word(request.input.string()) + ' ' +
+            io::shell_word(output.string()) + " --topic " + io::shell_word(topic);
+    if (!request.format.empty()) text += " --to " + request.format;
+  }
+  throw std::invalid_argument(text);
+}
+
 int convert(const ConvertOptions& options) {
+  refuse_several(options);
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);
   const auto complain = [&](const std::string& text) {
@@ -61,7 +84,10 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("convert", "Write a recording's scans in another format");
   command->add_option("input", request.input, "any recording that 'surefoot run' takes")
       ->required();
-  command->add_option("output", request.output, "FILE.mcap, FILE.bag (ROS 1), or a folder")
+  command
+      ->add_option(
+          "output", request.output,
+          "FILE.mcap, FILE.bag (ROS 1), a folder, or of one scan FILE.pcd, .ply, .bin, .las")
       ->required();
   command->add_option("--to", request.format, "format (by the output's name; a folder: pcd)")
       ->check(CLI::IsMember(io::scan_format_names()));
@@ -80,7 +106,14 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_option("--frame", request.sink.frame, "frame in a bag (the source's, else lidar)");
   command->add_flag("-q,--quiet", options->quiet, "print errors only");
   add_reader_options(*command, request.reader);
-  command->callback([options, &exit_code] { exit_code = convert(*options); });
+  const std::string group = command->get_option("--topic")->get_group();
+  const std::string help = command->get_option("--topic")->get_description();
+  command->remove_option(command->get_option("--topic"));
+  command->add_option("--topic", options->topics, help)->allow_extra_args(false)->group(group);
+  command->callback([options, &exit_code] {
+    if (!options->topics.empty()) options->request.reader.topic = options->topics.front();
+    exit_code = convert(*options);
+  });
 }
 
 }  // namespace surefoot::app

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -20,14 +21,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What the endings of outputs that are no formats' are better called.
+std::string advice_for(const fs::path& extension) {
+  if (extension == ".db3") return "; a ROS 2 bag is a folder: FOLDER --to rosbag2";
+  if (extension == ".zst" || extension == ".zstd") {
+    return "; an .mcap is compressed inside, and of another 'zstd FILE' makes one";
+  }
+  if (extension == ".pcap" || extension == ".pcapng") {
+    return "; a capture is of a sensor's packets, which points cannot be turned back into";
+  }
+  if (extension == ".laz") return "; LAZ is not written: .las, and 'laszip' makes one of it";
+  return "";
+}
+
 ScanFormat wanted_format(const ConversionRequest& request) {
   if (!request.format.empty()) return scan_format_named(request.format);
   const fs::path extension = request.output.extension();
-  if (extension == ".mcap") return ScanFormat::mcap;
-  if (extension == ".bag") return ScanFormat::ros1_bag;
   if (extension.empty()) return ScanFormat::pcd;
-  throw std::invalid_argument(request.output.string() + ": extension '" + extension.string() +
-                              "'; expected .mcap, .bag, or a folder (PCD, or --to says what)");
+  const std::string name = extension.string().substr(1);
+  const std::vector<std::string>& names = scan_format_names();
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  if (known && name != "rosbag2") return scan_format_named(name);
+  throw std::invalid_argument(
+      request.output.string() + ": extension '" + extension.string() +
+      "'; expected .mcap, .bag, .pcd, .ply, .bin, .las, or a folder (PCD, " + "or --to says what)" +
+      advice_for(extension));
+}
+
+// Called as the files of its format are.
+bool is_one_file(const ConversionRequest& request, ScanFormat format) {
+  const std::string& name = scan_format_names()[static_cast<std::size_t>(format)];
+  return has_file_a_scan(format) && request.output.extension() == "." + name;
 }
 
 std::unique_ptr<Recording> open_with_all_fields(const ConversionRequest& request) {
@@ -43,9 +67,11 @@ class Conversion {
       : request_(request),
         listener_(listener),
         format_(wanted_format(request)),
+        one_file_(is_one_file(request, format_)),
         recording_(open_with_all_fields(request)) {
     std::error_code ignored;
-    const bool is_empty_folder = is_folder(format_) && fs::is_directory(request.output, ignored) &&
+    const bool is_empty_folder = is_folder(format_) && !one_file_ &&
+                                 fs::is_directory(request.output, ignored) &&
                                  fs::is_empty(request.output, ignored);
     if (fs::exists(fs::symlink_status(request.output, ignored)) && !is_empty_folder) {
       throw std::invalid_argument(request.output.string() + ": is there already");
@@ -65,6 +91,7 @@ class Conversion {
   const ConversionRequest& request_;
   const ConversionListener& listener_;
   ScanFormat format_;
+  bool one_file_;
   std::unique_ptr<Recording> recording_;
   std::optional<UnfinishedOutput> output_;
   std::unique_ptr<ScanSink> sink_;
@@ -84,7 +111,8 @@ void Conversion::open_output(const ScanItem& first) {
   if (sink.topic.empty()) sink.topic = usual.topic;
   if (sink.frame.empty()) sink.frame = first.frame;
   if (sink.frame.empty()) sink.frame = usual.frame;
-  output_.emplace(request_.output, is_folder(format_));
+  sink.one_file = one_file_;
+  output_.emplace(request_.output, is_folder(format_) && !one_file_);
   sink_ = make_scan_sink(output_->path(), format_, sink);
 }
 
@@ -94,6 +122,12 @@ void Conversion::leave_out(const std::string& why) {
 }
 
 void Conversion::add(const ScanItem& item) {
+  if (one_file_ && outcome_.scans > 0) {
+    throw std::invalid_argument(
+        request_.output.string() +
+        ": holds one scan, and there are more: name a folder, or choose one "
+        "with --start N --count 1");
+  }
   if (!sink_) open_output(item);
   if (const std::string why = sink_->refusal(*item.scan, item.further); !why.empty()) {
     return leave_out(item.name + ": " + why);
@@ -132,6 +166,8 @@ std::vector<std::string> Conversion::losses() const {
   if (const std::string fields = sink_->lost(); !fields.empty()) {
     lines.push_back("lost: fields that the format does not hold: " + printable(fields));
   }
+  std::istringstream remarks(sink_->remark());
+  for (std::string line; std::getline(remarks, line);) lines.push_back(line);
   for (const std::string& loss : field_losses_) lines.push_back("lost: " + printable(loss));
   if (rounded_by_ > 0.0) {
     std::array<char, 32> metres;

@@ -12,6 +12,7 @@
 #include "io/bags/message_source.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
+#include "io/files/las_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
@@ -74,20 +75,44 @@ class BagSink final : public ScanSink {
   std::size_t topic_;
 };
 
-class FolderSink final : public ScanSink {
+class FileSink final : public ScanSink {
  public:
-  FolderSink(fs::path folder, ScanFormat format) : folder_(std::move(folder)), format_(format) {
+  /// @param path a folder of files, or the only one.
+  FileSink(fs::path path, ScanFormat format, bool one_file)
+      : path_(std::move(path)), format_(format), one_file_(one_file) {
     std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) throw WriteError(folder_.string() + ": cannot be made: " + error.message());
+    if (!one_file_) fs::create_directories(path_, error);
+    if (error) throw WriteError(path_.string() + ": cannot be made: " + error.message());
   }
 
-  void finish() override { write_whole_file(folder_ / "times.txt", stamps_); }
+  [[nodiscard]] std::string refusal(const Scan& scan,
+                                    std::span<const FurtherField> /*further*/) const override {
+    if (format_ != ScanFormat::las) return {};
+    const auto is_far = [](const Eigen::Vector3f& point) {
+      constexpr float kLasReach = 1e6F;  // [m] LAS has millimetres in 32 bits
+      return point.allFinite() && point.cwiseAbs().maxCoeff() >= kLasReach;
+    };
+    const bool far = std::any_of(scan.points.begin(), scan.points.end(), is_far);
+    return far ? "a point lies 1000 km away or more; LAS holds nearer ones, in millimetres" : "";
+  }
+
+  [[nodiscard]] std::string remark() const override {
+    std::string text =
+        one_file_ ? "lost: the scan's stamp, which a file alone has no room for" : "";
+    if (format_ != ScanFormat::las) return text;
+    return text + (text.empty() ? "" : "\n") +
+           "lost: digits below the millimetre, and points that are not finite";
+  }
+
+  void finish() override {
+    if (!one_file_) write_whole_file(path_ / "times.txt", stamps_);
+  }
 
  private:
   [[nodiscard]] bool holds(const Column& column) const override {
     const auto is_column = [&](const char* name) { return column.name == name; };
     if (format_ == ScanFormat::pcd) return true;
+    if (format_ == ScanFormat::las && is_column("intensity")) return false;
     if (format_ == ScanFormat::ply) return fits_ply(column);
     return std::any_of(kKittiColumns.begin(), kKittiColumns.end(), is_column);
   }
@@ -96,8 +121,18 @@ class FolderSink final : public ScanSink {
     char name[32];
     std::snprintf(name, sizeof(name), "%06zu.%s", scans_++,
                   scan_format_names()[static_cast<std::size_t>(format_)].c_str());
-    write_whole_file(folder_ / name, content(columns, scan.points.size()));
+    const fs::path file = one_file_ ? path_ : path_ / name;
+    write_whole_file(file, format_ == ScanFormat::las ? format_las(finite_points(scan))
+                                                      : content(columns, scan.points.size()));
     stamps_ += format_seconds(scan.stamp_ns) + '\n';
+  }
+
+  static std::vector<Eigen::Vector3d> finite_points(const Scan& scan) {
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3f& point : scan.points) {
+      if (point.allFinite()) points.push_back(point.cast<double>());
+    }
+    return points;
   }
 
   [[nodiscard]] std::string content(std::span<const Column> columns, std::size_t points) const {
@@ -114,8 +149,9 @@ class FolderSink final : public ScanSink {
   }
 
   static constexpr std::array<const char*, 4> kKittiColumns = {"x", "y", "z", "intensity"};
-  fs::path folder_;
+  fs::path path_;
   ScanFormat format_;
+  bool one_file_;
   std::string stamps_;
   std::size_t scans_ = 0;
 };
@@ -141,7 +177,8 @@ std::string ScanSink::lost() const {
 }
 
 const std::vector<std::string>& scan_format_names() {
-  static const std::vector<std::string> names = {"pcd", "ply", "bin", "mcap", "rosbag2", "bag"};
+  static const std::vector<std::string> names = {"pcd",  "ply",     "bin", "las",
+                                                 "mcap", "rosbag2", "bag"};
   return names;
 }
 
@@ -162,7 +199,7 @@ std::unique_ptr<ScanSink> make_scan_sink(const fs::path& path, ScanFormat format
     case ScanFormat::ros1_bag:
       return std::make_unique<BagSink>(make_ros1_bag(path), options);
     default:
-      return std::make_unique<FolderSink>(path, format);
+      return std::make_unique<FileSink>(path, format, options.one_file);
   }
 }
 

@@ -16,9 +16,9 @@
 
 namespace surefoot::io {
 
-enum class ScanFormat { pcd, ply, kitti_bin, mcap, rosbag2, ros1_bag };
+enum class ScanFormat { pcd, ply, kitti_bin, las, mcap, rosbag2, ros1_bag };
 
-/// "pcd", "ply", "bin", "mcap", "rosbag2", "bag", in the order of ScanFormat.
+/// "pcd", "ply", "bin", "las", "mcap", "rosbag2", "bag", in the order of ScanFormat.
 [[nodiscard]] const std::vector<std::string>& scan_format_names();
 /// Throws std::invalid_argument for another name.
 [[nodiscard]] ScanFormat scan_format_named(const std::string& name);
@@ -27,10 +27,16 @@ enum class ScanFormat { pcd, ply, kitti_bin, mcap, rosbag2, ros1_bag };
 [[nodiscard]] constexpr bool is_folder(ScanFormat format) {
   return format != ScanFormat::mcap && format != ScanFormat::ros1_bag;
 }
+/// Whether each scan has a file of its own.
+[[nodiscard]] constexpr bool has_file_a_scan(ScanFormat format) {
+  return format < ScanFormat::mcap;
+}
 
 struct SinkOptions {
   std::string topic = "/points";  ///< of a bag
   std::string frame = "lidar";    ///< of its messages
+  /// Of formats with a file a scan: the path is that of the only scan's file, not of a folder.
+  bool one_file = false;
 };
 
 class ScanSink {
@@ -44,6 +50,8 @@ class ScanSink {
   /// Scans in their order, but for refused ones, and what the recording has of their points
   /// besides. Throws WriteError.
   void add(const Scan& scan, std::span<const FurtherField> further = {});
+  /// What becomes of every scan besides; empty: nothing.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
   /// Ends the recording; throws WriteError.
   virtual void finish() = 0;
   /// Fields of the scans so far that the format cannot hold: "t, ring"; empty: nothing is lost.

@@ -108,7 +108,7 @@ TEST(Convert, RefusesWhatIsThereAlreadyAndOtherNames) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
   write_pcd_recording(folder / "pcd", hall_scans(1));
-  for (const char* output : {"pcd", "x.las"}) {
+  for (const char* output : {"pcd", "x.e57", "x.db3", "x.pcap"}) {
     const ProcessResult result = run_surefoot({"convert", "pcd", output}, folder);
     EXPECT_EQ(result.exit_code, 2) << result;
   }
@@ -239,6 +239,42 @@ TEST(Convert, SaysWhatTheOutputDoesNotHold) {
                            "left out: 1 points without a usable time"}) {
     EXPECT_NE(result.errors.find(part), std::string::npos) << result;
   }
+}
+
+TEST(Convert, OneScanToAFileOfItsOwn) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_pcd_recording(folder / "pcd", hall_scans(3));
+  for (const std::string output : {"a.pcd", "a.ply", "a.bin", "a.las"}) {
+    const ProcessResult several = run_surefoot({"convert", "pcd", output}, folder);
+    EXPECT_EQ(several.exit_code, 2) << several;
+    EXPECT_NE(several.errors.find("--start N --count 1"), std::string::npos) << several;
+    EXPECT_FALSE(fs::exists(folder / output));
+    const ProcessResult one =
+        run_surefoot({"convert", "pcd", output, "--start", "1", "--count", "1"}, folder);
+    EXPECT_EQ(one.exit_code, 0) << one;
+    EXPECT_NE(one.errors.find("lost: the scan's stamp"), std::string::npos) << one;
+    EXPECT_TRUE(fs::is_regular_file(folder / output));
+    EXPECT_EQ(run_surefoot({"info", output}, folder).exit_code, 0);
+  }
+  const ProcessResult las = run_surefoot({"convert", "pcd", "las", "--to", "las"}, folder);
+  EXPECT_EQ(las.exit_code, 0) << las;
+  EXPECT_NE(las.errors.find("does not hold: intensity, ring, t\nlost: digits below the millimetre"),
+            std::string::npos)
+      << las;
+  EXPECT_NE(run_surefoot({"info", "las"}, folder).output.find("scans          3"),
+            std::string::npos);
+}
+
+TEST(Convert, SeveralTopicsAreRefusedWithTheCommandForEach) {
+  const ScratchFolder scratch;
+  const ProcessResult result = run_surefoot(
+      {"convert", "in.bag", "out.mcap", "--topic", "/front", "--topic", "/rear/points"},
+      scratch.path());
+  EXPECT_EQ(result.exit_code, 2) << result;
+  EXPECT_NE(result.errors.find("surefoot convert in.bag out_rear_points.mcap --topic /rear/points"),
+            std::string::npos)
+      << result;
 }
 
 TEST(Convert, CaptureToBag) {
