@@ -1,5 +1,5 @@
-# Bundles web/ to the report's page, inside of a C++ source: SUREFOOT_PAGE_SOURCE, and to that of a
-# live run: live_page_content.cpp beside it. That takes
+# Bundles web/ to the report's page and that of tiles, inside of C++ sources: SUREFOOT_PAGE_SOURCE, and
+# to that of a live run: live_page_content.cpp beside them. That takes
 # Node.js and npm, and once the network, from which `npm ci` brings the libraries that
 # web/package-lock.json names. Where one of these is missing the program is built without the page.
 # Included where that source is compiled.
@@ -66,7 +66,8 @@ function(surefoot_add_page)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/src/*)
   set(scripts ${PROJECT_SOURCE_DIR}/web/build.mjs ${PROJECT_SOURCE_DIR}/web/embed.mjs)
   add_custom_command(
-    OUTPUT ${SUREFOOT_WEB_DIR}/page_template.cpp ${SUREFOOT_WEB_DIR}/live_page_content.cpp
+    OUTPUT ${SUREFOOT_WEB_DIR}/page_template.cpp ${SUREFOOT_WEB_DIR}/tiles_page.cpp
+           ${SUREFOOT_WEB_DIR}/live_page_content.cpp
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${PROJECT_SOURCE_DIR}/web/src ${SUREFOOT_WEB_DIR}/src
     COMMAND ${CMAKE_COMMAND} -E copy ${scripts} ${SUREFOOT_WEB_DIR}
     COMMAND ${SUREFOOT_NODE} build.mjs report report.html
@@ -75,9 +76,13 @@ function(surefoot_add_page)
     COMMAND ${SUREFOOT_NODE} build.mjs live live.html
     COMMAND ${SUREFOOT_NODE} embed.mjs live.html live_page_content.cpp
             live_page/page_content.hpp live_page page_content
+    COMMAND ${SUREFOOT_NODE} build.mjs tiles tiles.html
+    COMMAND ${SUREFOOT_NODE} embed.mjs tiles.html tiles_page.cpp
+            report/page.hpp report tiles_page
     WORKING_DIRECTORY ${SUREFOOT_WEB_DIR}
     DEPENDS ${sources} ${scripts} ${SUREFOOT_WEB_DIR}/node_modules/.surefoot_stamp
-    COMMENT "Bundling the report's page and the live one" VERBATIM)
+    COMMENT "Bundling the pages: report, live run, tiles" VERBATIM)
+  set_source_files_properties(${SUREFOOT_WEB_DIR}/tiles_page.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 set(SUREFOOT_PAGE OFF CACHE INTERNAL "")
@@ -90,7 +95,7 @@ if(SUREFOOT_WEB)
   if(NOT problem)
     surefoot_add_page()
     set(SUREFOOT_PAGE ON CACHE INTERNAL "")
-    set(SUREFOOT_PAGE_SOURCE ${SUREFOOT_WEB_DIR}/page_template.cpp)
+    set(SUREFOOT_PAGE_SOURCE ${SUREFOOT_WEB_DIR}/page_template.cpp ${SUREFOOT_WEB_DIR}/tiles_page.cpp)
   elseif(SUREFOOT_WEB STREQUAL AUTO)
     message(STATUS "Report's page: left out: ${problem}")
   else()

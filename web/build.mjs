@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// node build.mjs report|live OUT: bundles src/ to one HTML file that loads nothing: a report, with
-// places for its title and data, or the page of a live run.
+// node build.mjs report|live|tiles OUT: bundles src/ to one HTML file that loads nothing: a report,
+// with places for its title and data, the page of a live run, or one that shows the 3D Tiles beside it.
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
@@ -35,6 +35,7 @@ const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base
 const kPages = {
   report: ["page.html", "main.js"],
   live: ["live/page.html", "live/main.js"],
+  tiles: ["tiles/page.html", "tiles/main.js"],
 };
 const [name, output] = process.argv.slice(2);
 const [frame, entry] = kPages[name];

@@ -29,12 +29,11 @@ await writeFile(
 
 namespace surefoot::${namespace} {
 
-namespace {
-constexpr char kPage[] =
+std::string_view ${name}() {
+  static constexpr char kPage[] =
 ${lines.join("\n")};
-}  // namespace
-
-std::string_view ${name}() { return {kPage, sizeof(kPage) - 1}; }
+  return {kPage, sizeof(kPage) - 1};
+}
 
 }  // namespace surefoot::${namespace}
 `,

@@ -88,6 +88,12 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
     if (done.tiles.tiles > 0) {
       fmt::print("{}: {} points in {} tiles, {} levels\n", options->files.tiles.string(),
                  done.tiles.points, done.tiles.tiles, done.tiles.levels);
+      if (std::filesystem::exists(options->files.tiles / "index.html")) {
+        fmt::print(
+            "to look at them: python3 -m http.server --bind 127.0.0.1 -d {}, and "
+            "http://127.0.0.1:8000/ in a browser\n",
+            options->files.tiles.string());
+      }
     }
     for (const runs::ExportedGrid& grid : done.grids) {
       fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,

@@ -16,6 +16,9 @@ inline constexpr std::string_view kTitlePlaceholder = "{{surefoot-report-title}}
 /// The page without data; empty in a program that was built without the page.
 [[nodiscard]] std::string_view page_template();
 
+/// A page that shows the tileset.json beside it; empty as above.
+[[nodiscard]] std::string_view tiles_page();
+
 /// Text as HTML shows it, whatever characters it has.
 [[nodiscard]] std::string html_text(std::string_view text);
 

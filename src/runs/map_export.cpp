@@ -10,6 +10,7 @@
 #include "io/files/las_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
+#include "report/page.hpp"
 #include "runs/saved_map.hpp"
 
 namespace surefoot::runs {
@@ -42,7 +43,12 @@ io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wante
       points.emplace_back((piece.T_world_piece * point.cast<double>() - origin).cast<float>());
     }
   }
-  return io::write_point_tiles(wanted.tiles, origin, std::move(points), wanted.tiles_at);
+  const io::TileCounts counts =
+      io::write_point_tiles(wanted.tiles, origin, std::move(points), wanted.tiles_at);
+  if (!report::tiles_page().empty()) {
+    io::write_whole_file(wanted.tiles / "index.html", report::tiles_page());
+  }
+  return counts;
 }
 
 fs::path beside(fs::path file, const std::string& ending) { return file.replace_extension(ending); }

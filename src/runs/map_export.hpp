@@ -17,7 +17,8 @@ namespace surefoot::runs {
 /// Files to write; empty: not this one.
 struct MapExport {
   std::filesystem::path pcd, ply, las;
-  std::filesystem::path tiles;  ///< a new folder: 3D Tiles
+  std::filesystem::path
+      tiles;  ///< a new folder: 3D Tiles, and a page that shows them if there is one
   std::optional<io::EarthPlace> tiles_at;
   std::filesystem::path grid;       ///< .pgm and .yaml beside each other
   std::filesystem::path elevation;  ///< .asc and _variance.asc; .tif: all layers in one

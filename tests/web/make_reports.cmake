@@ -1,5 +1,5 @@
 # Makes the pages that web/test looks at: -D program=... -D folder=... A walk of five seconds, run
-# by two methods, one of them without map and truth.
+# by two methods, one of them without map and truth, and its map as tiles.
 function(surefoot output)
   execute_process(COMMAND ${program} ${ARGN} WORKING_DIRECTORY ${folder}
                   RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE complained)
@@ -13,6 +13,8 @@ file(REMOVE_RECURSE ${folder})
 file(MAKE_DIRECTORY ${folder})
 surefoot(said simulate campus --scans 50 --output walk)
 surefoot(said convert walk walk.mcap)
+surefoot(said map walk --quiet --no-report --no-picture --output map)
+surefoot(said export map --tiles tiles --tiles-at 48.1 11.6 520 30)
 surefoot(said run walk --quiet --output run)
 surefoot(said run walk --quiet --output other --method paper)
 # Few points, as the browser draws without a graphics card.
