@@ -99,6 +99,23 @@ def reliability_alike():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
+def finer_grid():
+    """A set a row: how many recordings, scans lost and the APE's ratio, with four grids and five."""
+    kept = Kept("finer_grid")
+    sets = list(dict.fromkeys(row[0] for row in kept.rows[1:]))
+    lines = []
+    for one in sets:
+        rows = [row for row in kept.rows[1:] if row[0] == one]
+        ratios = [float(row[6]) / float(row[4]) for row in rows]
+        lost = [str(sum(int(row[column]) for row in rows)) for column in (3, 5)]
+        lines.append([one, str(len(rows)), str(sum(int(row[2]) for row in rows)), *lost,
+                      f"{statistics.geometric_mean(ratios):.2f}", f"{min(ratios):.2f}",
+                      f"{max(ratios):.2f}"])
+    head = ["set", "recordings", "scans", "four grids: lost", "five: lost",
+            "APE, five to four, geometric mean", "least", "largest"]
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
+
+
 def reliability_bins():
     """How often poses of which a probability is told are wrong, wrong ones as one in a hundred."""
     kept = Kept("reliability_bins")
@@ -203,7 +220,7 @@ def reporting(name):
 
 def readme():
     """A method a row, over the set that nothing was tuned on."""
-    kept = Results("reporting-10")
+    kept = Results("reporting-11")
     names = {"surefoot": "**Surefoot**", "paper": "the paper's", "paper-surface": "a variant of it",
              "kiss-icp": "KISS-ICP", "genz-icp": "GenZ-ICP", "floam": "F-LOAM", "icp": "ICP"}
     rows = []
@@ -300,6 +317,8 @@ TABLES = {
     "thread-ratio": lambda: f"{wall_time(1, 1) / wall_time(2, 1):.2f}",
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),
+    "reporting-11": lambda: reporting("reporting-11"),
+    "reporting-11-in-motion": lambda: reporting("reporting-11-in-motion"),
     "reporting-10": lambda: reporting("reporting-10"),
     "reporting-10-in-motion": lambda: reporting("reporting-10-in-motion"),
     "reporting-9": lambda: reporting("reporting-9"),
@@ -318,6 +337,7 @@ TABLES = {
     "before-relative": before_relative,
     "before-count": before_count,
     "readme": readme,
+    "finer-grid": finer_grid,
     "reliability-alike": reliability_alike,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
