@@ -166,10 +166,10 @@ TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
 }
 
 // A trot up a flight of stairs, which the body meets with a pitch of 30 deg within half a second:
-// without attempts from other motions the estimate stays level, 0.6 to 1 m off, with status ok.
+// without attempts from other motions the estimate stays level, off by 0.1 to 0.5 m, or it is lost.
 TEST(Simulation, ATrotUpStairsIsFollowed) {
   const ScratchFolder scratch;
-  for (const char* const seed : {"622", "623"}) {
+  for (const char* const seed : {"627", "630"}) {
     const ProcessResult made =
         run_surefoot({"simulate", "stairwell", "--robot", "trot", "--scans", "300", "--seed", seed,
                       "--no-footprint", "-q", "-o", seed},
@@ -184,7 +184,7 @@ TEST(Simulation, ATrotUpStairsIsFollowed) {
                      scratch.path());
     ASSERT_EQ(judged.exit_code, 0) << judged;
     const auto errors = nlohmann::json::parse(judged.output).at(0).at("errors");
-    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: 0.026, 0.026
+    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: 0.018, 0.030
   }
 }
 
