@@ -28,7 +28,9 @@ std::string advice_for(const fs::path& extension) {
     return "; an .mcap is compressed inside, and of another 'zstd FILE' makes one";
   }
   if (extension == ".pcap" || extension == ".pcapng") {
-    return "; a capture is of a sensor's packets, which points cannot be turned back into";
+    return "; points cannot be turned back into packets, and packets are not copied: 'editcap' "
+           "cuts a "
+           "capture";
   }
   if (extension == ".laz") return "; LAZ is not written: .las, and 'laszip' makes one of it";
   return "";
