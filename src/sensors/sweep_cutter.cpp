@@ -18,6 +18,20 @@ constexpr std::int64_t kLongestNs = 500'000'000;
 // Nor may packets of a clock that hardly moves. The largest sweeps have half a million points.
 constexpr std::size_t kMostPoints = 4'000'000;
 
+/// Appends a firing's points, which are those of the packet from `next` on; `fired_ns` is counted
+/// from the scan's stamp. Returns where the next firing's begin.
+std::size_t append_points(Scan& scan, const Firings& packet, std::size_t next, const Firing& firing,
+                          std::int32_t fired_ns) {
+  for (; next < firing.end; ++next) {
+    const FiringPoint& point = packet.points[next];
+    scan.points.push_back(point.position);
+    scan.intensities.push_back(point.intensity);
+    scan.times_ns.push_back(fired_ns + point.offset_ns);
+    scan.rings.push_back(point.ring);
+  }
+  return next;
+}
+
 }  // namespace
 
 SweepCutter::SweepCutter(SweepEnd end, double cut_azimuth_deg, double sweep_deg)
@@ -44,15 +58,8 @@ void SweepCutter::add(const Firings& packet, std::int64_t stamp_ns, std::int64_t
     }
     current_.turned_deg += firing.turned_deg;
     current_.duration_ns = at_ns + firing.duration_ns - current_.scan.stamp_ns;
-    Scan& scan = current_.scan;
-    const auto since_start = static_cast<std::int32_t>(at_ns - scan.stamp_ns);
-    for (; next < firing.end; ++next) {
-      const FiringPoint& point = packet.points[next];
-      scan.points.push_back(point.position);
-      scan.intensities.push_back(point.intensity);
-      scan.times_ns.push_back(since_start + point.offset_ns);
-      scan.rings.push_back(point.ring);
-    }
+    next = append_points(current_.scan, packet, next, firing,
+                         static_cast<std::int32_t>(at_ns - current_.scan.stamp_ns));
   }
 }
 
@@ -67,14 +74,9 @@ bool SweepCutter::add_late(const Firings& packet, std::int64_t stamp_ns) {
   std::size_t next = 0;
   for (const Firing& firing : packet.firings) {
     current_.turned_deg += firing.turned_deg;
-    const auto since_start = static_cast<std::int32_t>(stamp_ns + firing.offset_ns - scan.stamp_ns);
-    for (; next < firing.end; ++next) {
-      const FiringPoint& point = packet.points[next];
-      late.points.push_back(point.position);
-      late.intensities.push_back(point.intensity);
-      late.times_ns.push_back(since_start + point.offset_ns);
-      late.rings.push_back(point.ring);
-    }
+    const std::int64_t at_ns = stamp_ns + firing.offset_ns;
+    next =
+        append_points(late, packet, next, firing, static_cast<std::int32_t>(at_ns - scan.stamp_ns));
   }
   if (late.points.empty()) return true;
   // Before those of the packets that came too soon.
