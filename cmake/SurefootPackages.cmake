@@ -62,6 +62,11 @@ function(surefoot_package component name section description)
     COMPONENT ${component})
   install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz DESTINATION ${doc}/${name}
     COMPONENT ${component})
+  # What lintian says of it and is left as it is, with the reason.
+  set(overrides ${PROJECT_SOURCE_DIR}/packaging/lintian/${name})
+  if(EXISTS ${overrides})
+    install(FILES ${overrides} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component})
+  endif()
 endfunction()
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS snakemake)  # of surefoot_fleet
 surefoot_package(tools surefoot science "the program\n Recordings or a sensor's packets in, trajectory and map out.")
@@ -70,11 +75,20 @@ set(development libeigen3-dev)
 if(SUREFOOT_TBB)
   set(development "libeigen3-dev, libtbb-dev")
 endif()
+if(TARGET surefoot_c)  # what libsurefoot_c.so, a link that is linked by, leads to
+  string(APPEND development ", libsurefoot-c0 (= ${PROJECT_VERSION})")
+endif()
 surefoot_package(dev libsurefoot-dev libdevel "the library\n Headers, a static library, and what find_package and pkg-config find."
   "${development}")
 surefoot_package(c libsurefoot-c0 libs "the library behind plain C\n A dozen functions for other languages; surefoot.h comes with libsurefoot-dev.")
+set(interpreter python3)  # the compiled part is for one version of it
+if(TARGET surefoot_python)
+  get_target_property(minor surefoot_python SUREFOOT_PYTHON_MINOR)
+  math(EXPR minor_after "${minor} + 1")
+  set(interpreter "python3 (>= 3.${minor}), python3 (<< 3.${minor_after})")
+endif()
 surefoot_package(python python3-surefoot python "the Python module\n The library, readers, evaluation and simulation, over numpy's arrays."
-  "python3, python3-numpy")
+  "${interpreter}, python3-numpy")
 
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
 file(WRITE ${PROJECT_BINARY_DIR}/package/copyright
