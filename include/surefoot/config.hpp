@@ -69,6 +69,7 @@ struct Config {
     double map_voxel;         // [m] they are thinned to no finer cubes
     double finest_voxel;      // [m] of the map's finest grid
     int levels;               // grids, each twice as coarse as the last
+    int divided_at;           // points of a voxel that the finest grid divides; 0: it takes all
     int points_per_voxel;     // a full voxel takes no more
     int min_points;           // that a surfel needs
     double breadth;           // least standard deviation of a surfel's points, in voxels

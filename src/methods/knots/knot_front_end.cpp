@@ -310,8 +310,7 @@ View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_
 
 void KnotFrontEnd::integrate(View view) {
   map_.remove_far(view.sensor);
-  emptied_ = {config_.knots.finest_voxel,
-              map_.insert(view.points, view.sensor, session_.workers, &view.beams)};
+  emptied_ = map_.insert(view.points, view.sensor, session_.workers, &view.beams);
   views_.add(std::move(view));
 }
 

@@ -28,6 +28,11 @@ const ConfigField kFields[] = {
      "voxel of the map's finest grid", kMethod},
     {"knots.levels", SLOT(knots.levels), "5", "", 1, 8,
      "grids of the map, each twice as coarse as the one before", kMethod},
+    {"knots.divided_at", SLOT(knots.divided_at), "12", "", 0, 1e6,
+     "the finest grid divides voxels of the next one that have so many points, and empties what "
+     "that "
+     "one empties; 0: it takes all points, and asks the beams itself",
+     kMethod},
     {"knots.points_per_voxel", SLOT(knots.points_per_voxel), "800", "", 3, 1e6,
      "a full voxel takes no more points", kMethod},
     {"knots.min_points", SLOT(knots.min_points), "6", "", 3, 1000, "points that a surfel needs",

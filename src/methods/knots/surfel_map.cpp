@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace surefoot {
@@ -16,6 +17,10 @@ constexpr double kGrowth = 1.15;
 
 // What no beam is known to have gone through is asked for at every so many-th scan only.
 constexpr std::size_t kTurn = 3;
+
+// A grid that divides voxels does so no farther from the sensor than so many of its own: beyond, a
+// LiDAR's points lie as far apart as they are wide.
+constexpr double kReach = 100.0;
 
 // So many points ahead, memory is asked for what the map knows of them: they lie all over it.
 constexpr std::size_t kAhead = 20;
@@ -154,12 +159,53 @@ std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex
   return found != VoxelTable::kNone ? found : make_side(grid, key, index);
 }
 
-void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
-  const std::size_t n = sweep.points.size();
+/// [m] from the sensor, what a grid holds.
+double SurfelMap::reach_of(const Grid& grid) const {
+  const bool dividing = divides() && &grid == &grids_.front();
+  return dividing ? std::min(radius_, kReach * grid.size) : radius_;
+}
+
+/// Those of a scan's points that enter a grid.
+std::vector<std::uint32_t> SurfelMap::taken_by(std::size_t level, const Sweep& sweep) const {
+  std::vector<std::uint32_t> taken(sweep.points.size());
+  std::iota(taken.begin(), taken.end(), 0U);
+  if (level >= finest_whole()) return taken;
+  const double reach = reach_of(grids_[level]);
+  std::erase_if(taken, [&](std::uint32_t i) { return sweep.ranges[i] > reach; });
+  leave_undivided(grids_[level + 1], sweep, taken);
+  return taken;
+}
+
+/// Drops the points in whose voxels are too few.
+void SurfelMap::leave_undivided(const Grid& grid, const Sweep& sweep,
+                                std::vector<std::uint32_t>& taken) const {
+  const std::size_t n = taken.size();
+  std::vector<std::uint64_t> keys(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    keys[i] = voxel_key(voxel_index(sweep.points[taken[i]], grid.inverse_size));
+  }
+  std::vector<std::uint32_t> voxels(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
+    voxels[i] = grid.table.find(keys[i]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i + kAhead < n && voxels[i + kAhead] != VoxelTable::kNone) {
+      prefetch(grid.voxels[voxels[i + kAhead]]);
+    }
+    if (voxels[i] == VoxelTable::kNone) continue;
+    if (grid.voxels[voxels[i]].moments.count() >= config_.divided_at) taken[kept++] = taken[i];
+  }
+  taken.resize(kept);
+}
+
+void SurfelMap::add(Grid& grid, const Sweep& sweep, const std::vector<std::uint32_t>& taken) const {
+  const std::size_t n = taken.size();
   std::vector<VoxelIndex> indices(n);
   std::vector<std::uint64_t> keys(n);
   for (std::size_t i = 0; i < n; ++i) {
-    indices[i] = voxel_index(sweep.points[i], grid.inverse_size);
+    indices[i] = voxel_index(sweep.points[taken[i]], grid.inverse_size);
     keys[i] = voxel_key(indices[i]);
   }
   std::vector<std::uint32_t> sides(n);
@@ -174,15 +220,16 @@ void SurfelMap::add(Grid& grid, const Sweep& sweep) const {
       prefetch(grid.sights[ahead]);
       prefetch(grid.voxels[ahead]);
     }
-    if (grid.surfels[sides[i]].from_behind(sweep.rays[i])) {
+    const std::uint32_t point = taken[i];
+    if (grid.surfels[sides[i]].from_behind(sweep.rays[point])) {
       sides[i] = side_of(grid, keys[i] | kBack, indices[i]);
     }
     Sight& sight = grid.sights[sides[i]];
     sight.now = true;
     if (sight.full) continue;
     Voxel& voxel = grid.voxels[sides[i]];
-    voxel.moments.add(sweep.points[i] - indices[i].cast<double>() * grid.size, sweep.rays[i],
-                      sweep.ranges[i]);
+    voxel.moments.add(sweep.points[point] - indices[i].cast<double>() * grid.size,
+                      sweep.rays[point], sweep.ranges[point]);
     const int count = voxel.moments.count();
     sight.full = count >= config_.points_per_voxel;  // what was seen first is kept: no drift
     if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
@@ -244,17 +291,36 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
     if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
       emptied.emplace_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
     }
-    voxel.moments = {};
-    voxel.fitted_at = 0;
-    grid.surfels[at] = {};
-    sight = {};
+    empty(grid, at);
   }
   return emptied;
 }
 
-std::vector<Eigen::Vector3d> SurfelMap::insert(const std::vector<Eigen::Vector3d>& points,
-                                               const Eigen::Vector3d& sensor,
-                                               const Workers& workers, const Beams* beams) {
+void SurfelMap::empty(Grid& grid, std::uint32_t side) {
+  grid.voxels[side].moments = {};
+  grid.voxels[side].fitted_at = 0;
+  grid.surfels[side] = {};
+  grid.sights[side] = {};
+}
+
+/// Of the finest grid what lies in voxels of the next one.
+void SurfelMap::empty_divided(const std::vector<Eigen::Vector3d>& centres) {
+  Grid& grid = grids_.front();
+  for (const Eigen::Vector3d& centre : centres) {
+    const VoxelIndex middle = voxel_index(centre, grid.inverse_size);
+    for (int corner = 0; corner < 8; ++corner) {
+      const VoxelIndex index = middle - VoxelIndex(corner & 1, corner >> 1 & 1, corner >> 2);
+      const std::uint64_t key = voxel_key(index);
+      for (const std::uint64_t side : {key, key | kBack}) {
+        const std::uint32_t at = grid.table.find(side);
+        if (at != VoxelTable::kNone) empty(grid, at);
+      }
+    }
+  }
+}
+
+Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
+                        const Workers& workers, const Beams* beams) {
   ++scan_;
   const Sweep sweep(points, sensor);
   std::optional<Beams> own;
@@ -263,15 +329,19 @@ std::vector<Eigen::Vector3d> SurfelMap::insert(const std::vector<Eigen::Vector3d
   } else if (beams == nullptr) {
     beams = &own.emplace(sensor, sweep.rays, sweep.ranges);
   }
-  std::vector<Eigen::Vector3d> emptied;
+  std::vector<std::vector<std::uint32_t>> taken(grids_.size());
+  for (std::size_t level = 0; level < grids_.size(); ++level) taken[level] = taken_by(level, sweep);
+  const std::size_t finest = finest_whole();
+  Cubes emptied{grids_[finest].size, {}};
   workers.for_each(grids_.size(), [&](std::size_t level) {
     Grid& grid = grids_[level];
-    add(grid, sweep);
+    add(grid, sweep, taken[level]);
     fit(grid);
-    if (!beams) return;
+    if (beams == nullptr || level < finest) return;
     std::vector<Eigen::Vector3d> here = empty_passed(grid, *beams);
-    if (level == 0) emptied = std::move(here);
+    if (level == finest) emptied.centres = std::move(here);
   });
+  if (divides()) empty_divided(emptied.centres);
   return emptied;
 }
 
@@ -280,12 +350,13 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
   if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius_) return;
   cleaned_at_ = sensor;
   for (Grid& grid : grids_) {
+    const double reach = reach_of(grid);
     std::uint32_t kept = 0;
     grid.table.clear();
     for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
       const Voxel& voxel = grid.voxels[at];
       const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
-      if (voxel.moments.count() == 0 || (centre - sensor).norm() > radius_) continue;
+      if (voxel.moments.count() == 0 || (centre - sensor).norm() > reach) continue;
       grid.table.find_or_insert(voxel.key, kept);
       if (kept != at) {
         grid.voxels[kept] = voxel;
@@ -313,7 +384,7 @@ void SurfelMap::clear() {
 
 std::vector<Eigen::Vector3d> SurfelMap::points() const {
   std::vector<Eigen::Vector3d> means;
-  const Grid& grid = grids_.front();
+  const Grid& grid = grids_[finest_whole()];
   means.reserve(grid.voxels.size());
   for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
     const Voxel& voxel = grid.voxels[at];

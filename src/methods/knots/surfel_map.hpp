@@ -15,6 +15,7 @@
 #include "methods/knots/beams.hpp"
 #include "methods/knots/surfel.hpp"
 #include "surefoot/config.hpp"
+#include "surefoot/odometry.hpp"
 
 namespace surefoot {
 
@@ -30,6 +31,9 @@ namespace surefoot {
 ///
 /// Where points are dense (a staircase, a corridor) the finest grid answers; far away, or between
 /// the LiDAR's rings, a coarser one. So one set of parameters serves every scale of scene.
+///
+/// Most of the finest grid's voxels would hold a point or two and never answer: it only divides
+/// those of the next one that are near and full enough, and empties what that one empties.
 class SurfelMap {
  public:
   explicit SurfelMap(const Config::Knots& config, double radius);
@@ -62,19 +66,18 @@ class SurfelMap {
 
   /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
   /// and empties those that the beams went through: `beams`, or if null the points' own. Returns
-  /// the centres [m] of the finest grid's emptied ones (both sides).
-  std::vector<Eigen::Vector3d> insert(const std::vector<Eigen::Vector3d>& points,
-                                      const Eigen::Vector3d& sensor,
-                                      const Workers& workers = Workers(1),
-                                      const Beams* beams = nullptr);
-  /// Drops the voxels that lie farther than the radius from the sensor.
+  /// those that were emptied on both sides, of the finest grid that asks the beams.
+  Cubes insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
+               const Workers& workers = Workers(1), const Beams* beams = nullptr);
+  /// Drops the voxels that lie farther than the radius, or than what their grid holds, from the
+  /// sensor.
   void remove_far(const Eigen::Vector3d& sensor);
   void clear();
 
-  [[nodiscard]] bool empty() const { return grids_.front().voxels.empty(); }
+  [[nodiscard]] bool empty() const { return grids_.back().voxels.empty(); }
   /// The finest grid whose voxels are at least so large [m], or the coarsest.
   [[nodiscard]] int level_of(double size) const;
-  /// The means of the finest grid's voxels [m].
+  /// The means of the voxels [m] of the finest grid that no other is divided into.
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
 
  private:
@@ -121,10 +124,20 @@ class SurfelMap {
   static std::uint32_t make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index);
   [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
                                              const VoxelIndex& index);
-  void add(Grid& grid, const Sweep& sweep) const;
+  /// Whether the finest grid divides the voxels of the next one, and follows it.
+  [[nodiscard]] bool divides() const { return config_.divided_at > 0 && grids_.size() > 1; }
+  /// The finest grid that does not.
+  [[nodiscard]] std::size_t finest_whole() const { return divides() ? 1 : 0; }
+  [[nodiscard]] double reach_of(const Grid& grid) const;
+  [[nodiscard]] std::vector<std::uint32_t> taken_by(std::size_t level, const Sweep& sweep) const;
+  void leave_undivided(const Grid& grid, const Sweep& sweep,
+                       std::vector<std::uint32_t>& taken) const;
+  void add(Grid& grid, const Sweep& sweep, const std::vector<std::uint32_t>& taken) const;
   void fit(Grid& grid) const;
   [[nodiscard]] std::vector<std::uint32_t> may_be_passed(Grid& grid, const Beams& beams) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
+  static void empty(Grid& grid, std::uint32_t side);
+  void empty_divided(const std::vector<Eigen::Vector3d>& centres);
 
   Config::Knots config_;
   double radius_;

@@ -25,6 +25,7 @@ Config::Knots cloud_config() {
   Config::Knots config = Config().knots;
   config.finest_voxel = 0.4;
   config.levels = 4;
+  config.divided_at = 0;
   config.ring_gap = 0.03;
   return config;
 }

@@ -21,6 +21,7 @@ inline Config::Knots knots_config() {
   Config::Knots config = Config().knots;
   config.finest_voxel = 0.4;
   config.levels = 4;
+  config.divided_at = 0;
   config.points_per_voxel = 200;
   config.min_points = 6;
   config.breadth = 0.1;

@@ -94,7 +94,7 @@ class Visitor {
         const Points body = cloud(random_, 200, kPlace, axes, {0.2, 0.2, 0.5});
         points.insert(points.end(), body.begin(), body.end());
       }
-      const Points gone = map_.insert(points, {0.0, 0.0, 0.6});
+      const Points gone = map_.insert(points, {0.0, 0.0, 0.6}).centres;
       emptied_.insert(emptied_.end(), gone.begin(), gone.end());
     }
   }
