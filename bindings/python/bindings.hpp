@@ -10,6 +10,12 @@ namespace surefoot::python {
 
 namespace py = pybind11;
 
+/// __iter__ of what __getitem__ gives one by one: Python would do without, collections.abc and type
+/// checkers do not.
+inline py::iterator iterate_by_index(const py::object& self) {
+  return py::reinterpret_steal<py::iterator>(PySeqIter_New(self.ptr()));
+}
+
 void bind_errors(py::module_& module);
 void bind_config(py::module_& module);
 void bind_scan(py::module_& module);

@@ -144,6 +144,7 @@ void bind_simulation(py::module_& module) {
             return self.scan(static_cast<std::uint64_t>(index));
           },
           py::arg("index"))
+      .def("__iter__", &iterate_by_index)
       .def_property_readonly(
           "truth", [](const Simulation& self) { return NamedTrajectory{self.truth()}; },
           "The LiDAR's exact poses every 2.5 ms and at every mid-scan.")

@@ -114,6 +114,7 @@ void bind_trajectory(py::module_& module) {
       .def_property_readonly("quaternions", &quaternions_of, "(N, 4) float64, x y z w.")
       .def("__len__", [](const NamedTrajectory& self) { return self.poses.size(); })
       .def("__getitem__", &element, py::arg("index"))
+      .def("__iter__", &iterate_by_index)
       .def("__repr__", [](const NamedTrajectory& self) {
         return "<Trajectory of " + std::to_string(self.poses.size()) + " poses>";
       });

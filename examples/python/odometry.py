@@ -6,6 +6,7 @@
     odometry.py [RECORDING]        without one, a simulated walk is made in memory
 """
 import sys
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -13,11 +14,13 @@ import surefoot
 
 
 def main() -> None:
+    scans: Iterable[surefoot.Scan]
+    truth = None
     if len(sys.argv) > 1:
-        scans, truth = surefoot.open(sys.argv[1]), None
+        scans = surefoot.open(sys.argv[1])
     else:
-        scans = surefoot.simulate("corridor", scans=20, footprint=False)
-        truth = scans.truth
+        walk = surefoot.simulate("corridor", scans=20, footprint=False)
+        scans, truth = walk, walk.truth
 
     odometry = surefoot.Odometry(surefoot.Config("surefoot", {"knots.points": 1500}))
     path = surefoot.Trajectory()

@@ -31,7 +31,6 @@ from ._core import (
     Status,
     Trajectory,
     WriteError,
-    __version__,
     ape,
     evaluate,
     method_config,
@@ -42,6 +41,7 @@ from ._core import (
     rpe,
     write_tum,
 )
+from ._core import __version__ as __version__
 from ._run import Run, read_run, run
 
 __all__ = [

@@ -15,6 +15,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from evalio.pipelines import Pipeline
 from evalio.types import SE3, SO3, Point
@@ -22,7 +23,7 @@ from evalio.types import SE3, SO3, Point
 import surefoot
 
 
-def _matrix(pose: Any) -> np.ndarray:
+def _matrix(pose: Any) -> NDArray[np.float64]:
     """4x4 of an evalio SE3."""
     result = np.eye(4)
     result[:3, :3] = np.asarray(pose.rot.toMat())

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 import threading
 import unittest
+from collections.abc import Iterable
 
 import numpy as np
 from support import needs_program, needs_simulation, program, scratch, walk
@@ -57,6 +58,9 @@ class OdometryTest(unittest.TestCase):
         for estimate in estimates:
             path.add(estimate)
         self.assertLess(surefoot.ape(simulation.truth, path).rmse, 0.02)
+        for several in (simulation, path):
+            self.assertIsInstance(several, Iterable)
+            self.assertEqual(len(list(several)), len(several))
 
     @needs_program
     def test_the_program_gives_the_same_bits(self):
