@@ -17,8 +17,8 @@
 #include <thread>
 
 #include "capture.hpp"
-#include "datagram_sender.hpp"
 #include "process.hpp"
+#include "soak.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -31,15 +31,6 @@ std::size_t count(const std::string& content, const std::string& text) {
   std::size_t found = 0;
   for (std::size_t at = 0; (at = content.find(text, at)) != std::string::npos; ++at) ++found;
   return found;
-}
-
-/// [kB] of a process; 0: it is not there.
-std::size_t resident_kb(pid_t id) {
-  std::ifstream status("/proc/" + std::to_string(id) + "/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmRSS:")) return std::stoul(line.substr(6));
-  }
-  return 0;
 }
 
 /// The least of the values between two shares of their number: what is there when nothing waits.
@@ -127,27 +118,16 @@ class Soak : public testing::Test {
   static constexpr std::size_t kMalformedEach = 1000;
 
   Soak() : random_(11), packets_(vlp16_packets(static_cast<int>(kReconnects) + 10)) {
-    for (std::size_t i = 0; i < 4096; ++i) {
-      std::string bytes(i % 4 == 0 ? 1206 : random_() % 1500, '\0');
-      for (char& byte : bytes) byte = static_cast<char>(random_());
-      if (i % 4 == 1) bytes = packets_[i].substr(0, random_() % 1206);
-      if (i % 64 == 2) bytes.clear();
-      malformed_.push_back(bytes);
-    }
+    malformed_ = malformed_datagrams(packets_, random_);
   }
 
-  void send(DatagramSender& sender, const std::string& bytes) {
-    sender.send(bytes);
-    if (++sent_ % 64 != 0) return;
-    while (sender.waiting() > 1'000'000) std::this_thread::sleep_for(milliseconds(1));
-  }
   /// What comes between two switchings off.
-  void connect(DatagramSender& sender, std::size_t which) {
-    sender.reconnect();
+  void connect(std::size_t which) {
+    sender_.reconnect();
     for (std::size_t i = 0; i < kMalformedEach; ++i) {
-      send(sender, malformed_[random_() % malformed_.size()]);
+      sender_.send(malformed_[random_() % malformed_.size()]);
       if (i % 13 == 0 && i / 13 < kPacketsEach) {
-        send(sender, packets_[which * kPacketsEach + i / 13]);
+        sender_.send(packets_[which * kPacketsEach + i / 13]);
       }
     }
   }
@@ -163,21 +143,20 @@ class Soak : public testing::Test {
   std::mt19937 random_;
   std::vector<std::string> packets_;
   std::vector<std::string> malformed_;
-  std::size_t sent_ = 0;
+  PatientSender sender_;
 };
 
 TEST_F(Soak, AThousandReconnectsAndAMillionMalformedDatagramsHaveNoEffect) {
   packets_.resize(kReconnects * kPacketsEach);
-  DatagramSender sender;
   Surroundings patient;
   patient.most_seconds = 1800;
-  const Process process({"live", "--udp", sender.port(), "-o", "live", "--queue", "1000",
+  const Process process({"live", "--udp", sender_.port(), "-o", "live", "--queue", "1000",
                          "--silence", "3", "--no-report", "--no-picture"},
                         scratch_.path(), patient);
-  ASSERT_TRUE(sender.wait_for_listener());
+  ASSERT_TRUE(sender_.wait_for_listener());
   std::vector<std::size_t> memory_kb;
   for (std::size_t i = 0; i < kReconnects; ++i) {
-    connect(sender, i);
+    connect(i);
     if (i > 10) {
       ASSERT_TRUE(wait_for_scans(i - 4)) << i;
     }
@@ -187,13 +166,14 @@ TEST_F(Soak, AThousandReconnectsAndAMillionMalformedDatagramsHaveNoEffect) {
   ASSERT_EQ(live.exit_code, 0) << live;
   std::cout << live.output;
   const std::size_t early = least_of(memory_kb, 0.1, 0.5), late = least_of(memory_kb, 0.6, 1.0);
-  std::cout << sent_ << " datagrams; " << early << " kB resident at least in the reconnects 100 to "
+  std::cout << sender_.sent() << " datagrams; " << early
+            << " kB resident at least in the reconnects 100 to "
             << "500, " << late << " kB in 600 to 1000, " << least_of(memory_kb, 0.99, 1.0)
             << " kB at the end\n";
   EXPECT_LT(late, early + early / 10);
   EXPECT_NE(live.output.find(" 0 dropped"), std::string::npos) << live;
   EXPECT_NE(live.output.find(", 0 by a full socket"), std::string::npos) << live;
-  EXPECT_NE(live.output.find(std::to_string(sent_) + " datagrams, " +
+  EXPECT_NE(live.output.find(std::to_string(sender_.sent()) + " datagrams, " +
                              std::to_string(packets_.size()) + " of them data"),
             std::string::npos)
       << live;
