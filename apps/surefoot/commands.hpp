@@ -13,6 +13,7 @@ namespace surefoot::app {
 void add_run_command(CLI::App& app, int& exit_code);
 void add_live_command(CLI::App& app, int& exit_code);  // with SUREFOOT_PCAP
 void add_map_command(CLI::App& app, int& exit_code);
+void add_reference_command(CLI::App& app, int& exit_code);
 void add_merge_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);

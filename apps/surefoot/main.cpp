@@ -15,6 +15,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_live_command(app, exit_code);
 #endif
   add_map_command(app, exit_code);
+  add_reference_command(app, exit_code);
   add_merge_command(app, exit_code);
   add_export_command(app, exit_code);
   add_info_command(app, exit_code);

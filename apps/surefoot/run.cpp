@@ -28,11 +28,16 @@ namespace surefoot::app {
 
 namespace {
 
-void print_outcome(const runs::RunOutcome& outcome, int threads) {
+void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& options) {
   if (outcome.interrupted) fmt::print("interrupted: what was done up to here is written\n");
-  fmt::print("{} scans, {:.1f} m; per scan {:.1f} ms median, {:.1f} ms p99, {} thread{}\n",
-             outcome.scans(), outcome.length, quantile(outcome.milliseconds, 0.5),
-             quantile(outcome.milliseconds, 0.99), threads, threads == 1 ? "" : "s");
+  if (options.reference) {
+    fmt::print("{} scans at once, {:.1f} m\n", outcome.scans(), outcome.length);
+  } else {
+    fmt::print("{} scans, {:.1f} m; per scan {:.1f} ms median, {:.1f} ms p99, {} thread{}\n",
+               outcome.scans(), outcome.length, quantile(outcome.milliseconds, 0.5),
+               quantile(outcome.milliseconds, 0.99), options.threads,
+               options.threads == 1 ? "" : "s");
+  }
   for (const auto& [status, count] : outcome.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
   }
@@ -89,7 +94,8 @@ int run_recording(CLI::App& command, runs::RunOptions& options) {
   listener.complain = complain;
   const runs::RunOutcome outcome = runs::run_odometry(options, listener);
   progress.finish();
-  if (!options.quiet) print_outcome(outcome, options.threads);
+  if (!options.quiet) print_outcome(outcome, options);
+  if (outcome.poses == 0 && outcome.interrupted) return process::kInterrupted;
   if (outcome.poses == 0) {
     throw io::ReadError(fmt::format(
         "{}: none of {} scans could be used; scans.csv in {} says why for each",

@@ -116,6 +116,20 @@ def finer_grid():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
+def reference():
+    """A recording a row: errors of the odometry and of the reference; then the ratios."""
+    kept = Kept("reference")
+    rows = [[row[0], row[1], *(f"{float(cell) * 1000:.1f}" if "[m]" in name else
+                               f"{float(cell):.3f}" for name, cell in zip(kept.rows[0][2:], row[2:]))]
+            for row in kept.rows[1:]]
+    ratios = []
+    for column in range(2, 6):
+        of = [float(row[column + 4]) / float(row[column]) for row in kept.rows[1:]]
+        ratios.append(f"{statistics.geometric_mean(of):.2f} ({min(of):.2f} to {max(of):.2f})")
+    rows.append(["reference to online, geometric mean (range)", "", "", "", "", "", *ratios, ""])
+    return f"{markdown([name.replace('[m]', '[mm]') for name in kept.rows[0]], rows)}\n\n{kept_by(kept)}"
+
+
 def reliability_bins():
     """How often poses of which a probability is told are wrong, wrong ones as one in a hundred."""
     kept = Kept("reliability_bins")
@@ -340,6 +354,7 @@ TABLES = {
     "before-count": before_count,
     "readme": readme,
     "finer-grid": finer_grid,
+    "reference": reference,
     "reliability-alike": reliability_alike,
     "reliability": reliability,
     "reliability-bins": reliability_bins,

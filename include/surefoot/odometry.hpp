@@ -49,6 +49,10 @@ struct Cubes {
   std::vector<Eigen::Vector3d> centres;  ///< [m] world frame
 };
 
+class FrontEnd;
+class Reference;
+struct Session;
+
 /// LiDAR odometry: one scan in, one estimate out, by the method that the configuration names.
 ///
 /// The same scans give the same bits, at any number of threads. Nothing is printed, no clock is
@@ -83,6 +87,10 @@ class Odometry {
   void set_step_observer(StepObserver observer);
 
  private:
+  friend class Reference;  // whose answers are known beforehand
+  using MakeFrontEnd = std::function<std::unique_ptr<FrontEnd>(const Session& session)>;
+  Odometry(const Config& config, int threads, const MakeFrontEnd& make_front_end);
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -23,10 +23,10 @@ const Config& validated(const Config& config) {
 }  // namespace
 
 struct Odometry::State {
-  State(const Config& config, int threads, const Pose& T_world_start)
+  State(const Config& config, int threads, const Pose& T_world_start, const MakeFrontEnd& make)
       : session{validated(config), Workers(threads)},
         T_world_map(T_world_start),
-        front_end(make_front_end(session)) {}
+        front_end(make(session)) {}
 
   Session session;
   Pose T_world_map;
@@ -40,7 +40,11 @@ struct Odometry::State {
 };
 
 Odometry::Odometry(const Config& config, int threads, const Pose& T_world_start)
-    : state_(std::make_unique<State>(config, threads, T_world_start)) {}
+    : state_(std::make_unique<State>(config, threads, T_world_start, [](const Session& session) {
+        return make_front_end(session);
+      })) {}
+Odometry::Odometry(const Config& config, int threads, const MakeFrontEnd& make_front_end)
+    : state_(std::make_unique<State>(config, threads, Pose{}, make_front_end)) {}
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;

@@ -33,7 +33,7 @@ void draw_figures([[maybe_unused]] const EvaluationRequest& request,
 }
 
 /// What the reference does not have is not asked of it.
-void adapt(evaluation::EvaluationOptions& options, const runs::Reference& reference) {
+void adapt(evaluation::EvaluationOptions& options, const runs::ReferenceTrajectory& reference) {
   options.positions_only = !reference.truth.has_rotations;
   if (reference.format != runs::TrajectoryFormat::kitti) return;
   options.association.method = evaluation::AssociationMethod::index;
@@ -46,7 +46,7 @@ void adapt(evaluation::EvaluationOptions& options, const runs::Reference& refere
 
 std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
                                            const EvaluationListener& listener) {
-  const runs::Reference reference = runs::read_reference(request.reference);
+  const runs::ReferenceTrajectory reference = runs::read_reference(request.reference);
   if (reference.is_foreign) {
     listener.note(reference.file.string() + ": " + reference.truth.what);
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -25,6 +26,7 @@
 #include "runs/run_truth.hpp"
 #include "runs/saved_map.hpp"
 #include "surefoot/odometry.hpp"
+#include "surefoot/reference.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot::runs {
@@ -42,6 +44,16 @@ std::vector<std::string> lines_of(const std::map<int, Trajectory>& segments) {
   }
   return lines;
 }
+
+/// Of all the work, what is done by now and what will be after the present part of it.
+struct Shares {
+  double from = 0.0, to = 1.0;
+
+  [[nodiscard]] double of(double part) const { return from + part * (to - from); }
+};
+
+// A reference's: the odometry takes about half the time, and the passes most of the rest.
+constexpr Shares kOdometry{0.0, 0.5}, kPasses{0.5, 0.85}, kWriting{0.85, 1.0};
 
 class OdometryRun final : public RunControl {
  public:
@@ -67,7 +79,9 @@ class OdometryRun final : public RunControl {
   }
   void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
-  void use_all(std::optional<io::ScanItem> item, RunOutput& output);
+  void for_all(std::optional<io::ScanItem> item,
+               const std::function<void(const io::ScanItem&)>& use);
+  void know_all(Reference reference, std::optional<io::ScanItem>& item);
   void use(const io::ScanItem& item, RunOutput& output);
   void tell(const io::ScanItem& item, const Estimate& estimate);
   void count(const Estimate& estimate, const Trajectory& path);
@@ -84,6 +98,7 @@ class OdometryRun final : public RunControl {
   const RunListener& listener_;
   const Config config_;
   io::Recording* recording_;
+  std::unique_ptr<io::Recording> read_again_;
   Odometry odometry_;
   Pose T_lidar_written_;
   mapping::MapBuilder map_;
@@ -96,6 +111,7 @@ class OdometryRun final : public RunControl {
   RunOutcome outcome_;
   std::vector<std::string> notes_;      ///< the recording's that were said
   std::vector<std::string> own_notes_;  ///< the run's
+  Shares shares_;                       ///< what has been done, and is done after this
   Status last_status_ = Status::ok;
   int first_segment_ = 0;  ///< since it began anew
   int last_segment_ = -1;
@@ -113,6 +129,8 @@ RunOutcome OdometryRun::execute() {
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
   if (!options_.localize.empty()) localize(options_.localize);
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
+  std::optional<Reference> reference;
+  if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
   outcome_.folder = output.folder().path();
   if (output.folder().replaced()) {
@@ -122,7 +140,8 @@ RunOutcome OdometryRun::execute() {
   if (listener_.started) listener_.started(outcome_.folder, *this);
   open_bags();
   begin_map();
-  use_all(std::move(item), output);
+  if (reference) know_all(std::move(*reference), item);
+  for_all(std::move(item), [&](const io::ScanItem& one) { use(one, output); });
   say_new_notes();
   map_.drop_forgotten();
   if (map_run_) finish_map(output);
@@ -145,24 +164,48 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   if (!first || first->remark.empty()) return first;
   auto second = recording_->next();
   if (!second) return first;
+  if (read_again_) return second;
   ++outcome_.partial;
   own_notes_.push_back(fmt::format("left out: {}: {}", io::printable(first->name), first->remark));
   listener_.say(own_notes_.back());
   return second;
 }
 
-void OdometryRun::use_all(std::optional<io::ScanItem> item, RunOutput& output) {
+void OdometryRun::for_all(std::optional<io::ScanItem> item,
+                          const std::function<void(const io::ScanItem&)>& use) {
   std::size_t done = 0;
   while (item && !listener_.interrupted()) {
     say_new_notes();
-    use(*item, output);
+    use(*item);
     ++done;
-    listener_.progress(done, progress(done));
+    listener_.progress(done, shares_.of(progress(done)));
     if (done == options_.count) break;
     recording_->skip(options_.stride - 1);
     item = recording_->next();
   }
   outcome_.interrupted = listener_.interrupted();
+}
+
+/// Reads all scans from the first on, and makes the odometry one that knows them all; then the
+/// recording is at its first scan again.
+void OdometryRun::know_all(Reference reference, std::optional<io::ScanItem>& item) {
+  std::size_t scans = 0;
+  shares_ = kOdometry;
+  for_all(std::move(item), [&](const io::ScanItem& one) {
+    ++scans;
+    if (one.scan) reference.add_scan(*one.scan);
+  });
+  (void)reference.refine([&](double share) {
+    listener_.progress(scans, kPasses.of(share));
+    return !listener_.interrupted();
+  });
+  odometry_ = reference.replay();
+  observe();
+  shares_ = kWriting;
+  own_notes_.emplace_back("a reference: every scan against the map of all of them");
+  read_again_ = io::open_recording(options_.input, options_.reader);
+  recording_ = read_again_.get();
+  item = first_scan();
 }
 
 void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {

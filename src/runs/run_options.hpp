@@ -45,6 +45,7 @@ struct RunOptions {
   std::string pose_of = "lidar";
   double map_voxel = 0.1;           ///< [m]
   double pose_rate = 0.0;           ///< [Hz] of trajectory_dense.tum; 0: not written
+  bool reference = false;           ///< of all scans at once; the recording is read twice
   bool loop_closure = false;        ///< also find loops, and write what they correct
   bool no_loops = false;            ///< they are found, but move nothing
   bool save_map = false;            ///< also the map to come back to

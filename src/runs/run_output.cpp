@@ -27,7 +27,8 @@ RunOutput::RunOutput(const RunOptions& options)
   tum_ = open(kTrajectoryFile);
   kitti_ = open(kKittiTrajectoryFile);
   tum_ << "# stamp [s] at mid-scan, x y z [m], qx qy qz qw: T_world_" << options.pose_of
-       << ", measured poses only\n";
+       << ", measured poses only"
+       << (options.reference ? "; a reference: of all scans at once" : "") << '\n';
   if (options.pose_rate > 0.0) {
     pose_period_ns_ = std::max<std::int64_t>(std::llround(1e9 / options.pose_rate), 1);
     dense_ = open(kDenseTrajectoryFile);

@@ -87,11 +87,11 @@ Trajectory read_trajectory(const fs::path& file, TrajectoryFormat format) {
 
 }  // namespace
 
-Reference read_reference(const ReferenceRequest& request) {
+ReferenceTrajectory read_reference(const ReferenceRequest& request) {
   const io::Dataset* set = request.dataset.empty() ? nullptr : &io::dataset_named(request.dataset);
   const bool of_records = set != nullptr && set->truth == io::TruthOf::oxts;  // a folder of them
   const bool find_format = request.format == TrajectoryFormat::automatic;
-  Reference reference;
+  ReferenceTrajectory reference;
   reference.file = of_records ? request.path : trajectory_file(request.path);
   reference.is_foreign = set != nullptr || is_table(reference.file, find_format);
   if (reference.is_foreign) {
@@ -104,7 +104,7 @@ Reference read_reference(const ReferenceRequest& request) {
   return reference;
 }
 
-Trajectory read_estimate(const fs::path& path, const Reference& reference) {
+Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& reference) {
   Trajectory estimate = read_trajectory(trajectory_file(path), reference.format);
   if (reference.is_foreign) {
     for (StampedPose& pose : estimate) pose.pose = pose.pose * reference.truth.T_lidar_truth;

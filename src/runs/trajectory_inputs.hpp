@@ -25,7 +25,7 @@ struct ReferenceRequest {
 };
 
 /// What estimates are compared with.
-struct Reference {
+struct ReferenceTrajectory {
   std::filesystem::path file;  ///< that was read
   io::Truth truth;
   /// Of the estimates: TUM where there are stamps to pair by, else KITTI.
@@ -34,13 +34,13 @@ struct Reference {
 };
 
 /// Throws io::ReadError.
-[[nodiscard]] Reference read_reference(const ReferenceRequest& request);
+[[nodiscard]] ReferenceTrajectory read_reference(const ReferenceRequest& request);
 
 /// An estimate (a file, or a run's folder) as the reference has it: its poses are those of what the
 /// reference tells of. KITTI's poses have no stamps; they get their row's number, which is never
 /// compared. Throws io::ReadError.
 [[nodiscard]] Trajectory read_estimate(const std::filesystem::path& path,
-                                       const Reference& reference);
+                                       const ReferenceTrajectory& reference);
 
 /// What estimates are called: the file without extension, or the run's folder; whole paths where
 /// these are not unique.

@@ -21,6 +21,29 @@ void BandedSystem::add(const BandedSystem& other, double factor) {
   }
 }
 
+void BandedSystem::add_at(std::size_t first, const BandedSystem& other) {
+  for (std::size_t i = 0; i < other.blocks_.size(); ++i) {
+    for (std::size_t d = 0; d <= kBand; ++d) blocks_[first + i][d] += other.blocks_[i][d];
+    gradient_[first + i] += other.gradient_[i];
+  }
+}
+
+Matrix6 BandedSystem::Covariance::at(const std::pair<std::size_t, double>& place) const {
+  const auto [a, u] = place;
+  const Matrix6 between = (*this)(a, a + 1);
+  // [K20]
+  return (1.0 - u) * (1.0 - u) * (*this)(a, a) + u * u * (*this)(a + 1, a + 1) +
+         u * (1.0 - u) * (between + between.transpose());
+}
+
+BandedSystem::Covariance BandedSystem::Covariance::part(std::size_t first,
+                                                        std::size_t count) const {
+  Covariance result;
+  const auto begin = blocks_.begin() + static_cast<std::ptrdiff_t>(first);
+  result.blocks_.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+  return result;
+}
+
 bool BandedSystem::factorise() {
   const std::size_t n = blocks_.size();
   for (std::size_t i = 0; i < n; ++i) {

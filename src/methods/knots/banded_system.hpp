@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "surefoot/pose.hpp"
@@ -26,6 +27,8 @@ class BandedSystem {
   void add(std::size_t row, const Twist& gradient) { gradient_[row] += gradient; }
   /// Adds another chain of as many poses, times a factor; neither factorised.
   void add(const BandedSystem& other, double factor);
+  /// Adds a shorter chain to the poses from `first` on.
+  void add_at(std::size_t first, const BandedSystem& other);
 
   /// Cholesky factor, block by block; false if H is not positive definite or not finite.
   [[nodiscard]] bool factorise();
@@ -41,6 +44,11 @@ class BandedSystem {
       const Matrix6& block = blocks_[upper][std::max(row, column) - upper];
       return row < column ? Matrix6(block.transpose()) : block;
     }
+
+    /// Of a pose the share `place.second` of the way from pose `place.first` to the next.
+    [[nodiscard]] Matrix6 at(const std::pair<std::size_t, double>& place) const;
+    /// Of `count` poses from `first` on.
+    [[nodiscard]] Covariance part(std::size_t first, std::size_t count) const;
 
    private:
     friend class BandedSystem;

@@ -27,12 +27,6 @@ namespace {
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
 constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
 
-/// Of those that choose the points to be mapped: every voxel that was seen takes one at least.
-PointChoice::Cubes cubes_of_map(const Config::Knots& config) {
-  const double coarsest = std::max(config.finest_voxel, config.map_voxel);
-  return {config.map_voxel, coarsest, coarsest};
-}
-
 /// The residuals' variance as a share of the one that was assumed (reduced chi squared).
 double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
   return found.rigid.weighted_squares / (config.independence * std::max(found.rigid.count, 1));
@@ -64,7 +58,7 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       config_(session.config),
       map_(config_.knots, config_.map.radius),
       model_(config_.knots),
-      map_choice_(config_.knots.map_points, cubes_of_map(config_.knots)),
+      map_choice_(map_choice(config_.knots)),
       choice_(config_.knots.points, {config_.knots.map_voxel, kFirstCube, kCoarsestCube}),
       dependence_(1.0 / config_.knots.independence) {}
 

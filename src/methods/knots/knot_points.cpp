@@ -50,6 +50,11 @@ std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
   return chosen;
 }
 
+PointChoice map_choice(const Config::Knots& config) {
+  const double coarsest = std::max(config.finest_voxel, config.map_voxel);
+  return {config.map_points, {config.map_voxel, coarsest, coarsest}};
+}
+
 KnotPoints sort_points(const PreparedScan& scan, const std::vector<std::uint32_t>& chosen,
                        const KnotWindow& window) {
   const auto segments = window.segments();

@@ -10,6 +10,7 @@
 #include "core/preprocess.hpp"
 #include "methods/knots/knot_window.hpp"
 #include "methods/knots/surfel_map.hpp"
+#include "surefoot/config.hpp"
 
 namespace surefoot {
 
@@ -50,6 +51,9 @@ class PointChoice {
   Cubes cubes_;
   double voxel_;  // [m] for the next scan
 };
+
+/// Of the points to be mapped: every voxel that was seen takes one at least.
+[[nodiscard]] PointChoice map_choice(const Config::Knots& config);
 
 /// By the segment that each point's instant falls into; without times, the scan's middle.
 [[nodiscard]] KnotPoints sort_points(const PreparedScan& scan,

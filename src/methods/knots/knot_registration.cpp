@@ -9,21 +9,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/segment_motion.hpp"
-#include "methods/knots/segment_rows.hpp"
+#include "methods/knots/segment_sum.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
 
 namespace {
-
-/// Sums over one segment's points.
-struct SegmentSum {
-  SegmentSums surfels;
-  SegmentSums doubtful;  // of these what clouds are not worth, of a look that may be the last one
-  int matches = 0;       // points
-  int unseen = 0;        // likewise, where the map has no surfel
-};
 
 // While the kernel is wider than twice what it ends at, so many points will do, or a third of all:
 // a wide kernel blurs more than fewer points do.
@@ -32,77 +23,6 @@ constexpr std::size_t kEnough = 700, kMostStride = 3;
 
 // No robot moves so far in one step of the solver: what does is a singular system's rounding.
 constexpr double kImpossible = 1e3;  // [m, rad]
-
-/// How an iteration looks at the map.
-struct Look {
-  double inflation;    // of the noise variance
-  int finest;          // grid of the map
-  std::size_t stride;  // every so many-th point, for so many
-  bool last;           // it may be: what a registration tells in the end is summed up, too
-};
-
-/// The residual of a point [m] across one of the directions of a surfel. Neighbouring points share
-/// the error of their surfel and of their instant, so that many count as few; within a cloud, fewer
-/// yet.
-SurfelResidual residual_of(const Eigen::Vector3d& place, const Surfel& surfel, int direction,
-                           const Look& look, const Config::Knots& config) {
-  SurfelResidual residual;
-  residual.normal = surfel.across[direction];
-  residual.value = residual.normal.dot(place - surfel.mean);  // [K2]
-  residual.variance = look.inflation * (config.noise * config.noise + surfel.variance[direction]);
-  residual.weight = static_cast<double>(look.stride) * config.independence *
-                    (surfel.cloud() ? config.cloud_weight : 1.0);
-  residual.part = 1.0 / surfel.directions;
-  return residual;
-}
-
-/// A segment's points, moved and looked up some at a time.
-template <typename Function>
-void for_surfels(KnotPoints& points, std::size_t segment, const SurfelMap& map,
-                 const KnotWindow& window, const Look& look, const Function& f) {
-  const Pose& T_first = window.knots[segment + 1];
-  const Pose& T_last = window.knots[segment + 2];
-  const SegmentMotion motion(T_first, se3_log(T_first.inverse() * T_last));  // [K1]
-  const Eigen::Vector3d way = T_last.translation - T_first.translation;
-  std::array<SurfelMap::Question, SurfelMap::kAtOnce> questions;
-  std::array<double, SurfelMap::kAtOnce> shares;
-  const std::size_t end = points.begins[segment + 1];
-  for (std::size_t i = points.begins[segment]; i < end;) {
-    std::size_t n = 0;
-    for (; n < questions.size() && i < end; ++n, i += look.stride) {
-      KnotPoints::Point& point = points.points[i];
-      const Eigen::Vector3d place = motion(point.share, point.position);
-      const Eigen::Vector3d sensor = T_first.translation + point.share * way;
-      questions[n] = {place, place - sensor, &point.place};
-      shares[n] = point.share;
-    }
-    map.find_all({questions.data(), n}, look.finest);
-    for (std::size_t k = 0; k < n; ++k) f(questions[k], shares[k]);
-  }
-}
-
-SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const KnotProblem& problem,
-                       const KnotWindow& window, const Look& look) {
-  SegmentSum sum;
-  SegmentRows rows(look.last), doubtful(false);
-  for_surfels(
-      points, segment, problem.map, window, look, [&](const SurfelMap::Question& point, double u) {
-        const Surfel* const surfel = point.last->surfel;
-        ++(surfel == nullptr ? sum.unseen : sum.matches);
-        for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-          SurfelResidual residual = residual_of(point.place, *surfel, d, look, problem.config);
-          residual.arm = point.ray;
-          residual.u = u;
-          rows.add(residual);
-          if (!look.last || surfel->worth[d] >= 1.0) continue;
-          residual.weight *= 1.0 - surfel->worth[d];
-          doubtful.add(residual);
-        }
-      });
-  sum.surfels = rows.sums();
-  sum.doubtful = doubtful.sums();
-  return sum;
-}
 
 /// Adds a segment's H.
 void add_blocks(BandedSystem& system, std::size_t segment, const SegmentSums& sums) {
@@ -168,14 +88,6 @@ std::optional<double> move_knots(const std::vector<Twist>& steps, KnotWindow& wi
   return largest;
 }
 
-/// The knot before an instant, and the share of the way to the next.
-std::pair<std::size_t, double> place_of(std::int64_t instant_ns, const KnotWindow& window) {
-  const double steps = seconds(instant_ns - window.begin_ns) / window.step;
-  const auto last = static_cast<double>(window.segments() - 1);
-  const auto segment = static_cast<std::size_t>(std::clamp(steps, 0.0, last));
-  return {segment + 1, std::clamp(steps - static_cast<double>(segment), 0.0, 1.0)};
-}
-
 /// What the knots would be, and how well they would be known, were every residual independent.
 /// `assumed`: the equations that were solved, `surfels`: of them, those of the residuals.
 /// @return whether there is a finite solution
@@ -198,16 +110,11 @@ bool count_in_full(const BandedSystem& assumed, const BandedSystem& surfels,
 }  // namespace
 
 Matrix6 KnotRegistration::covariance_at(std::int64_t instant_ns) const {
-  const auto [a, u] = place_of(instant_ns, window);
-  const std::size_t b = a + 1;
-  const Matrix6 between = full_covariance(a, b);
-  // [K20]
-  return (1.0 - u) * (1.0 - u) * full_covariance(a, a) + u * u * full_covariance(b, b) +
-         u * (1.0 - u) * (between + between.transpose());
+  return full_covariance.at(window.place_of(instant_ns));
 }
 
 Twist KnotRegistration::held_back_at(std::int64_t instant_ns) const {
-  const auto [a, u] = place_of(instant_ns, window);
+  const auto [a, u] = window.place_of(instant_ns);
   return (1.0 - u) * held_back[a] + u * held_back[a + 1];
 }
 
@@ -243,7 +150,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     const Look look{ratio * ratio, ratio > 1.0 ? problem.map.level_of(kernel) : 0,
                     wide ? wide_stride : 1, ratio <= 1.0 || t == annealing.max_iterations};
     problem.workers.for_each(sums.size(), [&](std::size_t s) {
-      sums[s] = sum_segment(points, s, problem, result.window, look);
+      sums[s] = sum_segment(points, s, problem.map, result.window, look, config);
     });
     problem.begin_step(Step::solve);
     BandedSystem surfels(start.knots.size());

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "methods/knots/knot_window.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "surefoot/seconds.hpp"
 
 namespace surefoot {
 
@@ -21,6 +24,13 @@ Twist rotated(const Eigen::Quaterniond& rotation, const Twist& twist) {
   Twist turned;
   turned << rotation * twist.head<3>(), rotation * twist.tail<3>();
   return turned;
+}
+
+std::pair<std::size_t, double> KnotWindow::place_of(std::int64_t instant_ns) const {
+  const double steps = seconds(instant_ns - begin_ns) / step;
+  const auto last = static_cast<double>(segments() - 1);
+  const auto segment = static_cast<std::size_t>(std::clamp(steps, 0.0, last));
+  return {segment + 1, std::clamp(steps - static_cast<double>(segment), 0.0, 1.0)};
 }
 
 Twist KnotWindow::velocity(std::size_t from_knot) const {

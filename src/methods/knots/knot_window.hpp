@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "surefoot/scan_trajectory.hpp"
@@ -25,6 +26,8 @@ struct KnotWindow {
   [[nodiscard]] double duration(std::size_t from_knot) const {
     return from_knot == 0 ? first_step : step;
   }
+  /// The knot of the new scan before an instant, and the share of the way to the next.
+  [[nodiscard]] std::pair<std::size_t, double> place_of(std::int64_t instant_ns) const;
   /// Velocity from a knot to the next, in the map's axes [m/s, rad/s].
   [[nodiscard]] Twist velocity(std::size_t from_knot) const;
   /// The new scan's knots moved on at one velocity.

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A reference of a walk with exact truth, beside the odometry that it begins with.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/synthetic_run.hpp"
+#include "surefoot/reference.hpp"
+
+namespace surefoot {
+namespace {
+
+using namespace test;  // NOLINT: the scenes and motions of the test support
+
+constexpr int kReferenceScans = 40;
+
+std::vector<Scan> trot_through_the_hall() {
+  const Pose start{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
+  return take_scans(furnished_hall(), trotting(start, 1.0, 2.5), kReferenceScans);
+}
+
+MotionFunction truth_of_the_trot() {
+  return trotting(Pose{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}}, 1.0, 2.5);
+}
+
+struct StepError {
+  double translation = 0.0, rotation_deg = 0.0;
+};
+
+/// Of the motion over five scans, root mean square: nothing has to be aligned for it.
+StepError step_error(const std::vector<Estimate>& estimates) {
+  constexpr std::size_t kStep = 5;
+  const MotionFunction motion = truth_of_the_trot();
+  const auto truth = [&](std::size_t i) {
+    return motion(1e-9 * static_cast<double>(estimates[i].stamp_ns));
+  };
+  StepError error;
+  double count = 0.0;
+  for (std::size_t i = kStep; i < estimates.size(); ++i, ++count) {
+    const Pose found = estimates[i - kStep].T_world_lidar.inverse() * estimates[i].T_world_lidar;
+    const Pose right = truth(i - kStep).inverse() * truth(i);
+    error.translation += (found.translation - right.translation).squaredNorm();
+    error.rotation_deg += std::pow(angle_between_deg(found.rotation, right.rotation), 2);
+  }
+  return {std::sqrt(error.translation / count), std::sqrt(error.rotation_deg / count)};
+}
+
+struct BothAnswers {
+  std::vector<Estimate> online, reference;
+};
+
+BothAnswers both_of(const std::vector<Scan>& scans, int threads = 1) {
+  Reference reference({}, threads);
+  BothAnswers both;
+  for (const Scan& scan : scans) both.online.push_back(reference.add_scan(scan));
+  EXPECT_TRUE(reference.refine());
+  Odometry answers = reference.replay();
+  both.reference = add_scans(answers, scans);
+  return both;
+}
+
+TEST(Reference, IsBetterThanTheOdometryThatItBeginsWith) {
+  const BothAnswers both = both_of(trot_through_the_hall());
+  const StepError online = step_error(both.online), reference = step_error(both.reference);
+  std::printf("online %.5f m %.4f deg, reference %.5f m %.4f deg\n", online.translation,
+              online.rotation_deg, reference.translation, reference.rotation_deg);
+  EXPECT_LT(reference.translation, 0.7 * online.translation);
+  EXPECT_LT(reference.rotation_deg, 0.8 * online.rotation_deg);
+}
+
+TEST(Reference, AnswersEveryScanAsTheOdometryDid) {
+  const std::vector<Scan> scans = trot_through_the_hall();
+  const BothAnswers both = both_of(scans);
+  ASSERT_EQ(both.reference.size(), scans.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    EXPECT_EQ(both.reference[i].status, both.online[i].status);
+    EXPECT_EQ(both.reference[i].stamp_ns, both.online[i].stamp_ns);
+    EXPECT_GT(both.reference[i].covariance.diagonal().minCoeff(), 0.0);
+  }
+  // It lies where the odometry began.
+  EXPECT_LT((both.reference[0].T_world_lidar.translation - both.online[0].T_world_lidar.translation)
+                .norm(),
+            1e-9);
+}
+
+TEST(Reference, SameBitsForAnyNumberOfThreads) {
+  const std::vector<Scan> scans = trot_through_the_hall();
+  EXPECT_TRUE(same_bits(both_of(scans, 1).reference, both_of(scans, 3).reference));
+}
+
+// What was not registered is carried along, and what was rejected stays so.
+TEST(Reference, LeavesOutWhatTheOdometryCouldNotUse) {
+  std::vector<Scan> scans = trot_through_the_hall();
+  scans[20].points.clear();
+  scans[20].times_ns.clear();
+  const BothAnswers both = both_of(scans);
+  ASSERT_EQ(both.online[20].status, Status::rejected);
+  EXPECT_EQ(both.reference[20].status, Status::rejected);
+  EXPECT_EQ(both.reference[21].status, both.online[21].status);
+  EXPECT_TRUE(both.reference[21].trusted());
+}
+
+TEST(Reference, IsMadeByOneMethodAlone) {
+  EXPECT_THROW(Reference(method_config("paper")), ConfigError);
+  Config wrong;
+  wrong.knots.points = -1;
+  EXPECT_THROW(Reference{wrong}, ConfigError);
+}
+
+TEST(Reference, OfNothingOrOneScanIsWhatTheOdometrySays) {
+  Reference nothing;
+  EXPECT_TRUE(nothing.refine());
+  EXPECT_EQ(both_of({}).reference.size(), 0U);
+  const std::vector<Scan> one(1, trot_through_the_hall()[0]);
+  const BothAnswers both = both_of(one);
+  EXPECT_EQ(both.reference[0].T_world_lidar.translation, both.online[0].T_world_lidar.translation);
+}
+
+TEST(Reference, EndsWhenItIsToldTo) {
+  Reference reference;
+  for (const Scan& scan : trot_through_the_hall()) reference.add_scan(scan);
+  double told = -1.0;
+  EXPECT_FALSE(reference.refine([&](double share) { return (told = share) <= 0.0; }));
+  EXPECT_GT(told, 0.0);
+  EXPECT_LT(told, 1.0);
+}
+
+}  // namespace
+}  // namespace surefoot
