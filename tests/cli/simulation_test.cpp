@@ -166,7 +166,7 @@ TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
 }
 
 // A trot up a flight of stairs, which the body meets with a pitch of 30 deg within half a second:
-// without attempts from other motions the estimate stays level, off by 0.1 to 0.5 m, or it is lost.
+// without attempts from other motions it is lost for 12 and 29 scans, and the second 0.14 m off.
 TEST(Simulation, ATrotUpStairsIsFollowed) {
   const ScratchFolder scratch;
   for (const char* const seed : {"627", "630"}) {
@@ -184,7 +184,7 @@ TEST(Simulation, ATrotUpStairsIsFollowed) {
                      scratch.path());
     ASSERT_EQ(judged.exit_code, 0) << judged;
     const auto errors = nlohmann::json::parse(judged.output).at(0).at("errors");
-    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: 0.018, 0.030
+    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: 0.018, 0.032
   }
 }
 
