@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,6 @@
 #include "mapping/placed_scans.hpp"
 #include "runs/map_outcome.hpp"
 #include "surefoot/odometry.hpp"
-#include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
 
@@ -22,21 +22,26 @@ class LocalizationRun {
   /// @param T_lidar_written as for the run's other trajectories.
   LocalizationRun(mapping::SavedMap map, const Pose& T_lidar_written);
 
+  /// Where trajectory_map.tum and localization.csv are written, line by line: before the first
+  /// scan. Throws io::WriteError.
+  void open(const std::filesystem::path& folder);
   /// From an unknown place again, in this map: poses in another one's frame are not kept.
   void begin_anew(mapping::SavedMap map);
   /// From the run's world to the map; none: not found yet, or lost.
   [[nodiscard]] const std::optional<Pose>& T_map_world() const { return localizer_.T_map_world(); }
 
-  /// Every scan; one whose pose was not measured has no place in the map.
+  /// Every scan; one whose pose was not measured has no place in the map. Throws io::WriteError.
   void add(const Estimate& estimate, const DeskewedScan& scan);
-  /// Writes trajectory_map.tum and localization.csv. Throws io::WriteError.
-  LocalizationOutcome finish(const std::filesystem::path& folder);
+  [[nodiscard]] LocalizationOutcome finish() const { return outcome_; }
 
  private:
+  void write(const std::string& row);
+
   mapping::MapLocalizer localizer_;
   Pose T_lidar_written_;
-  Trajectory poses_;  // T_map_written
-  std::string csv_;
+  std::filesystem::path folder_;
+  std::ofstream poses_;  // T_map_written
+  std::ofstream csv_;
   LocalizationOutcome outcome_;
   std::int64_t first_stamp_ns_ = 0;
   mapping::PlacedScans placed_;

@@ -18,19 +18,19 @@
 
 namespace surefoot::runs {
 
-void MapRun::add(const Estimate& estimate, const DeskewedScan& scan) {
+void MapRun::add(const Estimate& estimate, const Pose& T_lidar_written, const DeskewedScan& scan) {
   if (!first_stamp_ns_) first_stamp_ns_ = estimate.stamp_ns;
+  measured_.push_back({estimate.stamp_ns, estimate.T_world_lidar * T_lidar_written});
   mapper_.add(scans_.next(estimate), scan);
 }
 
-MapOutcome MapRun::finish(const std::filesystem::path& folder, const Trajectory& measured,
-                          mapping::MapBuilder map, bool save) {
+MapOutcome MapRun::finish(const std::filesystem::path& folder, mapping::MapBuilder map, bool save) {
   mapper_.finish();
   MapOutcome outcome;
   outcome.pieces = mapper_.pieces().size();
   outcome.candidates = mapper_.loops().size();
   outcome.taken = mapper_.taken();
-  for (const StampedPose& pose : measured) {
+  for (const StampedPose& pose : measured_) {
     const Pose moved = mapper_.correction(pose.stamp_ns) * pose.pose;
     outcome.moved = std::max(outcome.moved, (moved.translation - pose.pose.translation).norm());
   }
@@ -45,7 +45,7 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const Trajectory&
   if (continued_) join(folder, walk, outcome);
   const bool apart = outcome.join && !outcome.join->joined;
   if (save) write_saved_map(folder / (apart ? kApartMapFile : kSavedMapFile), walk.map());
-  io::write_tum(folder / kOptimizedTrajectoryFile, walk.corrected(measured));
+  io::write_tum(folder / kOptimizedTrajectoryFile, walk.corrected(measured_));
   const mapping::PoseGraph graph = outcome.join ? walk.graph() : mapper_.graph();
   io::write_whole_file(folder / kPoseGraphFile, mapping::format_g2o(graph));
   if (!map.points().empty()) write_points(folder, walk, std::move(map));
@@ -60,7 +60,7 @@ void MapRun::join(const std::filesystem::path& folder, mapping::FinishedWalk& wa
                   walk.map().pieces.size(), join.message,      join.begin()};
 }
 
-report::DrawnLoops MapRun::drawn(const Trajectory& measured) const {
+report::DrawnLoops MapRun::drawn() const {
   report::DrawnLoops drawn;
   const std::vector<mapping::Piece>& pieces = mapper_.pieces();
   for (const mapping::Loop& loop : mapper_.loops()) {
@@ -69,7 +69,7 @@ report::DrawnLoops MapRun::drawn(const Trajectory& measured) const {
         .emplace_back(pieces[loop.place].T_world_piece.translation,
                       pieces[loop.query].T_world_piece.translation);
   }
-  for (const StampedPose& pose : measured) {
+  for (const StampedPose& pose : measured_) {
     drawn.corrected.push_back({pose.stamp_ns, mapper_.correction(pose.stamp_ns) * pose.pose});
   }
   return drawn;

@@ -32,17 +32,17 @@ class MapRun {
         truth_(std::move(truth)),
         continued_(std::move(continued)) {}
 
-  /// A scan whose pose was measured.
-  void add(const Estimate& estimate, const DeskewedScan& scan);
+  /// A scan whose pose was measured. `T_lidar_written` as for the run's trajectories. Pieces of
+  /// way and poses are kept, so that memory grows with the run.
+  void add(const Estimate& estimate, const Pose& T_lidar_written, const DeskewedScan& scan);
   /// Closes the loops and writes trajectory_optimized.tum, loops.csv, pose_graph.g2o and, unless
-  /// the map is empty, map_optimized.ply. `measured`: trajectory.tum's poses. `save`: also the map
-  /// to come back to. Where a map is continued all of that is in its frame; where it cannot be,
-  /// the run's own map is written as map_apart.surefoot. Throws io::WriteError.
-  MapOutcome finish(const std::filesystem::path& folder, const Trajectory& measured,
-                    mapping::MapBuilder map, bool save);
+  /// the map is empty, map_optimized.ply. `save`: also the map to come back to. Where a map is
+  /// continued all of that is in its frame; where it cannot be, the run's own map is written as
+  /// map_apart.surefoot. Throws io::WriteError.
+  MapOutcome finish(const std::filesystem::path& folder, mapping::MapBuilder map, bool save);
 
   /// The loops as a picture shows them, in the run's own frame; after finish().
-  [[nodiscard]] report::DrawnLoops drawn(const Trajectory& measured) const;
+  [[nodiscard]] report::DrawnLoops drawn() const;
 
   [[nodiscard]] const mapping::WalkMapper& mapper() const { return mapper_; }
 
@@ -56,6 +56,7 @@ class MapRun {
   Trajectory truth_;
   std::optional<mapping::SavedMap> continued_;
   mapping::PlacedScans scans_;
+  Trajectory measured_;  ///< what trajectory.tum holds, to the last bit
   std::optional<std::int64_t> first_stamp_ns_;
 };
 

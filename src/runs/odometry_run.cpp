@@ -34,13 +34,13 @@ namespace surefoot::runs {
 namespace {
 
 /// What segments there are, if several.
-std::vector<std::string> lines_of(const std::map<int, Trajectory>& segments) {
+std::vector<std::string> lines_of(const std::map<int, SegmentSpan>& segments) {
   std::vector<std::string> lines;
   if (segments.size() < 2) return lines;
-  for (const auto& [number, poses] : segments) {
-    lines.push_back(fmt::format("segment {}: {} poses from {} to {} s", number, poses.size(),
-                                io::format_seconds(poses.front().stamp_ns),
-                                io::format_seconds(poses.back().stamp_ns)));
+  for (const auto& [number, span] : segments) {
+    lines.push_back(fmt::format("segment {}: {} poses from {} to {} s", number, span.poses,
+                                io::format_seconds(span.first_ns),
+                                io::format_seconds(span.last_ns)));
   }
   return lines;
 }
@@ -84,14 +84,14 @@ class OdometryRun final : public RunControl {
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
   void use(const io::ScanItem& item, RunOutput& output);
   void tell(const io::ScanItem& item, const Estimate& estimate);
-  void count(const Estimate& estimate, const Trajectory& path);
+  void count(Status status);
   [[nodiscard]] double progress(std::size_t done) const;
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void check_bags() const;
   void check_log() const;
   void open_bags();
   void begin_map();
-  void finish_map(const RunOutput& output);
+  void finish_map();
   void write_page(const std::filesystem::path& folder) const;
 
   const RunOptions& options_;
@@ -137,6 +137,7 @@ RunOutcome OdometryRun::execute() {
     listener_.say(
         fmt::format("note: {}: an earlier run's files are replaced", outcome_.folder.string()));
   }
+  if (localization_) localization_->open(outcome_.folder);
   if (listener_.started) listener_.started(outcome_.folder, *this);
   open_bags();
   begin_map();
@@ -144,13 +145,13 @@ RunOutcome OdometryRun::execute() {
   for_all(std::move(item), [&](const io::ScanItem& one) { use(one, output); });
   say_new_notes();
   map_.drop_forgotten();
-  if (map_run_) finish_map(output);
+  if (map_run_) finish_map();
   const RunDescription run = description(output);
-  if (localization_) outcome_.localization = localization_->finish(outcome_.folder);
-  output.finish(options_, run, map_,
-                map_run_ ? map_run_->drawn(output.measured()) : report::DrawnLoops{});
+  if (localization_) outcome_.localization = localization_->finish();
+  output.finish(options_, run, map_, map_run_ ? map_run_->drawn() : report::DrawnLoops{});
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
-  outcome_.poses = output.trajectory().size();
+  outcome_.poses = output.poses();
+  outcome_.length = output.length();
   write_page(outcome_.folder);
   return std::move(outcome_);
 }
@@ -236,9 +237,11 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
     map_.forget(odometry_.emptied_cubes(), time);
     map_.add(odometry_.deskewed_scan(), estimate.T_world_lidar, time);
   }
-  if (map_run_ && estimate.trusted()) map_run_->add(estimate, odometry_.deskewed_scan());
+  if (map_run_ && estimate.trusted()) {
+    map_run_->add(estimate, T_lidar_written_, odometry_.deskewed_scan());
+  }
   tell(item, estimate);
-  count(estimate, output.trajectory());
+  count(estimate.status);
 }
 
 void OdometryRun::reset() {
@@ -265,6 +268,7 @@ void OdometryRun::localize(const std::filesystem::path& map) {
     localization_->begin_anew(std::move(saved));
   } else {
     localization_.emplace(std::move(saved), T_lidar_written_);
+    if (!outcome_.folder.empty()) localization_->open(outcome_.folder);
   }
   localized_in_ = wanted;
 }
@@ -279,13 +283,12 @@ void OdometryRun::tell(const io::ScanItem& item, const Estimate& estimate) {
   last_status_ = estimate.status;
 }
 
-void OdometryRun::count(const Estimate& estimate, const Trajectory& path) {
-  ++outcome_.statuses[estimate.status];
-  outcome_.milliseconds.push_back(times_.total());
-  if (estimate.status != Status::rejected && path.size() > 1) {
-    outcome_.length +=
-        (path.back().pose.translation - path[path.size() - 2].pose.translation).norm();
-  }
+void OdometryRun::count(Status status) {
+  constexpr std::size_t kMostTimes = 100'000;
+  ++outcome_.statuses[status];
+  std::vector<double>& times = outcome_.milliseconds;
+  if (times.size() < kMostTimes) times.emplace_back();
+  times[outcome_.used++ % kMostTimes] = times_.total();
 }
 
 void OdometryRun::say_new_notes() {
@@ -387,9 +390,9 @@ void OdometryRun::begin_map() {
   map_run_.emplace(options, std::move(truth), std::move(continued_));
 }
 
-void OdometryRun::finish_map(const RunOutput& output) {
+void OdometryRun::finish_map() {
   const bool save = options_.save_map || !options_.continued.empty();
-  outcome_.map = map_run_->finish(outcome_.folder, output.measured(), map_, save);
+  outcome_.map = map_run_->finish(outcome_.folder, map_, save);
   const std::optional<JoinOutcome>& join = outcome_.map->join;
   if (!join || join->joined) return;
   own_notes_.push_back(

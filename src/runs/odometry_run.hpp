@@ -24,7 +24,8 @@ namespace surefoot::runs {
 /// What came of a run.
 struct RunOutcome {
   std::map<Status, std::size_t> statuses;
-  std::vector<double> milliseconds;  ///< of each scan
+  std::size_t used = 0;              ///< scans
+  std::vector<double> milliseconds;  ///< of each of them; the last 100,000
   double length = 0.0;               ///< of the path [m]
   std::size_t unreadable = 0;        ///< scans that could not be read
   std::size_t partial = 0;           ///< scans that were left out for being part of one
@@ -34,7 +35,7 @@ struct RunOutcome {
   std::optional<MapOutcome> map;  ///< where loops were to be closed
   std::optional<LocalizationOutcome> localization;
 
-  [[nodiscard]] std::size_t scans() const { return milliseconds.size(); }
+  [[nodiscard]] std::size_t scans() const { return used; }
 };
 
 /// What may be asked of a run while it goes on, between two scans on its own thread.

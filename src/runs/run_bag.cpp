@@ -19,6 +19,8 @@ constexpr const char* kWorld = "odom";
 constexpr const char* kLidar = "lidar";
 constexpr const char* kBase = "base_link";
 constexpr std::int64_t kMapPeriodNs = 1'000'000'000;
+// Of the path: for listeners 0.3 MB a message, for files 2.5.
+constexpr std::size_t kListenersPoses = 1 << 12, kFilePoses = 1 << 15;
 
 Eigen::Matrix3d cross(const Eigen::Vector3d& v) {
   Eigen::Matrix3d matrix;
@@ -70,16 +72,15 @@ RunBag::RunBag(std::shared_ptr<io::BagWriter> bag, const std::optional<Pose>& T_
       T_lidar_written_(T_lidar_base.value_or(Pose{})),
       of_base_(T_lidar_base.has_value()),
       frame_(of_base_ ? kBase : kLidar),
-      topics_(add_run_topics(*bag_)) {}
+      topics_(add_run_topics(*bag_)),
+      path_(bag_->is_latched() ? kListenersPoses : kFilePoses) {}
 
 void RunBag::add(const std::string& name, const Estimate& estimate, const Odometry& odometry) {
   write_diagnosis(name, estimate);
   if (!estimate.trusted()) return;
   write_pose(estimate);
   write_clouds(estimate, odometry);
-  // So that all of its messages together are a few times the path, not its square.
-  const std::size_t share = bag_->is_latched() ? 50 : 4;
-  if (path_.size() > path_written_ + path_written_ / share) write_path();
+  if (path_.added() >= next_path_) write_path();
 }
 
 void RunBag::place(const std::optional<Pose>& T_map_world) {
@@ -117,8 +118,9 @@ void RunBag::write_pose(const Estimate& estimate) {
   if (std::exchange(segment_, estimate.segment) != estimate.segment) {  // in another frame
     path_.clear();
     path_written_ = 0;
+    next_path_ = 1;
   }
-  path_.push_back({stamp, message.T_frame_child});
+  path_.add({stamp, message.T_frame_child});
 }
 
 void RunBag::write_clouds(const Estimate& estimate, const Odometry& odometry) {
@@ -139,9 +141,13 @@ void RunBag::write_clouds(const Estimate& estimate, const Odometry& odometry) {
   bag_->write(topics_.map, cloud.stamp_ns, io::format_point_cloud2(cloud, kWorld, bag_->flavour()));
 }
 
+/// So that all of its messages together are a few times the path, not its square; nor more than 50
+/// poses a scan for listeners and 4 in files, once it has all the poses that it may have.
 void RunBag::write_path() {
-  bag_->write(topics_.path, path_.back().stamp_ns, io::format_path(path_, kWorld, bag_->flavour()));
-  path_written_ = path_.size();
+  const Trajectory& poses = path_.poses();
+  bag_->write(topics_.path, poses.back().stamp_ns, io::format_path(poses, kWorld, bag_->flavour()));
+  path_written_ = path_.added();
+  next_path_ = path_written_ + poses.size() / (bag_->is_latched() ? 50 : 4) + 1;
 }
 
 void RunBag::write_diagnosis(const std::string& name, const Estimate& estimate) {
@@ -168,7 +174,7 @@ void RunBag::write_diagnosis(const std::string& name, const Estimate& estimate) 
 }
 
 void RunBag::finish(const std::string& run_yaml) {
-  if (path_.size() > path_written_) write_path();
+  if (path_.added() > path_written_) write_path();
   bag_->attach("run.yaml", "application/yaml", run_yaml);
   bag_->finish();
 }

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "io/bags/bag_writer.hpp"
+#include "runs/bounded_path.hpp"
 #include "surefoot/odometry.hpp"
-#include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
 
@@ -24,7 +25,9 @@ RunTopics add_run_topics(io::BagWriter& bag);
 /// odometry with covariance and twist, the path so far, transforms, and a diagnosis of every scan.
 /// Everything of a scan is stamped with the instant of its pose. Frames are "odom" and "lidar", or
 /// "base_link" with the LiDAR on it. To listeners that get what came before they did, what does not
-/// change is told once, on /tf_static, and that "odom" lies in "map" as if they were one.
+/// change is told once, on /tf_static, and that "odom" lies in "map" as if they were one. The path
+/// has a bounded number of poses, and one message of it comes to so many scans that it does not
+/// cost more, however long the run.
 class RunBag {
  public:
   /// `T_lidar_base`: where the base sits, if its poses are to be written; else the LiDAR's.
@@ -53,9 +56,10 @@ class RunBag {
   std::optional<Pose> T_map_world_;
   std::string frame_;  ///< whose poses are written
   RunTopics topics_;
-  Trajectory path_;
-  int segment_ = 0;               ///< of the path's poses
-  std::size_t path_written_ = 0;  ///< poses when it was written last
+  BoundedPath path_;
+  int segment_ = 0;                 ///< of the path's poses
+  std::uint64_t path_written_ = 0;  ///< poses when it was written last
+  std::uint64_t next_path_ = 1;     ///< and with which it is again
   std::int64_t next_map_ns_ = 0;
   bool any_map_ = false;
 };

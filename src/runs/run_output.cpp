@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/file_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
@@ -19,10 +20,20 @@ namespace surefoot::runs {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// An hour of ten scans a second, more than a picture can show.
+constexpr std::size_t kPicturePoses = 1 << 15;
+/// Stands in trajectory.tum where a segment's poses begin.
+constexpr std::string_view kSegmentBegins = "# segment ";
+
+}  // namespace
+
 RunOutput::RunOutput(const RunOptions& options)
     : folder_(options.output, options.input, options.overwrite,
               options.continued.empty() ? fs::path{} : saved_map_file(options.continued)),
-      csv_(open(kScansFile)) {
+      csv_(open(kScansFile)),
+      path_(kPicturePoses) {
   csv_ << scans_csv_header() << std::flush;  // first: by it the folder is known for a run's
   tum_ = open(kTrajectoryFile);
   kitti_ = open(kKittiTrajectoryFile);
@@ -46,16 +57,23 @@ std::ofstream RunOutput::open(const char* name) {
 void RunOutput::add(const std::string& name, const Estimate& estimate, const Pose& T_lidar_written,
                     const StepTimes& times) {
   const StampedPose pose{estimate.stamp_ns, estimate.T_world_lidar * T_lidar_written};
-  const int segment = segments_.empty() ? 0 : segments_.back();
+  const int segment = path_.poses().empty() ? 0 : path_.segments().back();
   if (estimate.segment != segment) {
-    tum_ << "# segment " << estimate.segment << ": in a frame of its own\n";
+    tum_ << kSegmentBegins << estimate.segment << ": in a frame of its own\n";
   }
-  if (estimate.trusted()) tum_ << io::format_tum({pose}) << std::flush;
-  if (estimate.trusted() && dense_.is_open()) add_dense(estimate, T_lidar_written);
+  if (estimate.trusted()) {
+    tum_ << io::format_tum({pose}) << std::flush;
+    SegmentSpan& span =
+        segments_.try_emplace(estimate.segment, SegmentSpan{0, pose.stamp_ns, 0}).first->second;
+    ++span.poses;
+    span.last_ns = pose.stamp_ns;
+    if (dense_.is_open()) add_dense(estimate, T_lidar_written);
+  }
   if (estimate.status != Status::rejected) {
-    trajectory_.push_back(pose);
-    untrusted_.push_back(!estimate.trusted());
-    segments_.push_back(estimate.segment);
+    if (!path_.poses().empty()) {
+      length_ += (pose.pose.translation - path_.poses().back().pose.translation).norm();
+    }
+    path_.add(pose, !estimate.trusted(), estimate.segment);
   }
   kitti_ << io::format_kitti_poses({pose}) << std::flush;
   csv_ << scans_csv_line({lines_++, name, estimate, times}) << std::flush;
@@ -80,40 +98,37 @@ void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written)
   dense_until_ns_ = std::max(dense_until_ns_, to);
 }
 
-Trajectory RunOutput::measured() const {
-  Trajectory result;
-  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
-    if (!untrusted_[i]) result.push_back(trajectory_[i]);
-  }
-  return result;
-}
-
 /// The recording's truth in the map frame, where it has one; a broken file is no reason to have no
 /// picture.
 Trajectory RunOutput::truth_of(const RunOptions& options) const {
   const fs::path file = options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
   if (file.empty()) return {};
+  Trajectory measured;
+  for (std::size_t i = 0; i < path_.poses().size(); ++i) {
+    if (!path_.untrusted()[i]) measured.push_back(path_.poses()[i]);
+  }
   try {
-    return truth_in_map(io::read_tum(file), measured());
+    return truth_in_map(io::read_tum(file), measured);
   } catch (const io::ReadError&) {
     return {};
   }
 }
 
-std::map<int, Trajectory> RunOutput::segments() const {
-  std::map<int, Trajectory> segments;
-  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
-    if (!untrusted_[i]) segments[segments_[i]].push_back(trajectory_[i]);
-  }
-  return segments;
-}
-
-/// A trajectory a segment, where there are several.
+/// A trajectory a segment, where there are several: the lines of trajectory.tum, taken apart.
 void RunOutput::write_segments() const {
-  const std::map<int, Trajectory> all = segments();
-  if (all.size() < 2) return;
-  for (const auto& [number, poses] : all) {
-    io::write_tum(folder_.path() / fmt::format("{}{}.tum", kSegmentFiles, number), poses);
+  if (segments_.size() < 2) return;
+  std::ifstream all(folder_.path() / kTrajectoryFile);
+  std::string number = "0";
+  std::ofstream file;
+  for (std::string line; std::getline(all, line);) {
+    if (line.starts_with(kSegmentBegins)) {
+      number = line.substr(kSegmentBegins.size(), line.find(':') - kSegmentBegins.size());
+      file.close();
+    }
+    if (line.starts_with('#')) continue;
+    const fs::path path = folder_.path() / fmt::format("{}{}.tum", kSegmentFiles, number);
+    if (!file.is_open()) file.open(path, std::ios::app);
+    if (!(file << line << '\n')) throw io::WriteError(path.string() + ": cannot be written");
   }
 }
 
@@ -134,8 +149,8 @@ void RunOutput::finish(const RunOptions& options, const RunDescription& descript
     const fs::path input = fs::absolute(options.input).lexically_normal();
     const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
     const std::string title = fmt::format("{}, method {}", name.string(), description.method);
-    report::draw_run_picture({title, trajectory_, map.points(), truth_of(options), untrusted_,
-                              segments_, std::move(loops)},
+    report::draw_run_picture({title, path_.poses(), map.points(), truth_of(options),
+                              path_.untrusted(), path_.segments(), std::move(loops)},
                              folder_.path() / kPictureFile);
   }
 #endif

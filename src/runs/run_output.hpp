@@ -12,6 +12,7 @@
 
 #include "mapping/map_builder.hpp"
 #include "report/run_picture.hpp"
+#include "runs/bounded_path.hpp"
 #include "runs/deskew_samples.hpp"
 #include "runs/output_folder.hpp"
 #include "runs/run_options.hpp"
@@ -19,6 +20,12 @@
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
+
+/// The measured poses of a segment.
+struct SegmentSpan {
+  std::size_t poses = 0;
+  std::int64_t first_ns = 0, last_ns = 0;
+};
 
 /// The trajectories and scans.csv grow line by line, so that whatever ends the run leaves whole
 /// lines; the rest is written by finish(), run.yaml last: a run that has it came to its end.
@@ -38,11 +45,11 @@ class RunOutput {
               const mapping::MapBuilder& map, report::DrawnLoops loops);
 
   [[nodiscard]] const OutputFolder& folder() const { return folder_; }
-  [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
-  /// The measured poses of each segment that has some, by its number.
-  [[nodiscard]] std::map<int, Trajectory> segments() const;
-  /// Those of its poses that were measured: what trajectory.tum holds.
-  [[nodiscard]] Trajectory measured() const;
+  /// All poses but those of rejected scans.
+  [[nodiscard]] std::size_t poses() const { return path_.added(); }
+  [[nodiscard]] double length() const { return length_; }  ///< of the way between them [m]
+  /// Of each segment that has measured poses, by its number.
+  [[nodiscard]] const std::map<int, SegmentSpan>& segments() const { return segments_; }
 
  private:
   std::ofstream open(const char* name);
@@ -54,9 +61,9 @@ class RunOutput {
   std::ofstream csv_, tum_, kitti_, dense_;
   std::int64_t pose_period_ns_ = 0;  // of dense_
   std::int64_t dense_until_ns_ = std::numeric_limits<std::int64_t>::min() / 2;
-  Trajectory trajectory_;
-  std::vector<bool> untrusted_;
-  std::vector<int> segments_;  // one a pose of trajectory_
+  BoundedPath path_;  // what the picture shows; the files have all of it
+  double length_ = 0.0;
+  std::map<int, SegmentSpan> segments_;
   DeskewSamples samples_;
   std::size_t lines_ = 0;
 };

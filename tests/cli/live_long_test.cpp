@@ -116,6 +116,7 @@ class Soak : public testing::Test {
   static constexpr std::size_t kReconnects = 1000;
   static constexpr std::size_t kPacketsEach = 76;  // of a revolution
   static constexpr std::size_t kMalformedEach = 1000;
+  static constexpr std::size_t kMostGrowthKb = 2000;  // what is kept of 400 scans is 40 kB
 
   Soak() : random_(11), packets_(vlp16_packets(static_cast<int>(kReconnects) + 10)) {
     malformed_ = malformed_datagrams(packets_, random_);
@@ -165,12 +166,12 @@ TEST_F(Soak, AThousandReconnectsAndAMillionMalformedDatagramsHaveNoEffect) {
   const ProcessResult live = process.wait();
   ASSERT_EQ(live.exit_code, 0) << live;
   std::cout << live.output;
-  const std::size_t early = least_of(memory_kb, 0.1, 0.5), late = least_of(memory_kb, 0.6, 1.0);
+  const std::size_t early = least_of(memory_kb, 0.3, 0.6), late = least_of(memory_kb, 0.7, 1.0);
   std::cout << sender_.sent() << " datagrams; " << early
-            << " kB resident at least in the reconnects 100 to "
-            << "500, " << late << " kB in 600 to 1000, " << least_of(memory_kb, 0.99, 1.0)
+            << " kB resident at least in the reconnects 300 to "
+            << "600, " << late << " kB in 700 to 1000, " << least_of(memory_kb, 0.99, 1.0)
             << " kB at the end\n";
-  EXPECT_LT(late, early + early / 10);
+  EXPECT_LT(late, early + kMostGrowthKb);
   EXPECT_NE(live.output.find(" 0 dropped"), std::string::npos) << live;
   EXPECT_NE(live.output.find(", 0 by a full socket"), std::string::npos) << live;
   EXPECT_NE(live.output.find(std::to_string(sender_.sent()) + " datagrams, " +

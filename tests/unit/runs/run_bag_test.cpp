@@ -67,5 +67,28 @@ TEST_F(RunBagTest, OdomInAMapIsToldWhenItIsKnownAndWhenItMoves) {
   EXPECT_EQ(told(), 2U);
 }
 
+/// Six hours of ten scans a second.
+TEST_F(RunBagTest, ThePathIsBoundedInSizeAndInWhatIsSentOfIt) {
+  constexpr std::size_t kScans = 216'000;
+  constexpr std::size_t kPoseBytes = 100;  // at most, with its header
+  std::size_t before = 0, late = 0;
+  for (std::size_t i = 1; i <= kScans; ++i) {
+    (void)told();
+    listeners_->heard["/surefoot/odometry"].clear();
+    listeners_->heard["/tf"].clear();
+    listeners_->heard["/surefoot/scan"].clear();
+    listeners_->heard["/surefoot/local_map"].clear();
+    listeners_->heard["/diagnostics"].clear();
+    for (const std::string& path : listeners_->heard["/surefoot/path"]) {
+      ASSERT_LE(path.size(), 4096 * kPoseBytes) << i;
+      (i <= kScans / 2 ? before : late) += path.size();
+    }
+    listeners_->heard["/surefoot/path"].clear();
+  }
+  EXPECT_GT(late, 0U);
+  EXPECT_LT(before, kScans / 2 * 51 * kPoseBytes);
+  EXPECT_LT(late, kScans / 2 * 51 * kPoseBytes);
+}
+
 }  // namespace
 }  // namespace surefoot::runs
