@@ -71,7 +71,7 @@ TEST_F(RunBagTest, OdomInAMapIsToldWhenItIsKnownAndWhenItMoves) {
 TEST_F(RunBagTest, ThePathIsBoundedInSizeAndInWhatIsSentOfIt) {
   constexpr std::size_t kScans = 216'000;
   constexpr std::size_t kPoseBytes = 100;  // at most, with its header
-  std::size_t before = 0, late = 0;
+  std::size_t before = 0, late = 0, last = 0;
   for (std::size_t i = 1; i <= kScans; ++i) {
     (void)told();
     listeners_->heard["/surefoot/odometry"].clear();
@@ -82,8 +82,10 @@ TEST_F(RunBagTest, ThePathIsBoundedInSizeAndInWhatIsSentOfIt) {
     for (const std::string& path : listeners_->heard["/surefoot/path"]) {
       ASSERT_LE(path.size(), 4096 * kPoseBytes) << i;
       (i <= kScans / 2 ? before : late) += path.size();
+      last = i;
     }
     listeners_->heard["/surefoot/path"].clear();
+    ASSERT_LE(i - last, 4096U / 50U) << "not told of it for long";
   }
   EXPECT_GT(late, 0U);
   EXPECT_LT(before, kScans / 2 * 51 * kPoseBytes);
