@@ -1,7 +1,9 @@
 # Makes the packages twice and looks into them:
-# cmake -D build=... -D folder=... -D cpack=... -D expected="a;b" -D libdir=... -P check_packages.cmake
+# cmake -D build=... -D folder=... -D cpack=... -D expected="a;b" -D libdir=... -D hardened=...
+#   -P check_packages.cmake
 # The same bytes twice, every package with its licence and changelog, lintian content if it is there:
-# without errors and warnings but those that packaging/lintian gives a reason for.
+# without errors and warnings but those that packaging/lintian gives a reason for; where they are built so,
+# hardened programs and libraries.
 find_program(dpkg_deb dpkg-deb)
 if(NOT dpkg_deb)
   message("SKIPPED: no dpkg-deb here")
@@ -39,6 +41,27 @@ list(SORT expected)
 if(NOT "${names}" STREQUAL "${expected}")
   message(FATAL_ERROR "packages: ${names}\nexpected: ${expected}")
 endif()
+
+# What runs of them, as it is installed.
+foreach(package ${packages})
+  execute_process(COMMAND ${dpkg_deb} --extract ${folder}/1/${package} ${folder}/installed)
+endforeach()
+file(GLOB_RECURSE running ${folder}/installed/usr/bin/surefoot ${folder}/installed/*.so ${folder}/installed/*.so.*)
+find_program(readelf readelf)
+set(checked 0)
+foreach(file ${running})
+  if(IS_SYMLINK ${file} OR NOT hardened OR NOT readelf)
+    continue()
+  endif()
+  math(EXPR checked "${checked} + 1")
+  execute_process(COMMAND ${CMAKE_COMMAND} -D file=${file} -D readelf=${readelf}
+    -P ${CMAKE_CURRENT_LIST_DIR}/../tests/install/check_hardening.cmake
+    RESULT_VARIABLE failed ERROR_VARIABLE said)
+  if(failed)
+    message(SEND_ERROR "${said}")
+  endif()
+endforeach()
+message("${checked} hardened programs and libraries")
 
 # What they are made of: JSON, each part with its version and licence.
 file(GLOB library ${folder}/1/libsurefoot-dev_*.deb)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace surefoot::command_line {
@@ -39,19 +40,29 @@ std::string names_of(const CLI::Option& option) {
   return names;
 }
 
-/// "TEXT:{pcd,ply,bin}" is of these words; "FILE", "INT:[1 - 9]" are of none.
-std::vector<std::string> words_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const auto begin = type.find('{'), end = type.find('}');
+std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> words;
-  if (begin == std::string::npos || end == std::string::npos || end < begin) return words;
   std::string word;
-  for (const char c : type.substr(begin + 1, end - begin - 1)) {
-    if (c == ',') words.push_back(std::exchange(word, ""));
-    if (c != ',' && c != ' ') word += c;
+  for (const char c : text) {
+    if (c == separator) words.push_back(std::exchange(word, ""));
+    if (c != separator && c != ' ') word += c;
   }
   words.push_back(word);
   return words;
+}
+
+/// "TEXT:{pcd,ply,bin}" and "TEXT:start|end" are of these words, as is what the help says is "one
+/// of: " some; "FILE", "INT:[1 - 9]" are of none.
+std::vector<std::string> words_of(const CLI::Option& option) {
+  constexpr std::string_view kOneOf = "one of: ";
+  const std::string type = option.get_type_name(), help = option.get_description();
+  const auto begin = type.find('{'), end = type.find('}');
+  if (begin < end && end != std::string::npos) {
+    return split(type.substr(begin + 1, end - begin - 1), ',');
+  }
+  if (type.find('|') != std::string::npos) return split(type.substr(type.find(':') + 1), '|');
+  if (help.starts_with(kOneOf)) return split(help.substr(kOneOf.size()), ',');
+  return {};
 }
 
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
@@ -150,6 +161,9 @@ std::string bash_completion(const CLI::App& app, const ProgramNames& names) {
       "# bash completion of {0} {1}; made by `{0} manual --completion`\n"
       "_{0}() {{\n"
       "  local word=\"${{COMP_WORDS[COMP_CWORD]}}\" before=\"${{COMP_WORDS[COMP_CWORD-1]}}\"\n"
+      "  # bash takes --option=value for three words\n"
+      "  if [[ \"$before\" == = ]]; then before=\"${{COMP_WORDS[COMP_CWORD-2]}}\"; fi\n"
+      "  if [[ \"$word\" == = ]]; then word=\"\"; fi\n"
       "  local words=\"\"\n"
       "  case \"${{COMP_WORDS[1]}} $before\" in\n",
       name, names.version);

@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "command_line/option_checks.hpp"
+
 namespace surefoot::command_line {
 namespace {
 
@@ -19,11 +21,14 @@ class ManualPage : public testing::Test {
     go->add_option("-s,--speed", speed_, ".5 or more")->capture_default_str();
     go->add_option("--gait", gait_, "How")->check(CLI::IsMember({"walk", "trot"}));
     go->add_option("where", where_, "The end");
+    add_choice<bool>(*go, "--side", left_, "Where to", {{"left", true}, {"right", false}});
+    go->add_option("--shoe", shoe_, "one of: boot, clog");
     app_.add_subcommand("secret", "Not shown")->group("");
   }
   CLI::App app_{"walks"};
   double speed_ = 1.0;
-  std::string gait_, where_;
+  bool left_ = false;
+  std::string gait_, where_, shoe_;
 };
 
 TEST_F(ManualPage, TheProgramsNamesWhatItDoes) {
@@ -45,6 +50,8 @@ TEST_F(ManualPage, ACommandsHasItsOptionsAndNothingThatRoffObeys) {
 TEST_F(ManualPage, TheCompletionKnowsTheWordsOfAnOption) {
   const std::string script = bash_completion(app_, kNames);
   EXPECT_NE(script.find("\"go --gait\") words=\"walk trot \" ;;"), std::string::npos) << script;
+  EXPECT_NE(script.find("\"go --side\") words=\"left right \" ;;"), std::string::npos) << script;
+  EXPECT_NE(script.find("\"go --shoe\") words=\"boot clog \" ;;"), std::string::npos) << script;
   EXPECT_NE(script.find("words=\"go --help --version\""), std::string::npos) << script;
   EXPECT_NE(script.find("complete -F _walker walker\n"), std::string::npos) << script;
 }
