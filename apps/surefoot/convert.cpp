@@ -5,11 +5,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
@@ -26,29 +23,10 @@ namespace {
 
 struct ConvertOptions {
   io::ConversionRequest request;
-  std::vector<std::string> topics;
   bool quiet = false;
 };
 
-// One at a time, as a run takes them, and how.
-void refuse_several(const ConvertOptions& options) {
-  if (options.topics.size() < 2) return;
-  const io::ConversionRequest& request = options.request;
-  std::string text = "an output holds the scans of one topic; convert them one by one:";
-  for (const std::string& topic : options.topics) {
-    std::string name = topic;
-    std::replace(name.begin(), name.end(), '/', '_');
-    std::filesystem::path output = request.output;
-    output.replace_filename(output.stem().string() + name + output.extension().string());
-    text += "\n  surefoot convert " + io::shell_word(request.input.string()) + ' ' +
-            io::shell_word(output.string()) + " --topic " + io::shell_word(topic);
-    if (!request.format.empty()) text += " --to " + request.format;
-  }
-  throw std::invalid_argument(text);
-}
-
 int convert(const ConvertOptions& options) {
-  refuse_several(options);
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);
   const auto complain = [&](const std::string& text) {
@@ -70,6 +48,10 @@ int convert(const ConvertOptions& options) {
     for (const std::string& loss : outcome.losses) fmt::print(stderr, "{}\n", loss);
     fmt::print("{} scans, {} points: {}\n", outcome.scans, outcome.points,
                options.request.output.string());
+    if (outcome.messages > 0) {
+      fmt::print("  {:5} messages of {} other topics, copied as they are\n", outcome.messages,
+                 outcome.topics);
+    }
     if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
   }
   if (outcome.interrupted) return process::kInterrupted;
@@ -81,7 +63,8 @@ int convert(const ConvertOptions& options) {
 void add_convert_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ConvertOptions>();
   io::ConversionRequest& request = options->request;
-  CLI::App* command = app.add_subcommand("convert", "Write a recording's scans in another format");
+  CLI::App* command = app.add_subcommand(
+      "convert", "Write a recording's scans in another format, with a bag's other messages");
   command->add_option("input", request.input, "any recording that 'surefoot run' takes")
       ->required();
   command
@@ -107,13 +90,14 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_flag("-q,--quiet", options->quiet, "print errors only");
   add_reader_options(*command, request.reader);
   const std::string group = command->get_option("--topic")->get_group();
-  const std::string help = command->get_option("--topic")->get_description();
   command->remove_option(command->get_option("--topic"));
-  command->add_option("--topic", options->topics, help)->allow_extra_args(false)->group(group);
-  command->callback([options, &exit_code] {
-    if (!options->topics.empty()) options->request.reader.topic = options->topics.front();
-    exit_code = convert(*options);
-  });
+  command
+      ->add_option("--topic", request.topics,
+                   "Topic of a bag; may be given again (into a bag: all; else the only one "
+                   "with scans)")
+      ->allow_extra_args(false)
+      ->group(group);
+  command->callback([options, &exit_code] { exit_code = convert(*options); });
 }
 
 }  // namespace surefoot::app

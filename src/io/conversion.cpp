@@ -3,18 +3,19 @@
 #include "io/conversion.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "io/bags/bag_files.hpp"
+#include "io/bags/carried_messages.hpp"
+#include "io/bags/topic_survey.hpp"
+#include "io/conversion_lane.hpp"
 #include "io/file_writer.hpp"
+#include "io/messages/cloud_message.hpp"
 #include "io/printable.hpp"
-#include "surefoot/seconds.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -56,10 +57,57 @@ bool is_one_file(const ConversionRequest& request, ScanFormat format) {
   return has_file_a_scan(format) && request.output.extension() == "." + name;
 }
 
-std::unique_ptr<Recording> open_with_all_fields(const ConversionRequest& request) {
-  OpenOptions options = request.reader;
-  options.further_fields = true;
-  return open_recording(request.input, options);
+constexpr std::int64_t kEarliest = std::numeric_limits<std::int64_t>::min();
+
+// Topics of a bag that goes into a bag.
+struct ConvertedTopics {
+  std::vector<std::string> scans, others;  ///< made of messages; copied as they are
+};
+
+// All that scans can be made of, or of those that are named what is of other messages, too. A data
+// set's or a robot's topic goes before all others. Throws ReadError where one is not there.
+ConvertedTopics topics_to_convert(const fs::path& bag, const std::vector<std::string>& named,
+                                  const OpenOptions& reader) {
+  ConvertedTopics topics;
+  OpenOptions options = reader;
+  if (named.empty()) {
+    options.topic.clear();
+    const auto source = open_bag(bag);
+    for (const TopicSurvey& survey : survey_topics(*source, options).topics) {
+      if (survey.usable) topics.scans.push_back(survey.topic.name);
+    }
+    const bool has_preset = !reader.dataset.empty() || !reader.robot.empty();
+    if (has_preset || topics.scans.empty()) topics.scans = {""};  // as for a run, with its messages
+    return topics;
+  }
+  for (const std::string& name : named) {
+    options.topic = name;
+    const auto source = open_bag(bag);
+    const std::vector<TopicSurvey> seen = survey_topics(*source, options).topics;
+    const auto found = std::find_if(seen.begin(), seen.end(), [&](const TopicSurvey& survey) {
+      return survey.topic.name == name;
+    });
+    const bool is_other = found != seen.end() && !found->usable && named.size() > 1 &&
+                          !is_cloud_type(found->topic.type);
+    (is_other ? topics.others : topics.scans).push_back(name);
+  }
+  if (topics.scans.empty()) topics.scans = {topics.others.front()};  // which is refused with a word
+  return topics;
+}
+
+// One at a time, as a run takes them, and how.
+std::string one_by_one(const ConversionRequest& request) {
+  std::string text = "an output holds the scans of one topic; convert them one by one:";
+  for (const std::string& topic : request.topics) {
+    std::string name = topic;
+    std::replace(name.begin(), name.end(), '/', '_');
+    fs::path output = request.output;
+    output.replace_filename(output.stem().string() + name + output.extension().string());
+    text += "\n  surefoot convert " + shell_word(request.input.string()) + ' ' +
+            shell_word(output.string()) + " --topic " + shell_word(topic);
+    if (!request.format.empty()) text += " --to " + request.format;
+  }
+  return text;
 }
 
 /// One recording turned into another.
@@ -69,8 +117,8 @@ class Conversion {
       : request_(request),
         listener_(listener),
         format_(wanted_format(request)),
-        one_file_(is_one_file(request, format_)),
-        recording_(open_with_all_fields(request)) {
+        one_file_(is_one_file(request, format_)) {
+    open_input();
     std::error_code ignored;
     const bool is_empty_folder = is_folder(format_) && !one_file_ &&
                                  fs::is_directory(request.output, ignored) &&
@@ -83,39 +131,92 @@ class Conversion {
   ConversionOutcome execute();
 
  private:
-  void open_output(const ScanItem& first);
+  void open_input();
+  void open_lane(const std::string& topic, bool with_others);
+  void open_output();
+  std::unique_ptr<ScanSink> make_sink(const ConversionLane& lane, const ScanItem& first);
+  /// The lane whose scan comes next; null at the end.
+  ConversionLane* next_lane();
+  void use(ConversionLane& lane);
   void leave_out(const std::string& why);
-  void add(const ScanItem& item);
-  /// False where the end of the time range is reached.
-  bool use(const ScanItem& item);
-  [[nodiscard]] std::vector<std::string> losses() const;
+  void add(ConversionLane& lane);
+  void copy_the_rest();
+  void finish();
+  [[nodiscard]] bool begins_with_all() const { return request_.begin == 0 && request_.start == 0; }
+  [[nodiscard]] bool ends_with_all() const {
+    return request_.end == std::numeric_limits<double>::infinity() &&
+           request_.count == std::numeric_limits<std::size_t>::max();
+  }
 
   const ConversionRequest& request_;
   const ConversionListener& listener_;
   ScanFormat format_;
   bool one_file_;
-  std::unique_ptr<Recording> recording_;
+  std::vector<std::unique_ptr<ConversionLane>> lanes_;
+  std::unique_ptr<CarriedMessages> others_;
   std::optional<UnfinishedOutput> output_;
-  std::unique_ptr<ScanSink> sink_;
+  std::shared_ptr<BagWriter> bag_;
   ConversionOutcome outcome_;
-  std::optional<std::int64_t> first_ns_;
-  std::size_t dropped_points_ = 0, dropped_empty_ = 0;
-  std::size_t late_in_a_row_ = 0;
-  double rounded_by_ = 0.0;  ///< [m]
-  std::set<std::string> field_losses_;
+  std::optional<std::int64_t> first_ns_, first_written_ns_;
+  std::int64_t last_written_ns_ = std::numeric_limits<std::int64_t>::min();
 };
 
+void Conversion::open_lane(const std::string& topic, bool with_others) {
+  OpenOptions options = request_.reader;
+  options.further_fields = true;
+  options.others_are_read = with_others;
+  if (!topic.empty()) options.topic = topic;
+  lanes_.push_back(
+      std::make_unique<ConversionLane>(open_recording(request_.input, options), request_));
+}
+
+// Of a bag into a bag all topics, or those that are named; else the scans of one.
+void Conversion::open_input() {
+  if (!is_bag(format_) || !is_bag_input(request_.input, request_.reader)) {
+    if (request_.topics.size() > 1) throw std::invalid_argument(one_by_one(request_));
+    return open_lane(request_.topics.empty() ? "" : request_.topics.front(), false);
+  }
+  const ConvertedTopics topics =
+      topics_to_convert(request_.input, request_.topics, request_.reader);
+  for (const std::string& topic : topics.scans) {
+    try {
+      open_lane(topic, true);
+    } catch (const ReadError& error) {
+      if (!request_.topics.empty() || topics.scans.size() == 1) throw;
+      listener_.complain("copied as it is: " + printable(error.what()));
+    }
+  }
+  if (lanes_.empty()) throw ReadError(request_.input.string() + ": no topic's scans can be read");
+  if (lanes_.size() > 1 && !request_.sink.topic.empty()) {
+    throw std::invalid_argument("--out-topic names one topic, and the scans of " +
+                                std::to_string(lanes_.size()) +
+                                " are to be written: choose one with --topic");
+  }
+  std::set<std::string> but;
+  for (const auto& lane : lanes_) but.insert(lane->recording().topic());
+  const std::set<std::string> only(topics.others.begin(), topics.others.end());
+  if (request_.topics.empty() || !only.empty()) {
+    others_ = std::make_unique<CarriedMessages>(request_.input, std::move(but), only);
+  }
+}
+
+void Conversion::open_output() {
+  if (output_) return;
+  output_.emplace(request_.output, is_folder(format_) && !one_file_);
+  if (is_bag(format_)) bag_ = make_bag(output_->path(), format_);
+}
+
 // What is not asked for is the source's.
-void Conversion::open_output(const ScanItem& first) {
+std::unique_ptr<ScanSink> Conversion::make_sink(const ConversionLane& lane, const ScanItem& first) {
+  open_output();
   const SinkOptions usual;
   SinkOptions sink = request_.sink;
-  if (sink.topic.empty()) sink.topic = recording_->topic();
+  if (sink.topic.empty()) sink.topic = lane.recording().topic();
   if (sink.topic.empty()) sink.topic = usual.topic;
   if (sink.frame.empty()) sink.frame = first.frame;
   if (sink.frame.empty()) sink.frame = usual.frame;
   sink.one_file = one_file_;
-  output_.emplace(request_.output, is_folder(format_) && !one_file_);
-  sink_ = make_scan_sink(output_->path(), format_, sink);
+  return bag_ ? make_topic_sink(bag_, sink) : make_scan_sink(output_->path(), format_, sink);
 }
 
 void Conversion::leave_out(const std::string& why) {
@@ -123,87 +224,88 @@ void Conversion::leave_out(const std::string& why) {
   listener_.complain("left out: " + printable(why));
 }
 
-void Conversion::add(const ScanItem& item) {
-  if (one_file_ && outcome_.scans > 0) {
+// When it came, among messages of other topics.
+std::int64_t came_ns(const ScanItem& item) {
+  return item.logged_ns == 0 && item.scan ? item.scan->stamp_ns : item.logged_ns;
+}
+
+ConversionLane* Conversion::next_lane() {
+  ConversionLane* first = nullptr;
+  std::int64_t first_ns = 0;
+  for (const auto& lane : lanes_) {
+    const ScanItem* const item = lane->item();
+    if (item == nullptr || (first != nullptr && came_ns(*item) >= first_ns)) continue;
+    first = lane.get();
+    first_ns = came_ns(*item);
+  }
+  return first;
+}
+
+void Conversion::add(ConversionLane& lane) {
+  const ScanItem& item = *lane.item();
+  if (one_file_ && lane.scans() > 0) {
     throw std::invalid_argument(
         request_.output.string() +
         ": holds one scan, and there are more: name a folder, or choose one "
         "with --start N --count 1");
   }
-  if (!sink_) open_output(item);
-  if (const std::string why = sink_->refusal(*item.scan, item.further); !why.empty()) {
-    return leave_out(item.name + ": " + why);
-  }
-  sink_->add(*item.scan, item.further);
+  if (lane.sink() == nullptr) lane.set_sink(make_sink(lane, item));
+  const std::int64_t at_ns = came_ns(item);
+  if (!first_written_ns_) first_written_ns_ = at_ns;
+  last_written_ns_ = std::max(last_written_ns_, at_ns);
+  if (others_) others_->copy(*bag_, begins_with_all() ? kEarliest : *first_written_ns_, at_ns);
+  if (const std::string why = lane.add(); !why.empty()) return leave_out(why);
   ++outcome_.scans;
-  outcome_.points += item.scan->points.size();
-  dropped_points_ += item.dropped_points;
-  dropped_empty_ += item.dropped_not_finite + item.dropped_zero;
-  rounded_by_ = std::max(rounded_by_, item.rounded_by);
-  constexpr std::size_t kMostLosses = 20;
-  for (const std::string& loss : item.losses) {
-    if (field_losses_.size() < kMostLosses) field_losses_.insert(loss);
-  }
-  listener_.progress(outcome_.scans, recording_->progress());
+  listener_.progress(outcome_.scans, lane.recording().progress());
 }
 
-bool Conversion::use(const ScanItem& item) {
+// Of several topics, whose LiDARs may have clocks of their own, the recorder's clock counts.
+void Conversion::use(ConversionLane& lane) {
+  const ScanItem& item = *lane.item();
   if (!item.scan) {
     leave_out(item.error);
-    return true;
+  } else {
+    const std::int64_t at_ns = lanes_.size() > 1 ? came_ns(item) : item.scan->stamp_ns;
+    if (!first_ns_) first_ns_ = at_ns;
+    if (lane.is_within(*first_ns_, at_ns)) add(lane);
   }
-  if (!first_ns_) first_ns_ = item.scan->stamp_ns;
-  const double at = seconds(item.scan->stamp_ns - *first_ns_);
-  if (at < request_.begin) return true;
-  // A single wild stamp is not the end.
-  constexpr std::size_t kSurelyLate = 20;
-  if (at > request_.end) return ++late_in_a_row_ < kSurelyLate;
-  late_in_a_row_ = 0;
-  add(item);
-  return true;
+  lane.pass();
 }
 
-std::vector<std::string> Conversion::losses() const {
-  std::vector<std::string> lines;
-  if (const std::string fields = sink_->lost(); !fields.empty()) {
-    lines.push_back("lost: fields that the format does not hold: " + printable(fields));
+void Conversion::copy_the_rest() {
+  if (!others_) return;
+  others_->copy(*bag_, begins_with_all() ? kEarliest : *first_written_ns_,
+                ends_with_all() ? std::numeric_limits<std::int64_t>::max() : last_written_ns_);
+  for (std::string& loss : others_->losses()) outcome_.losses.push_back(std::move(loss));
+  outcome_.messages = others_->messages();
+  outcome_.topics = others_->topics();
+}
+
+void Conversion::finish() {
+  copy_the_rest();
+  for (const auto& lane : lanes_) {
+    outcome_.points += lane->points();
+    if (lane->sink() != nullptr) lane->sink()->finish();
+    const std::string topic = lanes_.size() > 1 ? printable(lane->recording().topic()) + ": " : "";
+    for (const std::string& note : lane->recording().notes()) {
+      const std::string line = topic + note;
+      const bool known =
+          std::find(outcome_.notes.begin(), outcome_.notes.end(), line) != outcome_.notes.end();
+      if (!known) outcome_.notes.push_back(line);
+    }
+    for (const std::string& loss : lane->losses()) outcome_.losses.push_back(topic + loss);
   }
-  std::istringstream remarks(sink_->remark());
-  for (std::string line; std::getline(remarks, line);) lines.push_back(line);
-  for (const std::string& loss : field_losses_) lines.push_back("lost: " + printable(loss));
-  if (rounded_by_ > 0.0) {
-    std::array<char, 32> metres;
-    std::snprintf(metres.data(), metres.size(), "%.2g", rounded_by_);
-    lines.push_back(std::string("lost: coordinates become floats, which changes them by up to ") +
-                    metres.data() + " m");
-  }
-  if (dropped_points_ > 0) {
-    lines.push_back("left out: " + std::to_string(dropped_points_) +
-                    " points without a usable time");
-  }
-  if (dropped_empty_ > 0) {
-    lines.push_back("left out: " + std::to_string(dropped_empty_) +
-                    " points that are no returns and of no time of the sweep");
-  }
-  return lines;
+  output_->finish();
 }
 
 ConversionOutcome Conversion::execute() {
-  recording_->skip(request_.start);
-  std::optional<ScanItem> item = recording_->next();
-  while (item && !listener_.interrupted() && use(*item) && outcome_.scans < request_.count) {
-    recording_->skip(request_.stride - 1);
-    item = recording_->next();
-  }
+  while (ConversionLane* const lane = listener_.interrupted() ? nullptr : next_lane()) use(*lane);
   outcome_.interrupted = listener_.interrupted();
   if (outcome_.scans == 0 && outcome_.interrupted) return std::move(outcome_);
   if (outcome_.scans == 0) {
     throw ReadError(request_.input.string() + ": no scan in what is asked for");
   }
-  sink_->finish();
-  output_->finish();
-  outcome_.notes = recording_->notes();
-  outcome_.losses = losses();
+  finish();
   return std::move(outcome_);
 }
 

@@ -20,6 +20,9 @@ struct ConversionRequest {
   std::filesystem::path input;
   std::filesystem::path output;
   OpenOptions reader;
+  /// Of a bag; empty: all that scans can be made of, and other messages as they are, where the
+  /// output is a bag.
+  std::vector<std::string> topics;
   SinkOptions sink{.topic = "", .frame = ""};  ///< empty: the source's, else SinkOptions' own
   std::string format;                          ///< empty: by the output's name
   double begin = 0.0;                          ///< [s] after the first scan's stamp
@@ -40,6 +43,8 @@ struct ConversionOutcome {
   std::size_t scans = 0;
   std::size_t points = 0;
   std::size_t unreadable = 0;  ///< scans
+  std::size_t messages = 0;    ///< of other topics, copied as they are
+  std::size_t topics = 0;      ///< of those
   bool interrupted = false;    ///< with no scan: nothing is written
   std::vector<std::string> notes;
   std::vector<std::string> losses;  ///< what the source has and the output has not, a line each

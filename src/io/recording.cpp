@@ -19,15 +19,6 @@
 namespace surefoot::io {
 namespace {
 
-// A folder of a bag's parts. Scans come first where both are there, unless rosbag2 made the folder.
-bool is_bag(const std::filesystem::path& path, const OpenOptions& options) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) return is_bag_file(path);
-  if (bag_files(path).empty()) return false;
-  const bool is_rosbag2 = std::filesystem::exists(path / "metadata.yaml", ignored);
-  return (is_rosbag2 && options.format.empty()) || !holds_scan_files(path);
-}
-
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -92,7 +83,7 @@ class NotedRecording final : public RecordingFilter {
 std::unique_ptr<Recording> with_notes(std::unique_ptr<Recording> recording,
                                       const std::filesystem::path& path,
                                       const OpenOptions& options) {
-  const bool as_bag = is_bag(path, options);
+  const bool as_bag = is_bag_input(path, options);
   std::vector<std::string> notes = folder_notes(path, as_bag);
   for (std::string& text : idle_options(path, options, as_bag)) notes.push_back(std::move(text));
   if (notes.empty()) return recording;
@@ -118,7 +109,7 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
   }
   const bool is_folder = std::filesystem::is_directory(path, ignored);
   if (!is_folder && !scan_kind(kind_of(path))) require_seekable(path);
-  if (is_bag(path, options)) return open_bag_recording(path, options);
+  if (is_bag_input(path, options)) return open_bag_recording(path, options);
   if (is_folder) {
     if (const auto capture = only_capture(path)) return open_any(*capture, options);
   }
@@ -138,6 +129,15 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
 }
 
 }  // namespace
+
+// A folder of a bag's parts. Scans come first where both are there, unless rosbag2 made the folder.
+bool is_bag_input(const std::filesystem::path& path, const OpenOptions& options) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return is_bag_file(path);
+  if (bag_files(path).empty()) return false;
+  const bool is_rosbag2 = std::filesystem::exists(path / "metadata.yaml", ignored);
+  return (is_rosbag2 && options.format.empty()) || !holds_scan_files(path);
+}
 
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
                                           const OpenOptions& given) {

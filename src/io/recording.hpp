@@ -102,6 +102,8 @@ struct OpenOptions {
   double cut_azimuth_deg = 0.0;
   /// Port that the sensor's packets go to in a capture; 0: that of the first LiDAR found.
   std::uint16_t udp_port = 0;
+  /// Whether somebody else reads a bag's other topics, which then are not noted as left out.
+  bool others_are_read = false;
   /// Whether items have the fields, too, that a scan has no room for (ScanItem::further).
   bool further_fields = false;
 };
@@ -172,5 +174,8 @@ class Recording {
 /// .db3, .mcap, or a folder of a bag's parts. Throws ReadError.
 [[nodiscard]] std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,
                                                         const OpenOptions& options = {});
+
+/// Whether open_recording() would read it as a bag.
+[[nodiscard]] bool is_bag_input(const std::filesystem::path& path, const OpenOptions& options);
 
 }  // namespace surefoot::io

@@ -8,7 +8,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "io/bags/bag_writer.hpp"
 #include "io/bags/message_source.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
@@ -24,7 +23,7 @@ namespace fs = std::filesystem;
 
 class BagSink final : public ScanSink {
  public:
-  BagSink(std::unique_ptr<BagWriter> bag, SinkOptions options)
+  BagSink(std::shared_ptr<BagWriter> bag, SinkOptions options)
       : bag_(std::move(bag)),
         options_(std::move(options)),
         topic_(bag_->add_topic(options_.topic, point_cloud2_definition())) {}
@@ -64,13 +63,13 @@ class BagSink final : public ScanSink {
   [[nodiscard]] bool holds(const Column& column) const override {
     return fits_point_cloud2(column);
   }
-  void write(const Scan& scan, std::span<const Column> columns) override {
+  void write(const Scan& scan, std::span<const Column> columns, std::int64_t logged_ns) override {
     const CloudHead head{scan.stamp_ns, options_.frame, is_dense(scan)};
-    bag_->write(topic_, scan.stamp_ns,
+    bag_->write(topic_, logged_ns != 0 ? logged_ns : scan.stamp_ns,
                 format_point_cloud2(head, columns, scan.points.size(), bag_->flavour()));
   }
 
-  std::unique_ptr<BagWriter> bag_;
+  std::shared_ptr<BagWriter> bag_;
   SinkOptions options_;
   std::size_t topic_;
 };
@@ -117,7 +116,8 @@ class FileSink final : public ScanSink {
     return std::any_of(kKittiColumns.begin(), kKittiColumns.end(), is_column);
   }
 
-  void write(const Scan& scan, std::span<const Column> columns) override {
+  void write(const Scan& scan, std::span<const Column> columns,
+             std::int64_t /*logged_ns*/) override {
     char name[32];
     std::snprintf(name, sizeof(name), "%06zu.%s", scans_++,
                   scan_format_names()[static_cast<std::size_t>(format_)].c_str());
@@ -158,7 +158,8 @@ class FileSink final : public ScanSink {
 
 }  // namespace
 
-void ScanSink::add(const Scan& scan, std::span<const FurtherField> further) {
+void ScanSink::add(const Scan& scan, std::span<const FurtherField> further,
+                   std::int64_t logged_ns) {
   std::vector<Column> columns;
   for (const Column& column : written_columns(scan, further)) {
     if (holds(column)) {
@@ -167,7 +168,7 @@ void ScanSink::add(const Scan& scan, std::span<const FurtherField> further) {
       lost_.insert(column.name);
     }
   }
-  write(scan, columns);
+  write(scan, columns, logged_ns);
 }
 
 std::string ScanSink::lost() const {
@@ -191,16 +192,19 @@ ScanFormat scan_format_named(const std::string& name) {
 
 std::unique_ptr<ScanSink> make_scan_sink(const fs::path& path, ScanFormat format,
                                          const SinkOptions& options) {
-  switch (format) {
-    case ScanFormat::mcap:
-      return std::make_unique<BagSink>(make_mcap_bag(path), options);
-    case ScanFormat::rosbag2:
-      return std::make_unique<BagSink>(make_sqlite_bag(path), options);
-    case ScanFormat::ros1_bag:
-      return std::make_unique<BagSink>(make_ros1_bag(path), options);
-    default:
-      return std::make_unique<FileSink>(path, format, options.one_file);
-  }
+  if (is_bag(format)) return make_topic_sink(make_bag(path, format), options);
+  return std::make_unique<FileSink>(path, format, options.one_file);
+}
+
+std::shared_ptr<BagWriter> make_bag(const fs::path& path, ScanFormat format) {
+  if (format == ScanFormat::mcap) return make_mcap_bag(path);
+  if (format == ScanFormat::rosbag2) return make_sqlite_bag(path);
+  return make_ros1_bag(path);
+}
+
+std::unique_ptr<ScanSink> make_topic_sink(std::shared_ptr<BagWriter> bag,
+                                          const SinkOptions& options) {
+  return std::make_unique<BagSink>(std::move(bag), options);
 }
 
 }  // namespace surefoot::io

@@ -4,6 +4,7 @@
 // Scans out, to any of the formats that scans are stored in.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "io/bags/bag_writer.hpp"
 #include "io/scan_fields.hpp"
 #include "surefoot/scan.hpp"
 
@@ -32,6 +34,9 @@ enum class ScanFormat { pcd, ply, kitti_bin, las, mcap, rosbag2, ros1_bag };
   return format < ScanFormat::mcap;
 }
 
+/// Whether it holds messages.
+[[nodiscard]] constexpr bool is_bag(ScanFormat format) { return !has_file_a_scan(format); }
+
 struct SinkOptions {
   std::string topic = "/points";  ///< of a bag
   std::string frame = "lidar";    ///< of its messages
@@ -49,7 +54,9 @@ class ScanSink {
   }
   /// Scans in their order, but for refused ones, and what the recording has of their points
   /// besides. Throws WriteError.
-  void add(const Scan& scan, std::span<const FurtherField> further = {});
+  /// @param logged_ns when it was recorded; 0: at its stamp
+  void add(const Scan& scan, std::span<const FurtherField> further = {},
+           std::int64_t logged_ns = 0);
   /// What becomes of every scan besides; empty: nothing.
   [[nodiscard]] virtual std::string remark() const { return {}; }
   /// Ends the recording; throws WriteError.
@@ -60,7 +67,7 @@ class ScanSink {
  protected:
   [[nodiscard]] virtual bool holds(const Column& column) const = 0;
   /// The columns that it holds.
-  virtual void write(const Scan& scan, std::span<const Column> columns) = 0;
+  virtual void write(const Scan& scan, std::span<const Column> columns, std::int64_t logged_ns) = 0;
 
  private:
   std::set<std::string> lost_;
@@ -71,5 +78,12 @@ class ScanSink {
 [[nodiscard]] std::unique_ptr<ScanSink> make_scan_sink(const std::filesystem::path& path,
                                                        ScanFormat format,
                                                        const SinkOptions& options = {});
+
+/// The bag of a format that is one (is_bag). Throws WriteError.
+[[nodiscard]] std::shared_ptr<BagWriter> make_bag(const std::filesystem::path& path,
+                                                  ScanFormat format);
+/// A topic of a bag that others write to as well; whoever finishes it first ends the bag.
+[[nodiscard]] std::unique_ptr<ScanSink> make_topic_sink(std::shared_ptr<BagWriter> bag,
+                                                        const SinkOptions& options);
 
 }  // namespace surefoot::io

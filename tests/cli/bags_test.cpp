@@ -266,17 +266,6 @@ TEST(Convert, OneScanToAFileOfItsOwn) {
             std::string::npos);
 }
 
-TEST(Convert, SeveralTopicsAreRefusedWithTheCommandForEach) {
-  const ScratchFolder scratch;
-  const ProcessResult result = run_surefoot(
-      {"convert", "in.bag", "out.mcap", "--topic", "/front", "--topic", "/rear/points"},
-      scratch.path());
-  EXPECT_EQ(result.exit_code, 2) << result;
-  EXPECT_NE(result.errors.find("surefoot convert in.bag out_rear_points.mcap --topic /rear/points"),
-            std::string::npos)
-      << result;
-}
-
 TEST(Convert, CaptureToBag) {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();

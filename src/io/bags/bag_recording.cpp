@@ -64,7 +64,7 @@ std::string missed_text(const OpenOptions& options, const std::string& taken) {
 }  // namespace
 
 BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
-  TopicRecordingParts parts{path.string(), TopicMessages(path), {}, {}};
+  TopicRecordingParts parts{path.string(), TopicMessages(path), {}, {}, options.others_are_read};
   BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
@@ -72,7 +72,7 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
   if (std::string text = missed_text(options, topic.name); !text.empty()) {
     parts.notes.push_back(std::move(text));
   }
-  if (survey.topics.size() > 1) {
+  if (survey.topics.size() > 1 && !options.others_are_read) {
     parts.notes.push_back("topic: " + topic.name + ", one of " +
                           std::to_string(survey.topics.size()) +
                           " in the bag; not read: " + others(survey.topics, topic.name));
@@ -83,6 +83,7 @@ BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& op
 }
 
 void TopicRecordingParts::note_late_topics() {
+  if (others_are_read) return;
   std::string names;
   for (const Topic& topic : messages.bag().announced()) {
     const auto is_same = [&](const Topic& one) { return one.name == topic.name; };

@@ -13,10 +13,12 @@ class McapBag final : public BagWriter {
   explicit McapBag(const std::filesystem::path& file) : writer_(file, McapOptions{}) {}
 
   std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
-    const std::uint16_t schema =
-        writer_.add_schema(definition.ros2_type(), "ros2msg", definition.ros2_text);
+    // rosbag2 leaves the language away, too, where it does not know a type's text.
+    const std::string& text = definition.ros2_text;
+    const std::uint16_t schema = writer_.add_schema(
+        definition.ros2_type(), text.empty() ? "" : definition.ros2_language, text);
     // rosbag2 looks for the key.
-    return writer_.add_channel(schema, name, "cdr", {{"offered_qos_profiles", ""}});
+    return writer_.add_channel(schema, name, "cdr", {{"offered_qos_profiles", definition.qos}});
   }
 
   void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) override {

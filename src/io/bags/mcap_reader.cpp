@@ -189,7 +189,39 @@ class McapReader final : public MessageSource {
   void read_schema(std::span<const std::byte> body) {
     MessageReader reader = MessageReader::packed(body);
     const auto id = reader.number<std::uint16_t>("schema's number");
-    schemas_[id] = plain_type_name(reader.string("schema's name").substr(0, kMostNameBytes));
+    TopicDefinition definition;
+    definition.type = reader.string("schema's name").substr(0, kMostNameBytes);
+    try {
+      definition.language = reader.string("schema's encoding");
+      definition.text = reader.string("schema");
+    } catch (const ReadError&) {
+      definition.language.clear();  // its name is enough to read messages
+    }
+    const auto& known = schemas_[id];
+    if (known && known->type == definition.type && known->text == definition.text) return;
+    schemas_[id] = keep(std::move(definition));
+  }
+
+  // What a channel says of its topic besides, by keys that rosbag2 and converters of ROS 1 write.
+  std::shared_ptr<const TopicDefinition> read_channel_metadata(
+      MessageReader& reader, std::shared_ptr<const TopicDefinition> definition) {
+    TopicDefinition all = definition ? *definition : TopicDefinition{};
+    try {
+      const auto bytes = reader.number<std::uint32_t>("channel's metadata");
+      MessageReader map = MessageReader::packed(reader.take(bytes, "channel's metadata"));
+      while (!map.rest().empty()) {
+        const std::string_view key = map.string("key");
+        const std::string_view value = map.string("value");
+        if (key == "offered_qos_profiles") all.qos = value;
+        if (key == "md5sum") all.md5 = value;
+        if (key == "latching") all.latched = value == "1" || value == "true";
+      }
+    } catch (const ReadError&) {
+      return definition;
+    }
+    all.latched = all.latched || is_latched_qos(all.qos);
+    const bool says_more = !all.qos.empty() || !all.md5.empty() || all.latched;
+    return says_more ? keep(std::move(all)) : definition;
   }
 
   void read_channel(std::span<const std::byte> body) {
@@ -204,7 +236,9 @@ class McapReader final : public MessageSource {
                      : encoding == "ros1" ? MessageEncoding::ros1
                                           : MessageEncoding::other;
     const auto type = schemas_.find(schema);
-    if (type != schemas_.end()) topic.type = type->second;
+    if (type != schemas_.end()) topic.definition = type->second;
+    if (topic.definition) topic.type = plain_type_name(topic.definition->type);
+    topic.definition = read_channel_metadata(reader, topic.definition);
     announce(topic);
   }
 
@@ -352,7 +386,7 @@ class McapReader final : public MessageSource {
   ChecksumStream data_;
   std::optional<OpenChunk> chunk_;
   std::string profile_;
-  std::map<std::uint16_t, std::string> schemas_;  ///< type names
+  std::map<std::uint16_t, std::shared_ptr<const TopicDefinition>> schemas_;
   std::map<std::uint16_t, Topic> channels_;
   std::vector<std::byte> body_;
   std::vector<std::byte> message_;

@@ -65,6 +65,19 @@ void MessageSource::announce(const Topic& topic) {
   if (std::none_of(announced_.begin(), announced_.end(), is_same)) announced_.push_back(topic);
 }
 
+std::shared_ptr<const TopicDefinition> MessageSource::keep(TopicDefinition definition) {
+  constexpr std::size_t kMostBytes = 32 << 20;
+  definition.type.resize(std::min(definition.type.size(), kMostNameBytes));
+  const std::size_t bytes = definition.text.size() + definition.qos.size() + definition.md5.size() +
+                            definition.language.size();
+  if (bytes > kMostBytes - definition_bytes_) {
+    return std::make_shared<TopicDefinition>(
+        TopicDefinition{std::move(definition.type), "", "", "", "", definition.latched});
+  }
+  definition_bytes_ += bytes;
+  return std::make_shared<TopicDefinition>(std::move(definition));
+}
+
 void MessageSource::note_lost(const Topic& topic, std::string_view why) {
   note("a message of " + printable(topic.name) + " is passed over: " + std::string(why));
 }
@@ -91,6 +104,12 @@ std::optional<std::span<const std::byte>> MessageSource::read_message_bytes(
     note_lost(topic, size + " take more memory than there is");
     return std::nullopt;
   }
+}
+
+bool is_latched_qos(std::string_view qos) {
+  // rmw's number of it until Iron, its name since.
+  return qos.find("durability: 1") != std::string_view::npos ||
+         qos.find("durability: transient_local") != std::string_view::npos;
 }
 
 std::string plain_type_name(std::string_view name) {

@@ -22,10 +22,24 @@ inline constexpr std::size_t kMostNameBytes = 4096;
 
 enum class MessageEncoding { cdr, ros1, other };
 
+/// How a bag defines a type, and what it says of a topic: for who copies messages as they are.
+struct TopicDefinition {
+  std::string type;      ///< as the bag spells it: "sensor_msgs/msg/PointCloud2"
+  std::string text;      ///< of the type and those that it refers to; empty: not known
+  std::string language;  ///< of the text: "ros2msg", "ros2idl"
+  std::string md5;       ///< ROS 1's
+  std::string qos;       ///< rosbag2's YAML of what was offered
+  bool latched = false;  ///< who comes late gets the last message, too
+};
+
+/// Whether a topic's YAML of rosbag2's says that who comes late gets its last messages.
+[[nodiscard]] bool is_latched_qos(std::string_view qos);
+
 struct Topic {
   std::string name;
   std::string type;  ///< "sensor_msgs/PointCloud2", for ROS 2 as well
   MessageEncoding encoding = MessageEncoding::other;
+  std::shared_ptr<const TopicDefinition> definition = {};  ///< may be null
 };
 
 struct Message {
@@ -72,6 +86,8 @@ class MessageSource {
   void note_harmless(std::string_view text);
   /// Adds a topic, once.
   void announce(const Topic& topic);
+  /// A definition to keep; without its texts where all of a bag take more memory than they may.
+  [[nodiscard]] std::shared_ptr<const TopicDefinition> keep(TopicDefinition definition);
   /// A message's bytes; nothing where it is too large or, decompressed while it is read (`source`
   /// is not null), too dense, or ends early, as `record` then shows. The former are noted.
   [[nodiscard]] std::optional<std::span<const std::byte>> read_message_bytes(
@@ -83,6 +99,7 @@ class MessageSource {
  private:
   std::string wanted_;
   std::uint64_t met_ = 0;
+  std::size_t definition_bytes_ = 0;
   std::vector<std::string> notes_, losses_;
   std::vector<Topic> announced_;
 };

@@ -197,8 +197,16 @@ class Ros1BagReader final : public MessageSource {
     topic.name = fields.find("topic").substr(0, kMostNameBytes);
     const auto bytes = read_bytes(data, data.left(), data_);
     if (!bytes) return;
-    topic.type = plain_type_name(RecordFields(*bytes).find("type").substr(0, kMostNameBytes));
+    const RecordFields connection(*bytes);
+    TopicDefinition definition;
+    definition.type = connection.find("type").substr(0, kMostNameBytes);
+    definition.text = connection.find("message_definition");
+    definition.language = "ros1msg";
+    definition.md5 = connection.find("md5sum");
+    definition.latched = connection.find("latching") == "1";
+    topic.type = plain_type_name(definition.type);
     topic.encoding = MessageEncoding::ros1;
+    topic.definition = keep(std::move(definition));
     announce(topic);
     topics_.emplace(id, std::move(topic));
   }

@@ -69,6 +69,7 @@ class Ros1Bag final : public BagWriter {
     Fields data;
     data.add("topic", name).add("type", definition.type).add("md5sum", definition.ros1_md5);
     data.add("message_definition", definition.ros1_text);
+    if (definition.latched) data.add("latching", "1");
     Fields header(RecordKind::connection);
     header.add("conn", little_endian(id)).add("topic", name);
     connections_.push_back(record(header, data.bytes()));

@@ -187,19 +187,49 @@ class SqliteBagReader final : public MessageSource {
     return Statement(statement);
   }
 
-  static std::string text_of(sqlite3_stmt* row, int column) {
+  // Null where the database has no such table or column.
+  Statement try_to_prepare(const char* query) {
+    sqlite3_stmt* statement = nullptr;
+    sqlite3_prepare_v2(database_.get(), query, -1, &statement, nullptr);
+    return Statement(statement);
+  }
+
+  static std::string text_of(sqlite3_stmt* row, int column, std::size_t most = kMostNameBytes) {
     const unsigned char* const text = sqlite3_column_text(row, column);
-    return text == nullptr
-               ? std::string()
-               : std::string(reinterpret_cast<const char*>(text)).substr(0, kMostNameBytes);
+    return text == nullptr ? std::string()
+                           : std::string(reinterpret_cast<const char*>(text)).substr(0, most);
+  }
+
+  // Bags since Iron hold the definitions of their types.
+  TopicDefinition definition_of(std::string type) {
+    constexpr std::size_t kMostText = 1 << 20;
+    TopicDefinition definition;
+    definition.type = std::move(type);
+    sqlite3_stmt* const row = definitions_.get();
+    if (row == nullptr) return definition;
+    sqlite3_reset(row);
+    sqlite3_bind_text(row, 1, definition.type.c_str(), -1, SQLITE_TRANSIENT);
+    if (sqlite3_step(row) != SQLITE_ROW) return definition;
+    definition.language = text_of(row, 0);
+    definition.text = text_of(row, 1, kMostText);
+    return definition;
   }
 
   void read_topics() {
     constexpr std::size_t kMostTopics = 65'536;
-    const Statement rows = prepare("SELECT id, name, type, serialization_format FROM topics");
+    Statement rows = try_to_prepare(
+        "SELECT id, name, type, serialization_format, offered_qos_profiles FROM topics");
+    // The oldest bags have no such column.
+    if (!rows) rows = prepare("SELECT id, name, type, serialization_format, '' FROM topics");
+    definitions_ = try_to_prepare(
+        "SELECT encoding, encoded_message_definition FROM message_definitions "
+        "WHERE topic_type = ?");
     while (sqlite3_step(rows.get()) == SQLITE_ROW && topics_.size() < kMostTopics) {
-      Topic topic{text_of(rows.get(), 1), plain_type_name(text_of(rows.get(), 2)),
-                  MessageEncoding::other};
+      TopicDefinition definition = definition_of(text_of(rows.get(), 2));
+      Topic topic{text_of(rows.get(), 1), plain_type_name(definition.type), MessageEncoding::other};
+      definition.qos = text_of(rows.get(), 4);
+      definition.latched = is_latched_qos(definition.qos);
+      topic.definition = keep(std::move(definition));
       const std::string encoding = text_of(rows.get(), 3);
       if (encoding == "cdr" || encoding.empty()) topic.encoding = MessageEncoding::cdr;
       if (encoding == "ros1" || encoding == "rosmsg_v2") topic.encoding = MessageEncoding::ros1;
@@ -259,6 +289,7 @@ class SqliteBagReader final : public MessageSource {
   Database database_;
   Statement in_order_;
   Statement by_number_;
+  Statement definitions_;  ///< of a type; null where the bag has none
   std::map<std::int64_t, Topic> topics_;
   CompressedMessages compressed_;
   std::int64_t rows_ = -1;  ///< greatest row number; -1: not known

@@ -25,6 +25,28 @@ constexpr const char* kTables =
     "CREATE INDEX timestamp_idx ON messages (timestamp ASC);"
     "INSERT INTO schema(schema_version, ros_distro) VALUES (3, 'humble');";
 
+// A text as YAML has it: in quotes, unless it is a name as ROS gives them.
+std::string yaml_word(std::string_view text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/_";
+  const bool plain = text.find_first_not_of(kPlain) == std::string_view::npos;
+  if (plain && text.find('/') != std::string_view::npos) return std::string(text);
+  std::string word = "\"";
+  for (const char c : text) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      word += "\\n";
+    } else if (code < 0x20 || code == 0x7f) {
+      word += {'\\', 'x', kDigits[code >> 4], kDigits[code & 15]};
+    } else {
+      if (c == '"' || c == '\\') word += '\\';
+      word += c;
+    }
+  }
+  return word + '"';
+}
+
 class SqliteBag final : public BagWriter {
  public:
   explicit SqliteBag(const fs::path& folder) : folder_(folder) {
@@ -55,12 +77,13 @@ class SqliteBag final : public BagWriter {
   SqliteBag& operator=(const SqliteBag&) = delete;
 
   std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
-    topics_.push_back({name, definition.ros2_type(), 0});
+    topics_.push_back({name, definition.ros2_type(), definition.qos, 0});
     sqlite3_stmt* row = nullptr;
-    prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', '')", row);
+    prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', ?)", row);
     sqlite3_bind_int64(row, 1, static_cast<sqlite3_int64>(topics_.size()));
     sqlite3_bind_text(row, 2, name.c_str(), -1, SQLITE_TRANSIENT);
     sqlite3_bind_text(row, 3, topics_.back().type.c_str(), -1, SQLITE_TRANSIENT);
+    sqlite3_bind_text(row, 4, definition.qos.c_str(), -1, SQLITE_TRANSIENT);
     const bool done = sqlite3_step(row) == SQLITE_DONE;
     sqlite3_finalize(row);
     if (!done) fail();
@@ -90,6 +113,7 @@ class SqliteBag final : public BagWriter {
   struct TopicCount {
     std::string name;
     std::string type;
+    std::string qos;
     std::size_t messages;
   };
 
@@ -113,10 +137,11 @@ class SqliteBag final : public BagWriter {
     text += "  starting_time:\n    nanoseconds_since_epoch: " + std::to_string(first_ns_) + "\n";
     text += "  message_count: " + count + "\n  topics_with_message_count:\n";
     for (const TopicCount& topic : topics_) {
-      text += "    - topic_metadata:\n        name: " + topic.name +
-              "\n        type: " + topic.type +
-              "\n        serialization_format: cdr\n        offered_qos_profiles: \"\"\n" +
-              "      message_count: " + std::to_string(topic.messages) + "\n";
+      text += "    - topic_metadata:\n        name: " + yaml_word(topic.name) +
+              "\n        type: " + yaml_word(topic.type) +
+              "\n        serialization_format: cdr\n        offered_qos_profiles: " +
+              yaml_word(topic.qos) + "\n      message_count: " + std::to_string(topic.messages) +
+              "\n";
     }
     text += "  compression_format: \"\"\n  compression_mode: \"\"\n";
     text += "  relative_file_paths:\n    - " + file_name_ + "\n  files:\n    - path: " + file_name_;

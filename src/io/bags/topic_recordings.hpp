@@ -17,6 +17,7 @@ struct TopicRecordingParts {
   TopicMessages messages;
   std::vector<std::string> notes;  ///< what was found out already
   std::vector<Topic> seen;         ///< topics that could be chosen from
+  bool others_are_read = false;    ///< by somebody else
 
   /// A note on topics with scans that the bag announced too late to be chosen from, at its end.
   void note_late_topics();

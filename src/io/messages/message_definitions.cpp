@@ -16,7 +16,7 @@ struct Part {
 };
 
 // ROS 2, common_interfaces and rcl_interfaces.
-constexpr std::array<Part, 20> kParts = {{
+constexpr std::array<Part, 22> kParts = {{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
@@ -41,6 +41,12 @@ constexpr std::array<Part, 20> kParts = {{
      "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
      "geometry_msgs/TwistWithCovariance twist\n"},
     {"nav_msgs/Path", "std_msgs/Header header\ngeometry_msgs/PoseStamped[] poses\n"},
+    {"sensor_msgs/Imu",
+     "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\n"
+     "float64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\n"
+     "float64[9] angular_velocity_covariance\ngeometry_msgs/Vector3 linear_acceleration\n"
+     "float64[9] linear_acceleration_covariance\n"},
+    {"std_msgs/String", "string data\n"},
     {"tf2_msgs/TFMessage", "geometry_msgs/TransformStamped[] transforms\n"},
     {"diagnostic_msgs/KeyValue", "string key\nstring value\n"},
     {"diagnostic_msgs/DiagnosticStatus",
@@ -78,6 +84,7 @@ constexpr std::string_view kPose = "geometry_msgs/Pose";
 }  // namespace
 
 std::string MessageDefinition::ros2_type() const {
+  if (!ros2_name.empty()) return ros2_name;
   std::string name = type;
   return name.insert(name.find('/'), "/msg");
 }
@@ -122,6 +129,16 @@ MessageDefinition diagnostics_definition() {
           joined("diagnostic_msgs/DiagnosticArray",
                  {kHeader, kTime, "diagnostic_msgs/DiagnosticStatus", "diagnostic_msgs/KeyValue"}),
           "", ""};
+}
+
+std::string known_ros2_text(std::string_view type) {
+  for (const MessageDefinition& definition :
+       {point_cloud2_definition(), odometry_definition(), path_definition(),
+        transforms_definition(), diagnostics_definition()}) {
+    if (definition.type == type) return definition.ros2_text;
+  }
+  if (type == "sensor_msgs/Imu") return joined(type, {kHeader, kTime, kQuaternion, kVector});
+  return type == "std_msgs/String" ? std::string(text_of(type)) : std::string();
 }
 
 }  // namespace surefoot::io
