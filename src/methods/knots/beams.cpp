@@ -76,14 +76,14 @@ struct Span {
 
 /// How near to a surfel's mean a beam passes it [m^2].
 double reach2_of(const Surfel& surfel) {
-  return surfel.directions == 1 ? surfel.extent
-                                : std::max(kMiddle * surfel.extent, kSmall * kSmall);
+  const auto extent = static_cast<double>(surfel.extent);
+  return surfel.directions == 1 ? extent : std::max(kMiddle * extent, kSmall * kSmall);
 }
 
 /// Whether a ray passes the middle of what lies at `d` from where it begins.
 bool meets(const Surfel& surfel, const Eigen::Vector3d& ray, const Eigen::Vector3d& d) {
   if (surfel.directions != 1) return (d - d.dot(ray) * ray).squaredNorm() < reach2_of(surfel);
-  const Eigen::Vector3d& n = surfel.across[0];
+  const Eigen::Vector3d n = surfel.across(0);
   const double along = n.dot(ray);
   return std::abs(along) >= kOblique &&
          (n.dot(d) / along * ray - d).squaredNorm() < reach2_of(surfel);
@@ -178,7 +178,7 @@ Beams::Answer Beams::at(const Eigen::Vector3d& place) const {
 bool Beams::pass(const Surfel& surfel) const {
   const Eigen::Vector3d d = surfel.mean - sensor_;
   const double distance = d.norm();
-  if (surfel.directions == 1 && std::abs(surfel.across[0].dot(d)) < kOblique * distance) {
+  if (surfel.directions == 1 && std::abs(surfel.across(0).dot(d)) < kOblique * distance) {
     return false;
   }
   const double reach = kFastest * std::sqrt(reach2_of(surfel));

@@ -32,7 +32,7 @@ constexpr std::size_t kPoints = 150;  // to look with, coarsely
 constexpr std::size_t kPlaces = 4;    // to register at
 
 // The second best place must be so many times worse, or it is not known which one it is.
-constexpr double kBetter = 1.15;
+constexpr double kClearlyBetter = 1.15;
 
 // So much more doubt is allowed straight after the scan that went wrong: where the robot would be
 // had that one not come is a likelier place than one that was looked for.
@@ -137,7 +137,7 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
     return disagreement_of(a) < disagreement_of(b);
   });
   for (std::size_t i = 1; i < found.size(); ++i) {
-    if (disagreement_of(found[i]) > kBetter * disagreement_of(found[0])) break;
+    if (disagreement_of(found[i]) > kClearlyBetter * disagreement_of(found[0])) break;
     if (!same_place(found[i].trajectory.at(0.5), found[0].trajectory.at(0.5))) return std::nullopt;
   }
   if (found.empty()) return std::nullopt;

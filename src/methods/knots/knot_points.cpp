@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/downsample.hpp"
+#include "core/morton_order.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
@@ -31,7 +32,9 @@ std::vector<std::uint32_t> PointChoice::thin(const std::vector<Eigen::Vector3f>&
     const double coarsest = std::max(cubes_.coarsest, voxel_ * std::sqrt(excess / kMost));
     const double used =
         std::exchange(voxel_, std::clamp(voxel_ * std::sqrt(excess), finest, coarsest));
-    if (attempt == 2 || excess <= kFarTooMany || voxel_ <= used) return thinned;
+    if (attempt < 2 && excess > kFarTooMany && voxel_ > used) continue;
+    sort_along_morton_curve(places, thinned);
+    return thinned;
   }
 }
 

@@ -39,8 +39,8 @@ struct Grain {
 double fit_of(const Eigen::Vector3d& place, const Surfel& surfel, double scale) {
   double fit = 0.0;
   for (int d = 0; d < surfel.directions; ++d) {
-    const double residual = surfel.across[d].dot(place - surfel.mean);
-    const double variance = scale * scale + surfel.variance[d];
+    const double residual = surfel.across(d).dot(place - surfel.mean);
+    const double variance = scale * scale + surfel.variance(d);
     fit += 1.0 / (1.0 + residual * residual / variance);  // [K29]
   }
   return fit / surfel.directions;

@@ -16,9 +16,9 @@ namespace {
 SurfelResidual residual_of(const Eigen::Vector3d& place, const Surfel& surfel, int direction,
                            const Look& look, const Config::Knots& config) {
   SurfelResidual residual;
-  residual.normal = surfel.across[direction];
+  residual.normal = surfel.across(direction);
   residual.value = residual.normal.dot(place - surfel.mean);  // [K2]
-  residual.variance = look.inflation * (config.noise * config.noise + surfel.variance[direction]);
+  residual.variance = look.inflation * (config.noise * config.noise + surfel.variance(direction));
   residual.weight = static_cast<double>(look.stride) * config.independence *
                     (surfel.cloud() ? config.cloud_weight : 1.0);
   residual.part = 1.0 / surfel.directions;
@@ -64,8 +64,8 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap&
       residual.arm = point.ray;
       residual.u = u;
       rows.add(residual);
-      if (!look.last || surfel->worth[d] >= 1.0) continue;
-      residual.weight *= 1.0 - surfel->worth[d];
+      if (!look.last || surfel->worth(d) >= 1.0) continue;
+      residual.weight *= 1.0 - surfel->worth(d);
       doubtful.add(residual);
     }
   });

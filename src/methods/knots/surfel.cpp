@@ -26,20 +26,20 @@ double narrowest(const Eigen::Matrix3d& C) {
 }  // namespace
 
 Eigen::Matrix3d SurfelMoments::matrix_of(const Products& p) {
-  return (Eigen::Matrix3d() << p[0], p[1], p[2], p[1], p[3], p[4], p[2], p[4], p[5]).finished();
+  return (Eigen::Matrix3d() << p.xx, p.xy, p.xz, p.xy, p.yy, p.yz, p.xz, p.yz, p.zz).finished();
 }
 
 Eigen::Matrix3d SurfelMoments::unseen(double ring_gap) const {
-  const Eigen::Vector3d ray = ray_sum_.normalized();
+  const Eigen::Vector3d ray = mean_ray().normalized();
   const double variance = ring_gap * ring_gap * squared_ranges_ / (3.0 * count_);
   return variance * (Eigen::Matrix3d::Identity() - ray * ray.transpose());  // [K24]
 }
 
 double SurfelMoments::of_one_ring(double ring_gap) const {
-  const Eigen::Vector3d mean_ray = ray_sum_ / count_;
-  const Eigen::Vector3d ray = mean_ray.normalized();
+  const Eigen::Vector3d mean = mean_ray();
+  const Eigen::Vector3d ray = mean.normalized();
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - ray * ray.transpose();
-  const Eigen::Matrix3d spread = matrix_of(rays_) / count_ - mean_ray * mean_ray.transpose();
+  const Eigen::Matrix3d spread = matrix_of(rays_) / count_ - mean * mean.transpose();
   const double evenly = std::max(ring_gap * ring_gap / 12.0, 1e-12);
   return std::clamp(1.0 - narrowest(across * spread * across) / evenly, 0.0, 1.0);
 }
@@ -48,26 +48,27 @@ double SurfelMoments::of_one_ring(double ring_gap) const {
 /// ring met, nobody knows where along the rays the next one would: on a floor, metres farther on.
 /// And points that fill a voxel from end to end have no place in it, wherever the sensor goes.
 void SurfelMoments::weigh(Surfel& cloud, double size, const Config::Knots& config) const {
-  const Eigen::Vector3d ray = ray_sum_.normalized();
+  const Eigen::Vector3d ray = mean_ray().normalized();
   const double next_ring = config.ring_gap * config.ring_gap * squared_ranges_ / (3.0 * count_);
   const double slope = 1.0 / std::max(config.edge_on, Surfel::kGrazing);
   const double along = of_one_ring(config.ring_gap) * next_ring * slope * slope;
   const double filled = size * size / 12.0;  // variance of what is spread evenly
-  for (int i = 0; i < 3; ++i) {
-    const double claimed = cloud.variance[i] + config.noise * config.noise;
-    const double cosine = cloud.across[i].dot(ray);
+  for (Surfel::Direction& direction : cloud.along) {
+    const double claimed = static_cast<double>(direction.variance) + config.noise * config.noise;
+    const double cosine = direction.across.cast<double>().dot(ray);
     const double known = claimed + along * cosine * cosine;
-    cloud.worth[i] = claimed / known * std::max(1.0 - known / filled, 0.0);  // [K31]
+    direction.worth =
+        static_cast<float>(claimed / known * std::max(1.0 - known / filled, 0.0));  // [K31]
   }
 }
 
-Surfel SurfelMoments::fit(const Eigen::Vector3d& corner, double size,
+Surfel SurfelMoments::fit(const Eigen::Vector3d& middle, double size,
                           const Config::Knots& config) const {
   Surfel surfel;
-  const Eigen::Vector3d middle = mean();
-  const Eigen::Matrix3d C = matrix_of(products_) / count_ - middle * middle.transpose();
-  surfel.mean = corner + middle;
-  surfel.extent = C.trace();
+  const Eigen::Vector3d offset = mean();
+  const Eigen::Matrix3d C = matrix_of(products_) / count_ - offset * offset.transpose();
+  surfel.mean = middle + offset;
+  surfel.extent = static_cast<float>(C.trace());
   if (count_ < config.min_points) return surfel;
   SymmetricEigen<3> eigen = symmetric_eigen_direct(C);
   const Eigen::Vector3d spread = eigen.values.cwiseMax(0.0);
@@ -85,11 +86,11 @@ Surfel SurfelMoments::fit(const Eigen::Vector3d& corner, double size,
   surfel.directions = plane ? 1 : pole ? 2 : config.cloud_weight > 0.0 ? 3 : 0;
   if (surfel.cloud()) eigen = symmetric_eigen_direct(C + unseen(config.ring_gap));
   for (int i = 0; i < std::max(surfel.directions, 2); ++i) {
-    surfel.across[i] = eigen.vectors.col(i);
-    surfel.variance[i] = std::max(eigen.values[i], 0.0);
+    surfel.along[i].across = eigen.vectors.col(i).cast<float>();
+    surfel.along[i].variance = static_cast<float>(std::max(eigen.values[i], 0.0));
   }
   if (surfel.cloud()) weigh(surfel, size, config);
-  if (surfel.across[0].dot(ray_sum_) > 0.0) surfel.across[0] *= -1.0;
+  if (surfel.along[0].across.dot(ray_sum_) > 0.0F) surfel.along[0].across *= -1.0F;
   return surfel;
 }
 

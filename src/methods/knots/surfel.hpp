@@ -9,34 +9,43 @@
 namespace surefoot {
 
 /// What a voxel's points lie on: a plane (one direction across it), a pole (two), or neither: a
-/// cloud (three) of leaves, grass or stones. Begins a cache line, which holds what is asked first.
+/// cloud (three) of leaves, grass or stones. Begins a cache line, which holds all that is asked of
+/// a plane; for that, what is small is in single precision.
 struct alignas(64) Surfel {
-  int directions = 0;                              ///< 0: too few points
+  struct Direction {
+    Eigen::Vector3f across = Eigen::Vector3f::Zero();  ///< unit; a plane's: to who sees it
+    float variance = 0.0F;  ///< along it [m^2]: the points', a cloud's widened
+    float worth = 1.0F;     ///< share of what residuals along it claim to tell
+  };
+
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< map frame [m]
-  double extent = 0.0;                             ///< variance of the points, all ways [m^2]
-  Eigen::Vector3d across[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                               Eigen::Vector3d::Zero()};  ///< unit; a plane's: to who sees it
-  double variance[3] = {0.0, 0.0, 0.0};  ///< along them [m^2]: the points', a cloud's widened
-  double worth[3] = {1.0, 1.0, 1.0};     ///< share of what residuals along them claim to tell
+  int directions = 0;                              ///< 0: too few points
+  float extent = 0.0F;                             ///< variance of the points, all ways [m^2]
+  Direction along[3];
+
+  [[nodiscard]] Eigen::Vector3d across(int i) const { return along[i].across.cast<double>(); }
+  [[nodiscard]] double variance(int i) const { return static_cast<double>(along[i].variance); }
+  [[nodiscard]] double worth(int i) const { return static_cast<double>(along[i].worth); }
 
   [[nodiscard]] bool cloud() const { return directions == 3; }
 
   /// Whether a ray (of any length, from the sensor) meets a plane's back.
   [[nodiscard]] bool from_behind(const Eigen::Vector3d& ray) const {
     if (directions != 1) return false;
-    const double along = across[0].dot(ray);
-    return along > 0.0 && along * along > kGrazing * kGrazing * ray.squaredNorm();
+    const double onward = across(0).dot(ray);
+    return onward > 0.0 && onward * onward > kGrazing * kGrazing * ray.squaredNorm();
   }
 
   /// Who sees a plane at a smaller angle than this (sine) may be on either side of it.
   static constexpr double kGrazing = 0.05;
 };
 
-/// Sums over a voxel's points, and over the rays that measured them.
+/// Sums over a voxel's points, and over the rays that measured them. In single precision, which
+/// rounds by micrometres where the LiDAR errs by millimetres: each point lies within the voxel.
 class SurfelMoments {
  public:
-  /// `point`: from the voxel's corner [m]; `ray`: unit vector from the sensor, `range` [m] away.
-  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double range) {
+  /// `point`: from the voxel's middle [m]; `ray`: unit vector from the sensor, `range` [m] away.
+  void add(const Eigen::Vector3f& point, const Eigen::Vector3f& ray, float range) {
     ++count_;
     sum_ += point;
     add_products(point, products_);
@@ -46,39 +55,40 @@ class SurfelMoments {
   }
 
   [[nodiscard]] int count() const { return count_; }
-  /// Of at least one point, from the voxel's corner [m].
-  [[nodiscard]] Eigen::Vector3d mean() const { return sum_ / count_; }
-  /// `corner` [m, map frame] of a voxel of side `size` [m].
-  [[nodiscard]] Surfel fit(const Eigen::Vector3d& corner, double size,
+  /// Of at least one point, from the voxel's middle [m].
+  [[nodiscard]] Eigen::Vector3d mean() const { return sum_.cast<double>() / count_; }
+  /// `middle` [m, map frame] of a voxel of side `size` [m].
+  [[nodiscard]] Surfel fit(const Eigen::Vector3d& middle, double size,
                            const Config::Knots& config) const;
 
  private:
   /// The upper triangle of a sum of v v^T, row by row.
-  using Products = Eigen::Matrix<double, 6, 1>;
+  struct Products {
+    float xx = 0.0F, xy = 0.0F, xz = 0.0F, yy = 0.0F, yz = 0.0F, zz = 0.0F;
+  };
 
-  /// One by one: put together first, they would go through memory.
-  static void add_products(const Eigen::Vector3d& v, Products& sum) {
-    sum[0] += v.x() * v.x();
-    sum[1] += v.x() * v.y();
-    sum[2] += v.x() * v.z();
-    sum[3] += v.y() * v.y();
-    sum[4] += v.y() * v.z();
-    sum[5] += v.z() * v.z();
+  static void add_products(const Eigen::Vector3f& v, Products& sum) {
+    sum.xx += v.x() * v.x();
+    sum.xy += v.x() * v.y();
+    sum.xz += v.x() * v.z();
+    sum.yy += v.y() * v.y();
+    sum.yz += v.y() * v.z();
+    sum.zz += v.z() * v.z();
   }
   [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
+  [[nodiscard]] Eigen::Vector3d mean_ray() const { return ray_sum_.cast<double>() / count_; }
   /// What the rings leave unseen between them, as a covariance [m^2].
   [[nodiscard]] Eigen::Matrix3d unseen(double ring_gap) const;
   /// 1 if one ring saw the points, 0 if rings did all over the gap between two.
   [[nodiscard]] double of_one_ring(double ring_gap) const;
   void weigh(Surfel& cloud, double size, const Config::Knots& config) const;
 
-  // In an order that leaves no gaps: Eigen aligns the products.
-  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
-  double squared_ranges_ = 0.0;
-  Products products_ = Products::Zero();
-  Products rays_ = Products::Zero();
-  Eigen::Vector3d ray_sum_ = Eigen::Vector3d::Zero();
   int count_ = 0;
+  Eigen::Vector3f sum_ = Eigen::Vector3f::Zero();
+  Products products_;
+  Eigen::Vector3f ray_sum_ = Eigen::Vector3f::Zero();
+  Products rays_;
+  float squared_ranges_ = 0.0F;
 };
 
 }  // namespace surefoot

@@ -45,6 +45,10 @@ VoxelIndex half(const VoxelIndex& index) {
   return {index.x() >> 1, index.y() >> 1, index.z() >> 1};
 }
 
+Eigen::Vector3d middle_of(const VoxelIndex& index, double size) {
+  return (index.cast<double>().array() + 0.5) * size;
+}
+
 // voxel_key() leaves the first bit free: it tells a voxel's back.
 constexpr std::uint64_t kBack = std::uint64_t{1} << 63;
 
@@ -86,7 +90,7 @@ void SurfelMap::find_all(std::span<const Question> questions, int finest) const 
     for (std::size_t i = 0; i < n; ++i) {
       searches[i].found = grid.table.find(searches[i].key);
       if (searches[i].found != VoxelTable::kNone) {
-        prefetch(grid.surfels[searches[i].found], 2 * kCacheLine);
+        prefetch(grid.surfels[searches[i].found], kCacheLine);
       }
     }
     std::size_t open = 0;
@@ -127,17 +131,28 @@ int SurfelMap::level_of(double size) const {
 }
 
 struct SurfelMap::Sweep {
-  Sweep(const std::vector<Eigen::Vector3d>& of, const Eigen::Vector3d& sensor) : points(of) {
+  Sweep(const std::vector<Eigen::Vector3d>& of, const Eigen::Vector3d& sensor,
+        double inverse_finest_size)
+      : points(of) {
+    indices.reserve(points.size());
     rays.reserve(points.size());
     ranges.reserve(points.size());
     for (const Eigen::Vector3d& point : points) {
+      indices.push_back(voxel_index(point, inverse_finest_size));
       const Eigen::Vector3d ray = point - sensor;
       ranges.push_back(ray.norm());
       rays.emplace_back(ray / ranges.back());
     }
   }
 
+  /// Of the voxel of a level's grid that a point lies in.
+  [[nodiscard]] VoxelIndex index(std::uint32_t point, std::size_t level) const {
+    const VoxelIndex& finest = indices[point];
+    return {finest.x() >> level, finest.y() >> level, finest.z() >> level};
+  }
+
   const std::vector<Eigen::Vector3d>& points;
+  std::vector<VoxelIndex> indices;  // in the finest grid
   std::vector<Eigen::Vector3d> rays;
   std::vector<double> ranges;
 };
@@ -172,18 +187,17 @@ std::vector<std::uint32_t> SurfelMap::taken_by(std::size_t level, const Sweep& s
   if (level >= finest_whole()) return taken;
   const double reach = reach_of(grids_[level]);
   std::erase_if(taken, [&](std::uint32_t i) { return sweep.ranges[i] > reach; });
-  leave_undivided(grids_[level + 1], sweep, taken);
+  leave_undivided(level + 1, sweep, taken);
   return taken;
 }
 
-/// Drops the points in whose voxels are too few.
-void SurfelMap::leave_undivided(const Grid& grid, const Sweep& sweep,
+/// Drops the points in whose voxels of a level are too few.
+void SurfelMap::leave_undivided(std::size_t level, const Sweep& sweep,
                                 std::vector<std::uint32_t>& taken) const {
+  const Grid& grid = grids_[level];
   const std::size_t n = taken.size();
   std::vector<std::uint64_t> keys(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    keys[i] = voxel_key(voxel_index(sweep.points[taken[i]], grid.inverse_size));
-  }
+  for (std::size_t i = 0; i < n; ++i) keys[i] = voxel_key(sweep.index(taken[i], level));
   std::vector<std::uint32_t> voxels(n);
   for (std::size_t i = 0; i < n; ++i) {
     if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
@@ -200,12 +214,15 @@ void SurfelMap::leave_undivided(const Grid& grid, const Sweep& sweep,
   taken.resize(kept);
 }
 
-void SurfelMap::add(Grid& grid, const Sweep& sweep, const std::vector<std::uint32_t>& taken) const {
+/// A voxel takes all of a scan's points or none, so that their order is no matter.
+void SurfelMap::add(std::size_t level, const Sweep& sweep,
+                    const std::vector<std::uint32_t>& taken) {
+  Grid& grid = grids_[level];
   const std::size_t n = taken.size();
   std::vector<VoxelIndex> indices(n);
   std::vector<std::uint64_t> keys(n);
   for (std::size_t i = 0; i < n; ++i) {
-    indices[i] = voxel_index(sweep.points[taken[i]], grid.inverse_size);
+    indices[i] = sweep.index(taken[i], level);
     keys[i] = voxel_key(indices[i]);
   }
   std::vector<std::uint32_t> sides(n);
@@ -213,12 +230,14 @@ void SurfelMap::add(Grid& grid, const Sweep& sweep, const std::vector<std::uint3
     if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
     sides[i] = side_of(grid, keys[i], indices[i]);
   }
+  std::vector<std::uint32_t> filled;
   for (std::size_t i = 0; i < n; ++i) {
-    if (i + kAhead < n) {
-      const std::uint32_t ahead = sides[i + kAhead];
-      prefetch(grid.surfels[ahead], kCacheLine);
-      prefetch(grid.sights[ahead]);
-      prefetch(grid.voxels[ahead]);
+    if (i + 2 * kAhead < n) {
+      prefetch(grid.surfels[sides[i + 2 * kAhead]], kCacheLine);
+      prefetch(grid.sights[sides[i + 2 * kAhead]]);
+    }
+    if (i + kAhead < n && !grid.sights[sides[i + kAhead]].full) {
+      prefetch(grid.voxels[sides[i + kAhead]]);
     }
     const std::uint32_t point = taken[i];
     if (grid.surfels[sides[i]].from_behind(sweep.rays[point])) {
@@ -228,15 +247,18 @@ void SurfelMap::add(Grid& grid, const Sweep& sweep, const std::vector<std::uint3
     sight.now = true;
     if (sight.full) continue;
     Voxel& voxel = grid.voxels[sides[i]];
-    voxel.moments.add(sweep.points[point] - indices[i].cast<double>() * grid.size,
-                      sweep.rays[point], sweep.ranges[point]);
+    const Eigen::Vector3d place = sweep.points[point] - middle_of(indices[i], grid.size);
+    voxel.moments.add(place.cast<float>(), sweep.rays[point].cast<float>(),
+                      static_cast<float>(sweep.ranges[point]));
     const int count = voxel.moments.count();
-    sight.full = count >= config_.points_per_voxel;  // what was seen first is kept: no drift
+    if (count == config_.points_per_voxel) filled.push_back(sides[i]);
     if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
       voxel.stale = true;
       grid.stale.push_back(sides[i]);
     }
   }
+  // What was seen first is kept: no drift.
+  for (const std::uint32_t side : filled) grid.sights[side].full = true;
 }
 
 void SurfelMap::fit(Grid& grid) const {
@@ -248,8 +270,7 @@ void SurfelMap::fit(Grid& grid) const {
     }
     const std::uint32_t at = grid.stale[i];
     Voxel& voxel = grid.voxels[at];
-    const Eigen::Vector3d corner = voxel.index.cast<double>() * grid.size;
-    grid.surfels[at] = voxel.moments.fit(corner, grid.size, config_);
+    grid.surfels[at] = voxel.moments.fit(middle_of(voxel.index, grid.size), grid.size, config_);
     grid.sights[at].middle = grid.surfels[at].mean.cast<float>();
     voxel.stale = false;
     voxel.fitted_at = voxel.moments.count();
@@ -289,7 +310,7 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
     Voxel& voxel = grid.voxels[at];
     const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
     if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
-      emptied.emplace_back((voxel.index.cast<double>().array() + 0.5) * grid.size);
+      emptied.push_back(middle_of(voxel.index, grid.size));
     }
     empty(grid, at);
   }
@@ -322,7 +343,7 @@ void SurfelMap::empty_divided(const std::vector<Eigen::Vector3d>& centres) {
 Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
                         const Workers& workers, const Beams* beams) {
   ++scan_;
-  const Sweep sweep(points, sensor);
+  const Sweep sweep(points, sensor, grids_.front().inverse_size);
   std::optional<Beams> own;
   if (config_.gone_after == 0) {
     beams = nullptr;
@@ -335,7 +356,7 @@ Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen:
   Cubes emptied{grids_[finest].size, {}};
   workers.for_each(grids_.size(), [&](std::size_t level) {
     Grid& grid = grids_[level];
-    add(grid, sweep, taken[level]);
+    add(level, sweep, taken[level]);
     fit(grid);
     if (beams == nullptr || level < finest) return;
     std::vector<Eigen::Vector3d> here = empty_passed(grid, *beams);
@@ -355,8 +376,10 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
     grid.table.clear();
     for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
       const Voxel& voxel = grid.voxels[at];
-      const Eigen::Vector3d centre = (voxel.index.cast<double>().array() + 0.5) * grid.size;
-      if (voxel.moments.count() == 0 || (centre - sensor).norm() > reach) continue;
+      if (voxel.moments.count() == 0 ||
+          (middle_of(voxel.index, grid.size) - sensor).norm() > reach) {
+        continue;
+      }
       grid.table.find_or_insert(voxel.key, kept);
       if (kept != at) {
         grid.voxels[kept] = voxel;
@@ -389,7 +412,7 @@ std::vector<Eigen::Vector3d> SurfelMap::points() const {
   for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
     const Voxel& voxel = grid.voxels[at];
     if (voxel.moments.count() == 0) continue;
-    means.emplace_back(voxel.index.cast<double>() * grid.size + voxel.moments.mean());
+    means.emplace_back(middle_of(voxel.index, grid.size) + voxel.moments.mean());
   }
   return means;
 }

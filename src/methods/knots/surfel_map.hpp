@@ -89,7 +89,7 @@ class SurfelMap {
     bool stale = false;
     SurfelMoments moments;
   };
-  static_assert(sizeof(Voxel) <= 192, "more than three cache lines");
+  static_assert(sizeof(Voxel) <= 128, "more than two cache lines");
   /// When it was seen, and what else is asked of every voxel at every scan.
   struct Sight {
     Eigen::Vector3f middle = Eigen::Vector3f::Zero();  // of its points [m]
@@ -130,9 +130,9 @@ class SurfelMap {
   [[nodiscard]] std::size_t finest_whole() const { return divides() ? 1 : 0; }
   [[nodiscard]] double reach_of(const Grid& grid) const;
   [[nodiscard]] std::vector<std::uint32_t> taken_by(std::size_t level, const Sweep& sweep) const;
-  void leave_undivided(const Grid& grid, const Sweep& sweep,
+  void leave_undivided(std::size_t level, const Sweep& sweep,
                        std::vector<std::uint32_t>& taken) const;
-  void add(Grid& grid, const Sweep& sweep, const std::vector<std::uint32_t>& taken) const;
+  void add(std::size_t level, const Sweep& sweep, const std::vector<std::uint32_t>& taken);
   void fit(Grid& grid) const;
   [[nodiscard]] std::vector<std::uint32_t> may_be_passed(Grid& grid, const Beams& beams) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;

@@ -23,14 +23,14 @@ Beams one_beam(const Eigen::Vector3d& towards, double range) {
 Surfel ball(const Eigen::Vector3d& mean, double deviation) {
   Surfel surfel;
   surfel.mean = mean;
-  surfel.extent = deviation * deviation;
+  surfel.extent = static_cast<float>(deviation * deviation);
   return surfel;
 }
 
 Surfel disc(const Eigen::Vector3d& mean, const Eigen::Vector3d& normal, double deviation) {
   Surfel surfel = ball(mean, deviation);
   surfel.directions = 1;
-  surfel.across[0] = normal.normalized();
+  surfel.along[0].across = normal.normalized().cast<float>();
   return surfel;
 }
 

@@ -51,7 +51,7 @@ Points shrub(Random& random, int count, double radius) {
 Eigen::Matrix3d covariance_of(const Surfel& surfel) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (int d = 0; d < 3; ++d) {
-    sum += surfel.variance[d] * surfel.across[d] * surfel.across[d].transpose();
+    sum += surfel.variance(d) * surfel.across(d) * surfel.across(d).transpose();
   }
   return sum;
 }
@@ -76,8 +76,8 @@ TEST(Cloud, ItIsItsPointsGaussianAndWhatTheRingsLeaveUnseen) {
   const Eigen::Vector3d ray = rays.normalized();
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - ray * ray.transpose();
   expected += 0.03 * 0.03 * squared_range / 3.0 * across;
-  EXPECT_LT((cloud->mean - mean).norm(), 1e-12);
-  EXPECT_LT((covariance_of(*cloud) - expected).norm(), 1e-12);
+  EXPECT_LT((cloud->mean - mean).norm(), 1e-8);  // single precision
+  EXPECT_LT((covariance_of(*cloud) - expected).norm(), 1e-7);
 }
 
 TEST(Cloud, OneRingTellsNothingBetweenTheRings) {
@@ -98,10 +98,10 @@ TEST(Cloud, OneRingTellsNothingBetweenTheRings) {
 double worth_along(const Surfel& cloud, const Eigen::Vector3d& direction) {
   int nearest = 0;
   for (int i = 1; i < 3; ++i) {
-    const auto cosine = [&](int j) { return std::abs(cloud.across[j].dot(direction)); };
+    const auto cosine = [&](int j) { return std::abs(cloud.across(j).dot(direction)); };
     if (cosine(i) > cosine(nearest)) nearest = i;
   }
-  return cloud.worth[nearest];
+  return cloud.worth(nearest);
 }
 
 TEST(Cloud, OneRingIsWorthNothingAlongItsRaysAndWhatFillsAVoxelNothingInIt) {
@@ -128,9 +128,9 @@ TEST(Cloud, WhatManyRingsMeetIsWorthAllThatItDoesNotFillOfItsVoxel) {
   ASSERT_NE(cloud, nullptr);
   ASSERT_TRUE(cloud->cloud());
   for (int i = 0; i < 3; ++i) {
-    const double known = cloud->variance[i] + dense.noise * dense.noise;
-    EXPECT_NEAR(cloud->worth[i], 1.0 - known * 12.0 / (0.4 * 0.4), 1e-9);
-    EXPECT_GT(cloud->worth[i], 0.7);
+    const double known = cloud->variance(i) + dense.noise * dense.noise;
+    EXPECT_NEAR(cloud->worth(i), 1.0 - known * 12.0 / (0.4 * 0.4), 1e-6);
+    EXPECT_GT(cloud->worth(i), 0.7);
   }
   const Eigen::Vector3d ray = (kMiddle - kCloudSensor).normalized();
   EXPECT_LT(worth_along(*cloud_surfel(few, kMiddle), ray), 0.3) << "16 rings: one or two";

@@ -47,9 +47,9 @@ void add_dense_surfels(const KnotWindow& window, const Config::Knots& config,
       SurfelMap::Place unknown;
       const Surfel* const surfel = true_map().find(place, arm, 0, unknown);
       for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-        const Eigen::Vector3d n = surfel->across[d];
+        const Eigen::Vector3d n = surfel->across(d);
         const double r = n.dot(place - surfel->mean);
-        const double variance = config.noise * config.noise + surfel->variance[d];
+        const double variance = config.noise * config.noise + surfel->variance(d);
         const double share = surfel->directions == 3 ? config.cloud_weight : 1.0;
         const double w =
             share * config.independence / variance / std::pow(1.0 + r * r / (9.0 * variance), 2);
@@ -60,7 +60,7 @@ void add_dense_surfels(const KnotWindow& window, const Config::Knots& config,
         J.segment<6>(6 * static_cast<Eigen::Index>(s + 2)) = u * of_pose;
         dense.H += w * J * J.transpose();
         dense.g += w * r * J;
-        dense.worth += w * surfel->worth[d] * J * J.transpose();
+        dense.worth += w * surfel->worth(d) * J * J.transpose();
         dense.rigid += w * of_pose * of_pose.transpose();
         dense.weighted_squares += w * r * r;
         ++dense.residuals;

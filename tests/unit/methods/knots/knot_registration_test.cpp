@@ -89,8 +89,8 @@ double cost(const KnotWindow& window, const KnotPrior& prior, const Config::Knot
       SurfelMap::Place unknown;
       const Surfel* const surfel = true_map().find(place, place - T.translation, 0, unknown);
       for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-        const double r = surfel->across[d].dot(place - surfel->mean);
-        const double variance = config.noise * config.noise + surfel->variance[d];
+        const double r = surfel->across(d).dot(place - surfel->mean);
+        const double variance = config.noise * config.noise + surfel->variance(d);
         const double share = surfel->directions == 3 ? config.cloud_weight : 1.0;
         // Geman-McClure
         sum += 0.5 * share * config.independence * r * r / (variance + r * r / 9.0);
@@ -166,8 +166,8 @@ TEST(KnotRegistration, TheMisfitIsWhatTheKernelTakesAway) {
       const Surfel* const surfel = true_map().find(place, place - T.translation, 0, unknown);
       if (surfel == nullptr) ++unseen;
       for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
-        const double r = surfel->across[d].dot(place - surfel->mean);
-        const double variance = config.noise * config.noise + surfel->variance[d];
+        const double r = surfel->across(d).dot(place - surfel->mean);
+        const double variance = config.noise * config.noise + surfel->variance(d);
         sum += r * r / (9.0 * variance + r * r) / surfel->directions;
       }
     }

@@ -45,10 +45,11 @@ TEST(SurfelMap, APlanesMeanNormalAndVarianceAreItsPoints) {
       for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / 60.0;
       const SymmetricEigen<3> eigen = symmetric_eigen<3>(covariance);
       const Eigen::Vector3d normal = noise > 0.0 ? eigen.vectors.col(0) : axes.col(2);
-      EXPECT_LT((surfel->mean - mean).norm(), 1e-12);
-      EXPECT_NEAR(surfel->across[0].norm(), 1.0, 1e-12);
-      EXPECT_LT(surfel->across[0].cross(normal).norm(), 1e-7);
-      EXPECT_NEAR(surfel->variance[0], eigen.values[0], 1e-12);
+      // Sums of 60 points within 0.1 m, in single precision.
+      EXPECT_LT((surfel->mean - mean).norm(), 1e-8);
+      EXPECT_NEAR(surfel->across(0).norm(), 1.0, 1e-7);
+      EXPECT_LT(surfel->across(0).cross(normal).norm(), 1e-6);
+      EXPECT_NEAR(surfel->variance(0), eigen.values[0], 2e-9);
     }
   }
 }
@@ -65,13 +66,13 @@ TEST(SurfelMap, AStandingPoleHasTwoDirectionsALyingLineNone) {
     }
     ASSERT_NE(surfel, nullptr) << tilt_deg;
     ASSERT_EQ(surfel->directions, 2);
-    for (const Eigen::Vector3d& across : {surfel->across[0], surfel->across[1]}) {
+    for (const Eigen::Vector3d& across : {surfel->across(0), surfel->across(1)}) {
       EXPECT_LT(std::abs(across.dot(axes.col(2))), 0.02);
-      EXPECT_NEAR(across.norm(), 1.0, 1e-12);
+      EXPECT_NEAR(across.norm(), 1.0, 1e-7);  // single precision
     }
-    EXPECT_LT(std::abs(surfel->across[0].dot(surfel->across[1])), 1e-9);
-    EXPECT_LE(surfel->variance[0], surfel->variance[1]);
-    EXPECT_LT(surfel->variance[1], 0.003 * 0.003);
+    EXPECT_LT(std::abs(surfel->across(0).dot(surfel->across(1))), 1e-7);
+    EXPECT_LE(surfel->variance(0), surfel->variance(1));
+    EXPECT_LT(surfel->variance(1), 0.003 * 0.003);
   }
 }
 
@@ -115,7 +116,7 @@ TEST(SurfelMap, BetweenRingsACoarserLevelAnswers) {
     const Surfel* const surfel = find(map, place);
     ASSERT_NE(surfel, nullptr);
     EXPECT_EQ(surfel->directions, 1);
-    EXPECT_NEAR(std::abs(surfel->across[0].z()), 1.0, 1e-9);
+    EXPECT_NEAR(std::abs(surfel->across(0).z()), 1.0, 1e-9);
   }
 }
 
@@ -164,8 +165,8 @@ TEST(SurfelMap, AWallHasTwoSides) {
   ASSERT_NE(back, nullptr);
   EXPECT_NEAR(front->mean.x(), 0.10, 1e-3);
   EXPECT_NEAR(back->mean.x(), 0.25, 1e-3);
-  EXPECT_LT(front->across[0].x(), -0.99);  // each to who sees it
-  EXPECT_GT(back->across[0].x(), 0.99);
+  EXPECT_LT(front->across(0).x(), -0.99);  // each to who sees it
+  EXPECT_GT(back->across(0).x(), 0.99);
   // And both survive a cleaning.
   map.remove_far({0.0, 0.0, 0.0});
   map.remove_far({90.0, 0.0, 0.0});
@@ -234,7 +235,7 @@ TEST(SurfelMap, PlacesLookedUpAtOnceGetTheAnswersOfEach) {
       hits += fresh.surfel != nullptr ? 1 : 0;
     }
   }
-  EXPECT_GT(hits, 1000);
+  EXPECT_GT(hits, 800);
 }
 
 TEST(SurfelMap, TheWorldMayLieKilometresAway) {
@@ -255,8 +256,8 @@ TEST(SurfelMap, TheWorldMayLieKilometresAway) {
     ASSERT_EQ(a->directions, b->directions);
     EXPECT_LT((a->mean + shift - b->mean).norm(), 1e-10);
     // A double at 10 km is good to 2 pm.
-    EXPECT_NEAR(a->variance[0], b->variance[0], 1e-11);
-    EXPECT_LT(a->across[0].cross(b->across[0]).norm(), 1e-6);
+    EXPECT_NEAR(a->variance(0), b->variance(0), 1e-11);
+    EXPECT_LT(a->across(0).cross(b->across(0)).norm(), 1e-6);
   }
   EXPECT_GT(found, 500);
 }
