@@ -13,7 +13,7 @@ namespace surefoot {
 namespace {
 
 // A surfel is fitted anew when its points grew by this factor, not at every point: to save time.
-constexpr double kGrowth = 1.15;
+constexpr double kGrowth = 1.3;
 
 // What no beam is known to have gone through is asked for at every so many-th scan only.
 constexpr std::size_t kTurn = 3;
