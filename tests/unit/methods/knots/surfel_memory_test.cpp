@@ -44,7 +44,8 @@ TEST(SurfelMap, AVoxelTakesAScansPointsInWhateverOrder) {
   config.points_per_voxel = 50;
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   Points points = cloud(random, 80, {0.2, 0.2, 0.1}, axes, {0.19, 0.19, 0.0}, 0.005);
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x() < b.x(); });
   const Surfel one = *find(map_of(points, config), kCentre);
   std::reverse(points.begin(), points.end());
   const Surfel other = *find(map_of(points, config), kCentre);
