@@ -3,17 +3,29 @@
 #include "core/parallel.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #ifdef SUREFOOT_WITH_TBB
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #elif defined(SUREFOOT_WITH_STD_THREADS)
-#include <atomic>
 #include <thread>
 #endif
 
 namespace surefoot {
+
+namespace {
+
+/// What one thread does: whatever is next, so that nobody waits long for who has the most to do.
+[[maybe_unused]] auto taking_the_next(std::atomic<std::size_t>& next, std::size_t chunks,
+                                      const std::function<void(std::size_t)>& run) {
+  return [&next, &run, chunks] {
+    for (std::size_t chunk = next++; chunk < chunks; chunk = next++) run(chunk);
+  };
+}
+
+}  // namespace
 
 #ifdef SUREFOOT_WITH_TBB
 
@@ -29,7 +41,9 @@ Workers::Workers(int threads) {
 }
 
 void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
-  pool_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
+  std::atomic<std::size_t> next = 0;
+  const auto work = taking_the_next(next, chunks, run);
+  pool_->arena.execute([&] { tbb::parallel_for(0, threads_, [&](int) { work(); }); });
 }
 
 #elif defined(SUREFOOT_WITH_STD_THREADS)
@@ -43,9 +57,7 @@ Workers::Workers(int threads) : threads_(std::max(threads, 1)) {
 
 void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
   std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t chunk = next++; chunk < chunks; chunk = next++) run(chunk);
-  };
+  const auto work = taking_the_next(next, chunks, run);
   std::vector<std::jthread> others;
   for (int i = 1; i < threads_; ++i) others.emplace_back(work);
   work();

@@ -354,7 +354,8 @@ Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen:
   for (std::size_t level = 0; level < grids_.size(); ++level) taken[level] = taken_by(level, sweep);
   const std::size_t finest = finest_whole();
   Cubes emptied{grids_[finest].size, {}};
-  workers.for_each(grids_.size(), [&](std::size_t level) {
+  workers.for_each(grids_.size(), [&](std::size_t turn) {
+    const std::size_t level = (finest + turn) % grids_.size();  // what takes longest first
     Grid& grid = grids_[level];
     add(level, sweep, taken[level]);
     fit(grid);
