@@ -4,10 +4,9 @@
 
     EVALIO_CUSTOM=surefoot.evalio evalio run -d botanic_garden/1018_00 -p surefoot
 
-Written against evalio's interface as it is published; evalio itself was not at hand when this was
-written, so it has run only against a stand-in of that interface (tests/test_evalio.py). Poses are
-saved at the stamp of each measurement, which in evalio is the start of the scan; the LiDAR's alone
-are used, IMU measurements are passed over.
+Written for evalio 0.5, and what came before it; tests/test_evalio.py has a stand-in of either's
+interface, since no package of evalio is at hand. Poses are saved at the stamp of each measurement,
+which in evalio is the start of the scan; the LiDAR's alone are used, IMU measurements are passed over.
 """
 
 from __future__ import annotations
@@ -24,11 +23,17 @@ import surefoot
 
 
 def _matrix(pose: Any) -> NDArray[np.float64]:
-    """4x4 of an evalio SE3."""
+    """4x4 of an evalio SE3. Before 0.5 its methods had names in camelCase."""
+    rotation = pose.rot.to_mat() if hasattr(pose.rot, "to_mat") else pose.rot.toMat()
     result = np.eye(4)
-    result[:3, :3] = np.asarray(pose.rot.toMat())
+    result[:3, :3] = np.asarray(rotation)
     result[:3, 3] = np.asarray(pose.trans).ravel()
     return result
+
+
+def _rotation(matrix: NDArray[np.float64]) -> Any:
+    """An evalio SO3 of 3x3."""
+    return SO3.from_mat(matrix) if hasattr(SO3, "from_mat") else SO3.fromMat(matrix)
 
 
 class Surefoot(Pipeline):
@@ -89,7 +94,7 @@ class Surefoot(Pipeline):
         scan = surefoot.Scan(
             np.asarray(mm.to_vec_positions(), dtype=np.float32),
             stamp_ns=stamp_ns,
-            times_ns=np.array([t.to_nsec() for t in mm.to_vec_stamps()], dtype=np.int32),
+            times_ns=np.array([point.t.to_nsec() for point in mm.points], dtype=np.int32),
             rings=np.array([point.row for point in mm.points], dtype=np.uint16),
         )
         estimate = self._odometry.add_scan(scan)
@@ -99,7 +104,7 @@ class Surefoot(Pipeline):
         return []
 
     def pose(self) -> Any:
-        return SE3(SO3.fromMat(self._pose[:3, :3]), self._pose[:3, 3])
+        return SE3(_rotation(self._pose[:3, :3]), self._pose[:3, 3])
 
     def map(self) -> Any:
         points = [Point(x=x, y=y, z=z) for x, y, z in self._odometry.local_map()]
