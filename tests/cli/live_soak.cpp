@@ -99,6 +99,7 @@ class Soak {
  public:
   Soak(double hours, std::size_t one_return_of)
       : total_(static_cast<std::size_t>(hours * 3.6e9 / kPacketUs)),
+        silence_(hours > 1.0 ? "600" : "30"),  // a stopped sender is no end of a long run
         random_(11),
         packets_(vlp16_packets(kRevolutions)) {
     packets_.resize(kPackets);
@@ -111,7 +112,7 @@ class Soak {
     Surroundings patient;
     patient.most_seconds = 86'400;
     const Process process({"live", "--udp", sender_.port(), "-o", "live", "--queue", "1000",
-                           "--silence", "30", "--no-report"},
+                           "--silence", silence_, "--no-report"},
                           scratch_.path(), patient);
     if (!sender_.wait_for_listener()) return false;
     const std::size_t planned = total_;
@@ -197,6 +198,7 @@ class Soak {
   bool judge();
 
   std::size_t total_;  ///< packets of the sensor
+  std::string silence_;
   std::mt19937 random_;
   std::vector<std::string> packets_;
   std::vector<std::string> malformed_;
