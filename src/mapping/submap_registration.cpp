@@ -27,7 +27,7 @@ constexpr double kKernel = 0.2;         // of a grid's cubes
 constexpr double kOnIt = 0.2;           // points nearer than this lie on a surface [m]
 constexpr double kNoise = 0.03;         // of a residual, at least [m]
 constexpr double kIndependence = 0.05;  // share of the residuals that count as independent
-constexpr double kFloor = 0.015;        // of an alignment: pieces are bent a little themselves [m]
+constexpr double kFloor = 0.04;         // of an alignment: pieces are bent a little themselves [m]
 constexpr double kHeld = 0.05;  // information of a direction, of that of all points along it
 
 /// Every n-th, so that about `count` are left.
