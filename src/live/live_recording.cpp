@@ -114,7 +114,7 @@ std::optional<io::ScanItem> LiveRecording::next() {
   LiveScan first = std::move(queue_.front());
   queue_.pop_front();
   changed_.notify_all();
-  given_ = {first.item.scan->stamp_ns, first.item.name, first.received};
+  given_ = {first.item.scan->stamp_ns, first.item.name, first.received, std::nullopt};
   return std::move(first.item);
 }
 
@@ -127,9 +127,14 @@ void LiveRecording::pause(bool paused) {
   paused_ = paused;
 }
 
+void LiveRecording::answered() {
+  if (given_) given_->answered = Clock::now();
+}
+
 double LiveRecording::done() {
   if (!given_) return 0.0;
-  const double latency_ms = milliseconds(Clock::now() - given_->received);
+  const Clock::time_point answered = given_->answered.value_or(Clock::now());
+  const double latency_ms = milliseconds(answered - given_->received);
   log_.used(given_->stamp_ns, given_->name, latency_ms);
   given_.reset();
   const std::lock_guard lock(mutex_);

@@ -43,9 +43,10 @@ struct LiveFigures {
   std::size_t dropped = 0;  ///< scans that waited for too long
   std::size_t paused = 0;   ///< scans that came during a pause
   bool is_paused = false;
-  double silent_s = 0.0;             ///< since a scan came, or it began
-  std::size_t unreadable = 0;        ///< messages that no scan could be made of
-  std::vector<double> latencies_ms;  ///< from a used scan's last packet to done(); the last 100,000
+  double silent_s = 0.0;       ///< since a scan came, or it began
+  std::size_t unreadable = 0;  ///< messages that no scan could be made of
+  std::vector<double>
+      latencies_ms;  ///< from a used scan's last packet to answered(); the last 100,000
 };
 
 class LiveRecording final : public io::Recording {
@@ -66,8 +67,11 @@ class LiveRecording final : public io::Recording {
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] io::CaptureCounts capture_counts() const override { return figures().packets; }
 
-  /// To be called when the scan that next() gave last was used, its pose written. What it took
-  /// since its last packet [ms].
+  /// To be called when the pose of the scan that next() gave last is written and published: what
+  /// is done with the scan after that does not count as its latency.
+  void answered();
+  /// To be called when that scan was used. What it took from its last packet to answered(), or, if
+  /// that was not called, until now [ms].
   double done();
   /// Scans that come during a pause are not used.
   void pause(bool paused);
@@ -79,6 +83,7 @@ class LiveRecording final : public io::Recording {
     std::int64_t stamp_ns = 0;
     std::string name;
     std::chrono::steady_clock::time_point received;
+    std::optional<std::chrono::steady_clock::time_point> answered;
   };
 
   void run();

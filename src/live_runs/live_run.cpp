@@ -71,11 +71,14 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
     tell_health = [&] { publisher->tell(recording.figures()); };
   }
   std::unique_ptr<live::LiveViewer> viewer;
-  std::function<void(const std::string&, const Estimate&, const Odometry&)> answered;
   if (listener.watch) {
     viewer = listener.watch(request.run.input.filename().string(), commands, recording);
-    answered = std::bind_front(&live::LiveViewer::answered, viewer.get());
   }
+  const auto answered = [&](const std::string& name, const Estimate& estimate,
+                            const Odometry& odometry) {
+    recording.answered();
+    if (viewer) viewer->answered(name, estimate, odometry);
+  };
   // Whoever still waits for an answer is told before the server that waits for it ends.
   const std::shared_ptr<void> at_end(nullptr, [&](void*) { commands.close(); });
 
