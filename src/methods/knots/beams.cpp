@@ -175,6 +175,13 @@ Beams::Answer Beams::at(const Eigen::Vector3d& place) const {
   return Answer::open;
 }
 
+double Beams::telling() const {
+  const auto tells = [](const Beam& beam) { return beam.clear > static_cast<double>(kNear); };
+  const auto telling = std::count_if(beams_.begin(), beams_.end(), tells);
+  return static_cast<double>(telling) /
+         static_cast<double>(std::max<std::size_t>(beams_.size(), 1));
+}
+
 bool Beams::pass(const Surfel& surfel) const {
   const Eigen::Vector3d d = surfel.mean - sensor_;
   const double distance = d.norm();

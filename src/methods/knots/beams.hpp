@@ -32,6 +32,8 @@ class Beams {
     free   ///< all ended well behind it
   };
   [[nodiscard]] Answer at(const Eigen::Vector3d& place) const;
+  /// The share of the beams that went far enough to tell of any place: a covered sensor's do not.
+  [[nodiscard]] double telling() const;
 
  private:
   struct Beam {

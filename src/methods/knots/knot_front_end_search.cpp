@@ -38,6 +38,10 @@ constexpr double kClearlyBetter = 1.15;
 // had that one not come is a likelier place than one that was looked for.
 constexpr double kStraightOn = 2.0;
 
+// A scan fewer of whose beams can tell of a place than this share believes none: a covered sensor
+// sees nothing that speaks against any.
+constexpr double kBlind = 0.1;
+
 /// A scan that begins at a place of which nothing is known but what a coarse look told.
 KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
   constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
@@ -182,7 +186,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
     if (!confirms) best->estimate.evidence.motion = 0.0;
     const double hazard_now = best->estimate.wrong_probability =
         hazard_in(region_about(scan.end_ns), best->estimate);
-    right = !is_doubtful(hazard_now);
+    right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     if (right && search_->agreed + 1 >= kAgree) {
       search_.reset();
       forget_verdicts();

@@ -57,6 +57,18 @@ TEST(Beams, ABeamThroughTheMiddlePassesIfItEndsWellBehind) {
   }
 }
 
+TEST(Beams, ThoseThatEndBeforeTheNoseTellOfNothing) {
+  Random random(5);
+  std::vector<Eigen::Vector3d> rays;
+  std::vector<double> ranges;
+  for (int i = 0; i < 100; ++i) {
+    rays.push_back(random.unit_vector());
+    ranges.push_back(i < 25 ? random.uniform(1.2, 60.0) : random.uniform(0.1, 1.0));
+  }
+  EXPECT_DOUBLE_EQ(Beams(kBeamOrigin, rays, ranges).telling(), 0.25);
+  EXPECT_EQ(Beams(kBeamOrigin, {}, {}).telling(), 0.0);
+}
+
 /// Away from what is near or overhead, where only the beams of the next cells are looked at.
 TEST(Beams, ABeamBesideItDoesNot) {
   Random random(2);
