@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Scans that wait, are dropped and are timed, from a stream that is no sensor.
+#include "live/live_recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+#include "support/scratch.hpp"
+
+namespace surefoot::live {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+/// What a test knows of its stream while LiveRecording's thread reads it.
+struct Seen {
+  std::atomic<int> allowed = 1'000;  ///< scans that may have come
+  std::atomic<bool> ended = false;   ///< the reader was told that there is no more
+};
+
+/// So many scans, stamped 1, 2, ..., as soon as they may come.
+class Scans final : public ScanStream {
+ public:
+  Scans(int count, bool patient, Seen& seen) : count_(count), patient_(patient), seen_(&seen) {}
+
+  std::optional<LiveScan> next(const std::function<bool()>& go_on) override {
+    while (given_ < count_ && given_ >= seen_->allowed && go_on()) {
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    if (given_ >= count_ || given_ >= seen_->allowed) {
+      seen_->ended = true;
+      return std::nullopt;
+    }
+    ++given_;
+    LiveScan scan;
+    scan.item.name = "scan " + std::to_string(given_);
+    if (given_ == unreadable_) {
+      scan.item.error = "it is not one";
+    } else {
+      scan.item.scan.emplace();
+      scan.item.scan->stamp_ns = given_;
+    }
+    scan.received = last_ = Clock::now();
+    return scan;
+  }
+  StreamState state() const override { return {static_cast<std::size_t>(given_), 0, {}, {}, ""}; }
+  std::optional<Clock::time_point> last() const override { return last_; }
+  bool patient() const override { return patient_; }
+  std::string nothing_text() const override { return count_ == 0 ? "nothing came" : ""; }
+
+  void make_unreadable(int which) { unreadable_ = which; }
+
+ private:
+  int count_;
+  bool patient_;
+  Seen* seen_;
+  int given_ = 0;
+  int unreadable_ = 0;
+  Clock::time_point last_ = Clock::now();
+};
+
+void wait_for_end(const Seen& seen) {
+  while (!seen.ended) std::this_thread::sleep_for(milliseconds(1));
+}
+
+std::vector<std::int64_t> stamps_used(LiveRecording& recording) {
+  std::vector<std::int64_t> stamps;
+  while (const std::optional<io::ScanItem> item = recording.next()) {
+    stamps.push_back(item->scan->stamp_ns);
+    recording.done();
+  }
+  return stamps;
+}
+
+TEST(LiveRecording, WhatIsDoneAfterTheAnswerIsNoLatency) {
+  Seen seen;
+  const Clock::time_point began = Clock::now();
+  LiveRecording recording(std::make_unique<Scans>(1, true, seen), {});
+  ASSERT_TRUE(recording.next());
+  recording.answered();
+  constexpr auto kMapGrows = milliseconds(200);
+  std::this_thread::sleep_for(kMapGrows);
+  const double latency_ms = recording.done();
+  const std::chrono::duration<double, std::milli> all = Clock::now() - began;
+  EXPECT_GE(latency_ms, 0.0);
+  EXPECT_LE(latency_ms, (all - kMapGrows).count());
+  EXPECT_EQ(recording.figures().latencies_ms, std::vector<double>{latency_ms});
+}
+
+TEST(LiveRecording, WithoutAnAnswerLatencyEndsWithTheUse) {
+  Seen seen;
+  LiveRecording recording(std::make_unique<Scans>(2, true, seen), {});
+  ASSERT_TRUE(recording.next());
+  recording.answered();
+  recording.done();
+  ASSERT_TRUE(recording.next());  // the answer of the scan before is not this one's
+  std::this_thread::sleep_for(milliseconds(30));
+  EXPECT_GE(recording.done(), 30.0);
+}
+
+TEST(LiveRecording, ThatAScanWaitedIsLatency) {
+  Seen seen;
+  LiveRecording recording(std::make_unique<Scans>(1, true, seen), {});
+  wait_for_end(seen);
+  std::this_thread::sleep_for(milliseconds(30));
+  ASSERT_TRUE(recording.next());
+  recording.answered();
+  EXPECT_GE(recording.done(), 30.0);
+}
+
+TEST(LiveRecording, TheFreshestWaitTheOthersAreDroppedAndCounted) {
+  Seen seen;
+  LiveOptions options;
+  options.queue = 2;
+  LiveRecording recording(std::make_unique<Scans>(7, false, seen), options);
+  wait_for_end(seen);
+  EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{6, 7}));
+  const LiveFigures figures = recording.figures();
+  EXPECT_EQ(figures.received, 7U);
+  EXPECT_EQ(figures.used, 2U);
+  EXPECT_EQ(figures.dropped, 5U);
+  EXPECT_EQ(figures.latencies_ms.size(), 2U);
+}
+
+TEST(LiveRecording, APatientStreamWaitsAndLosesNothing) {
+  Seen seen;
+  LiveRecording recording(std::make_unique<Scans>(7, true, seen), {});
+  EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(recording.figures().dropped, 0U);
+}
+
+TEST(LiveRecording, WhatComesDuringAPauseIsCountedAndNotUsed) {
+  Seen seen;
+  seen.allowed = 0;
+  LiveRecording recording(std::make_unique<Scans>(3, true, seen), {});
+  recording.pause(true);
+  EXPECT_TRUE(recording.figures().is_paused);
+  seen.allowed = 3;
+  wait_for_end(seen);
+  EXPECT_TRUE(stamps_used(recording).empty());
+  EXPECT_EQ(recording.figures().paused, 3U);
+}
+
+TEST(LiveRecording, WhatIsUnreadableIsCountedAndSaid) {
+  Seen seen;
+  auto scans = std::make_unique<Scans>(3, true, seen);
+  scans->make_unreadable(2);
+  LiveRecording recording(std::move(scans), {});
+  EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{1, 3}));
+  EXPECT_EQ(recording.figures().unreadable, 1U);
+  EXPECT_EQ(recording.notes(), std::vector<std::string>{"left out: it is not one"});
+}
+
+TEST(LiveRecording, WhatEndsWithNothingIsAnErrorOnce) {
+  Seen seen;
+  LiveRecording recording(std::make_unique<Scans>(0, true, seen), {});
+  EXPECT_THROW((void)recording.next(), io::ReadError);
+  EXPECT_FALSE(recording.next());
+}
+
+TEST(LiveRecording, EndsWhenItIsStopped) {
+  Seen seen;
+  seen.allowed = 1;
+  std::atomic<bool> stopped = false;
+  LiveOptions options;
+  options.stopped = [&] { return stopped.load(); };
+  LiveRecording recording(std::make_unique<Scans>(9, true, seen), options);
+  ASSERT_TRUE(recording.next());
+  stopped = true;
+  EXPECT_FALSE(recording.next());
+}
+
+class LiveRecordingLog : public test::Scratch {};
+
+TEST_F(LiveRecordingLog, HasTheFateOfEveryScan) {
+  Seen seen;
+  LiveOptions options;
+  options.queue = 2;
+  LiveRecording recording(std::make_unique<Scans>(4, false, seen), options);
+  wait_for_end(seen);
+  stamps_used(recording);
+  const std::filesystem::path file = folder_ / "live.log";
+  recording.log().open(file);
+  EXPECT_EQ(used_scans(file).used, (std::vector<std::int64_t>{3, 4}));
+  std::ifstream in(file);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  EXPECT_NE(text.find("dropped"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace surefoot::live
