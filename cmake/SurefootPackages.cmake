@@ -48,6 +48,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
 include(SurefootSbom)
+include(SurefootNotices)
 
 function(surefoot_package component name section description)
   string(TOUPPER ${component} key)
@@ -58,8 +59,8 @@ function(surefoot_package component name section description)
   # What every package of Debian's has: its licence, and what changed. And what it is made of.
   install(FILES ${PROJECT_BINARY_DIR}/package/surefoot.spdx.json DESTINATION ${doc}/${name}
     COMPONENT ${component})
-  install(FILES ${PROJECT_BINARY_DIR}/package/copyright DESTINATION ${doc}/${name}
-    COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/package/copyright ${PROJECT_BINARY_DIR}/package/notices.txt
+    DESTINATION ${doc}/${name} COMPONENT ${component})
   install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz DESTINATION ${doc}/${name}
     COMPONENT ${component})
   # What lintian says of it and is left as it is, with the reason.
