@@ -25,8 +25,6 @@ class Pages {
     return (*this)[size_++] = T{};
   }
 
-  /// Keeps the first ones.
-  void shrink(std::size_t size) { size_ = size; }
   void clear() { size_ = 0; }
 
  private:

@@ -14,8 +14,7 @@ namespace surefoot {
 /// scan.
 inline constexpr double kCleaningShare = 0.05;
 
-/// Open-addressing hash table from voxel keys to indices into some array. It only grows; whoever
-/// removes voxels builds it anew.
+/// Open-addressing hash table from voxel keys to indices into some array. It never shrinks.
 class VoxelTable {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -46,6 +45,21 @@ class VoxelTable {
     slots_[i] = {key, index};
     ++size_;
     return {index, true};
+  }
+
+  /// What comes after a key's slot moves up as far as it may, so that no search ends too early.
+  void erase(std::uint64_t key) {
+    std::size_t gap = hash_key(key) & mask();
+    while (slots_[gap].index != kNone && slots_[gap].key != key) gap = (gap + 1) & mask();
+    if (slots_[gap].index == kNone) return;
+    for (std::size_t i = (gap + 1) & mask(); slots_[i].index != kNone; i = (i + 1) & mask()) {
+      const std::size_t begin = hash_key(slots_[i].key) & mask();
+      if (((i - begin) & mask()) < ((i - gap) & mask())) continue;  // it begins behind the gap
+      slots_[gap] = slots_[i];
+      gap = i;
+    }
+    slots_[gap] = {};
+    --size_;
   }
 
   void clear() {

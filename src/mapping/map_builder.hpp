@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mapping/cube_table.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::mapping {
@@ -17,7 +18,7 @@ namespace surefoot::mapping {
 class MapBuilder {
  public:
   /// `voxel`: side of the cubes [m].
-  explicit MapBuilder(double voxel) : inverse_voxel_(1.0 / voxel) {}
+  explicit MapBuilder(double voxel) : voxel_(voxel), inverse_voxel_(1.0 / voxel) {}
 
   /// Adds a scan whose LiDAR stood at `T_world_lidar` at mid-scan, `seconds` after the first scan.
   void add(const DeskewedScan& scan, const Pose& T_world_lidar, double seconds);
@@ -27,9 +28,9 @@ class MapBuilder {
   /// Drops the points that were forgotten.
   void drop_forgotten();
 
-  /// Moves every point by the correction of the time when it was first seen [s], and keeps one a
-  /// cube: what was seen on two visits comes together.
-  void correct(const std::function<Pose(double seconds)>& correction);
+  /// With every point moved by the correction of the time when it was first seen [s], and one kept
+  /// a cube: what was seen on two visits comes together.
+  [[nodiscard]] MapBuilder corrected(const std::function<Pose(double seconds)>& correction) const;
 
   [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   /// Empty if any scan had no intensities.
@@ -40,12 +41,12 @@ class MapBuilder {
  private:
   [[nodiscard]] bool forgotten(std::size_t point) const;
 
-  double inverse_voxel_;
+  double voxel_, inverse_voxel_;
   bool has_intensities_ = true;
-  std::unordered_map<std::uint64_t, std::uint32_t> taken_;  // by which point
-  double inverse_side_ = 1.0;                               // [1/m] of the emptied cubes
-  std::unordered_map<std::uint64_t, float> emptied_;        // when last [s]
-  std::vector<Eigen::Vector3f> points_;                     // [m] map frame
+  CubeTable taken_;                                   // by which point
+  double inverse_side_ = 1.0;                         // [1/m] of the emptied cubes
+  std::unordered_map<std::uint64_t, float> emptied_;  // when last [s]
+  std::vector<Eigen::Vector3f> points_;               // [m] map frame
   std::vector<float> intensities_;
   std::vector<float> first_seen_;  // [s]
 };

@@ -24,7 +24,8 @@ void MapRun::add(const Estimate& estimate, const Pose& T_lidar_written, const De
   mapper_.add(scans_.next(estimate), scan);
 }
 
-MapOutcome MapRun::finish(const std::filesystem::path& folder, mapping::MapBuilder map, bool save) {
+MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::MapBuilder& map,
+                          bool save) {
   mapper_.finish();
   MapOutcome outcome;
   outcome.pieces = mapper_.pieces().size();
@@ -48,7 +49,7 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, mapping::MapBuild
   io::write_tum(folder / kOptimizedTrajectoryFile, walk.corrected(measured_));
   const mapping::PoseGraph graph = outcome.join ? walk.graph() : mapper_.graph();
   io::write_whole_file(folder / kPoseGraphFile, mapping::format_g2o(graph));
-  if (!map.points().empty()) write_points(folder, walk, std::move(map));
+  if (!map.points().empty()) write_points(folder, walk, map);
   return outcome;
 }
 
@@ -76,13 +77,13 @@ report::DrawnLoops MapRun::drawn() const {
 }
 
 void MapRun::write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
-                          mapping::MapBuilder map) const {
-  map.correct([&](double time) {
+                          const mapping::MapBuilder& map) const {
+  const mapping::MapBuilder moved = map.corrected([&](double time) {
     return walk.correction(first_stamp_ns_.value_or(0) + std::llround(1e9 * time));
   });
-  const std::vector<io::PlyColumn> columns = {{"intensity", map.intensities()},
-                                              {"first_seen", map.first_seen()}};
-  io::write_ply(folder / kOptimizedMapFile, map.points(), columns);
+  const std::vector<io::PlyColumn> columns = {{"intensity", moved.intensities()},
+                                              {"first_seen", moved.first_seen()}};
+  io::write_ply(folder / kOptimizedMapFile, moved.points(), columns);
 }
 
 }  // namespace surefoot::runs

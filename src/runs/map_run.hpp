@@ -39,7 +39,7 @@ class MapRun {
   /// the map is empty, map_optimized.ply. `save`: also the map to come back to. Where a map is
   /// continued all of that is in its frame; where it cannot be, the run's own map is written as
   /// map_apart.surefoot. Throws io::WriteError.
-  MapOutcome finish(const std::filesystem::path& folder, mapping::MapBuilder map, bool save);
+  MapOutcome finish(const std::filesystem::path& folder, const mapping::MapBuilder& map, bool save);
 
   /// The loops as a picture shows them, in the run's own frame; after finish().
   [[nodiscard]] report::DrawnLoops drawn() const;
@@ -49,7 +49,7 @@ class MapRun {
  private:
   void join(const std::filesystem::path& folder, mapping::FinishedWalk& walk, MapOutcome& outcome);
   void write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
-                    mapping::MapBuilder map) const;
+                    const mapping::MapBuilder& map) const;
 
   mapping::MapperOptions options_;
   mapping::WalkMapper mapper_;

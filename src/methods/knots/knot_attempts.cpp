@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace surefoot {
 
@@ -75,12 +76,7 @@ class Attempts {
 
   void add(const KnotProblem& problem, const KnotWindow& start, Annealing annealing) {
     annealing.max_iterations = std::min(annealing.max_iterations, most_iterations(annealing));
-    KnotRegistration found = register_from(start, problem, annealing);
-    const double most = &problem.model == &usual_ ? least_ : kFreer * least_;
-    if (!found.solved || disagreement(found) >= most) return;
-    if (first_.converged && same_end(found.window, first_.window)) return;
-    least_ = disagreement(found);
-    best_.emplace(Best{std::move(found.window), problem});
+    starts_.push_back({problem, start, annealing});
   }
 
   /// Where one ended, and by which velocity model and prior.
@@ -88,10 +84,32 @@ class Attempts {
     KnotWindow window;
     const KnotProblem& problem;
   };
-  /// If one ended better than the first did.
-  [[nodiscard]] const std::optional<Best>& best() const { return best_; }
+  /// If one ended better than the first did. They are independent: each is one thread's work.
+  [[nodiscard]] std::optional<Best> best(const Workers& workers) const {
+    std::vector<KnotRegistration> found(starts_.size());
+    workers.for_each(starts_.size(), [&](std::size_t i) {
+      found[i] = register_from(starts_[i].window, starts_[i].problem, starts_[i].annealing);
+    });
+    std::optional<Best> best;
+    double least = least_;
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+      const KnotProblem& problem = starts_[i].problem;
+      const double most = &problem.model == &usual_ ? least : kFreer * least;
+      if (!found[i].solved || disagreement(found[i]) >= most) continue;
+      if (first_.converged && same_end(found[i].window, first_.window)) continue;
+      least = disagreement(found[i]);
+      best.emplace(Best{std::move(found[i].window), problem});
+    }
+    return best;
+  }
 
  private:
+  struct Start {
+    const KnotProblem& problem;
+    KnotWindow window;
+    Annealing annealing;
+  };
+
   [[nodiscard]] double disagreement(const KnotRegistration& found) const {
     return found.disagreement(config_.unseen_weight);
   }
@@ -102,12 +120,15 @@ class Attempts {
     return static_cast<int>(std::ceil(std::max(narrowed, 0.0))) + kSettling;
   }
 
-  KnotRegistration register_from(const KnotWindow& start, const KnotProblem& problem,
-                                 const Annealing& annealing) {
-    for (KnotPoints::Point& point : points_.points) point.place = {};
-    const KnotProblem some{problem.map, problem.prior,   problem.model,
-                           config_,     problem.workers, problem.begin_step};
-    return register_knots(points_, some, start, annealing);
+  [[nodiscard]] KnotRegistration register_from(const KnotWindow& start, const KnotProblem& problem,
+                                               const Annealing& annealing) const {
+    KnotPoints points = points_;
+    for (KnotPoints::Point& point : points.points) point.place = {};
+    // The observer is one thread's own: if there are several, it is told nothing of each one's.
+    const StepObserver nobody = [](Step) {};
+    const StepObserver& observer = problem.workers.threads() > 1 ? nobody : problem.begin_step;
+    const KnotProblem some{problem.map, problem.prior, problem.model, config_, alone_, observer};
+    return register_knots(points, some, start, annealing);
   }
 
   std::size_t stride_;
@@ -116,7 +137,8 @@ class Attempts {
   const VelocityModel& usual_;
   const KnotRegistration& first_;
   double least_ = 1.0;
-  std::optional<Best> best_;
+  std::vector<Start> starts_;
+  const Workers alone_{1};
 };
 
 /// By a kernel that leaves a registration where it begins.
@@ -201,10 +223,11 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
     attempts.add(loose, predicted, patient);
     attempts.add(loose, steady, patient);
   }
-  if (!attempts.best()) return first;
+  const std::optional<Attempts::Best> best = attempts.best(problem.workers);
+  if (!best) return first;
   for (KnotPoints::Point& point : points.points) point.place = {};
-  KnotRegistration again = register_knots(points, attempts.best()->problem, attempts.best()->window,
-                                          narrow_annealing(config));
+  KnotRegistration again =
+      register_knots(points, best->problem, best->window, narrow_annealing(config));
   return is_better(again, first, config.unseen_weight) ? again : first;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace surefoot {
@@ -58,7 +59,7 @@ SurfelMap::SurfelMap(const Config::Knots& config, double radius)
     : config_(config), radius_(radius) {
   double size = config.finest_voxel;
   for (int level = 0; level < config.levels; ++level, size *= 2.0) {
-    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}});
+    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, 0});
   }
 }
 
@@ -159,14 +160,21 @@ struct SurfelMap::Sweep {
 
 /// A voxel, or its back, of which there is none yet.
 std::uint32_t SurfelMap::make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
-  const auto next = static_cast<std::uint32_t>(grid.voxels.size());
-  grid.table.find_or_insert(key, next);
-  Voxel& fresh = grid.voxels.add();
+  auto side = static_cast<std::uint32_t>(grid.voxels.size());
+  if (grid.unused.empty()) {
+    grid.voxels.add();
+    grid.surfels.add();
+    grid.sights.emplace_back();
+  } else {
+    side = grid.unused.back();
+    grid.unused.pop_back();
+  }
+  grid.table.find_or_insert(key, side);
+  Voxel& fresh = grid.voxels[side];
   fresh.key = key;
   fresh.index = index;
-  grid.surfels.add();
-  grid.sights.emplace_back();
-  return next;
+  fresh.in_use = true;
+  return side;
 }
 
 std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
@@ -324,6 +332,13 @@ void SurfelMap::empty(Grid& grid, std::uint32_t side) {
   grid.sights[side] = {};
 }
 
+void SurfelMap::drop(Grid& grid, std::uint32_t side) {
+  empty(grid, side);
+  grid.table.erase(grid.voxels[side].key);
+  grid.voxels[side].in_use = false;
+  grid.unused.push_back(side);
+}
+
 /// Of the finest grid what lies in voxels of the next one.
 void SurfelMap::empty_divided(const std::vector<Eigen::Vector3d>& centres) {
   Grid& grid = grids_.front();
@@ -368,30 +383,17 @@ Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen:
 }
 
 void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
-  if (!cleaned_at_) cleaned_at_ = sensor;
-  if ((sensor - *cleaned_at_).norm() < kCleaningShare * radius_) return;
-  cleaned_at_ = sensor;
   for (Grid& grid : grids_) {
     const double reach = reach_of(grid);
-    std::uint32_t kept = 0;
-    grid.table.clear();
-    for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
-      const Voxel& voxel = grid.voxels[at];
-      if (voxel.moments.count() == 0 ||
-          (middle_of(voxel.index, grid.size) - sensor).norm() > reach) {
-        continue;
-      }
-      grid.table.find_or_insert(voxel.key, kept);
-      if (kept != at) {
-        grid.voxels[kept] = voxel;
-        grid.surfels[kept] = grid.surfels[at];
-        grid.sights[kept] = grid.sights[at];
-      }
-      ++kept;
+    const std::size_t sides = grid.voxels.size();
+    const std::size_t part = (sides + kRound - 1) / kRound;
+    for (std::size_t i = 0; i < part; ++i, ++grid.next) {
+      if (grid.next >= sides) grid.next = 0;
+      const Voxel& voxel = grid.voxels[grid.next];
+      if (!voxel.in_use) continue;
+      const bool far = (middle_of(voxel.index, grid.size) - sensor).norm() > reach;
+      if (far || voxel.moments.count() == 0) drop(grid, static_cast<std::uint32_t>(grid.next));
     }
-    grid.voxels.shrink(kept);
-    grid.surfels.shrink(kept);
-    grid.sights.resize(kept);
   }
 }
 
@@ -402,8 +404,9 @@ void SurfelMap::clear() {
     grid.voxels.clear();
     grid.sights.clear();
     grid.stale.clear();
+    grid.unused.clear();
+    grid.next = 0;
   }
-  cleaned_at_.reset();
 }
 
 std::vector<Eigen::Vector3d> SurfelMap::points() const {

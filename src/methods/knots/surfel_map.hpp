@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,11 +69,12 @@ class SurfelMap {
   Cubes insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
                const Workers& workers = Workers(1), const Beams* beams = nullptr);
   /// Drops the voxels that lie farther than the radius, or than what their grid holds, from the
-  /// sensor.
+  /// sensor: a part of them is asked at every call, all of them within kRound calls.
   void remove_far(const Eigen::Vector3d& sensor);
+  static constexpr std::size_t kRound = 32;
   void clear();
 
-  [[nodiscard]] bool empty() const { return grids_.back().voxels.empty(); }
+  [[nodiscard]] bool empty() const { return grids_.back().in_use() == 0; }
   /// The finest grid whose voxels are at least so large [m], or the coarsest.
   [[nodiscard]] int level_of(double size) const;
   /// The means of the voxels [m] of the finest grid that no other is divided into.
@@ -87,6 +87,7 @@ class SurfelMap {
     VoxelIndex index = VoxelIndex::Zero();
     int fitted_at = 0;  // count when the surfel was fitted
     bool stale = false;
+    bool in_use = false;
     SurfelMoments moments;
   };
   static_assert(sizeof(Voxel) <= 128, "more than two cache lines");
@@ -107,7 +108,11 @@ class SurfelMap {
     Pages<Surfel> surfels;
     Pages<Voxel> voxels;
     std::vector<Sight> sights;
-    std::vector<std::uint32_t> stale;  // to fit anew
+    std::vector<std::uint32_t> stale;   // to fit anew
+    std::vector<std::uint32_t> unused;  // sides that were dropped
+    std::size_t next = 0;               // the side where the removal of what is far goes on
+
+    [[nodiscard]] std::size_t in_use() const { return voxels.size() - unused.size(); }
   };
 
   /// What a scan adds to the map: points, and the beams that measured them.
@@ -137,12 +142,12 @@ class SurfelMap {
   [[nodiscard]] std::vector<std::uint32_t> may_be_passed(Grid& grid, const Beams& beams) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
   static void empty(Grid& grid, std::uint32_t side);
+  static void drop(Grid& grid, std::uint32_t side);
   void empty_divided(const std::vector<Eigen::Vector3d>& centres);
 
   Config::Knots config_;
   double radius_;
   std::vector<Grid> grids_;
-  std::optional<Eigen::Vector3d> cleaned_at_;
   std::size_t scan_ = 0;  // number of the last one
 };
 

@@ -55,5 +55,25 @@ TEST(VoxelTable, BehavesLikeAMapWhileItGrows) {
   EXPECT_TRUE(table.find_or_insert(7, 3).second);
 }
 
+TEST(VoxelTable, FindsWhatIsLeftAfterErasing) {
+  Random random(2);
+  VoxelTable table;
+  std::map<std::uint64_t, std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < 200'000; ++i) {
+    const std::uint64_t key = random.below(700);  // so that a table of 1,024 or 2,048 is crowded
+    if (random.below(2) == 0) {
+      table.erase(key);
+      expected.erase(key);
+    } else {
+      ASSERT_EQ(table.find_or_insert(key, i).second, expected.emplace(key, i).second);
+    }
+    if (i % 1000 != 0) continue;
+    for (std::uint64_t asked = 0; asked < 700; ++asked) {
+      const auto place = expected.find(asked);
+      ASSERT_EQ(table.find(asked), place == expected.end() ? VoxelTable::kNone : place->second);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace surefoot

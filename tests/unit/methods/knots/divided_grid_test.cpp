@@ -15,6 +15,7 @@ using test::cloud;
 using test::knots_config;
 using test::Points;
 using test::Random;
+using test::remove_all_far;
 
 const Eigen::Vector3d kHere(0.0, 0.0, 0.6);
 
@@ -68,9 +69,9 @@ TEST(DividedGrid, WhatIsFarIsNot) {
 TEST(DividedGrid, WhatGoesFarLosesItAndKeepsTheNext) {
   SurfelMap map(dividing(), 100.0);
   for (int i = 0; i < 2; ++i) map.insert(wall(5.1, 1000), kHere);
-  map.remove_far(kHere);
+  remove_all_far(map, kHere);
   ASSERT_EQ(level_at_wall(map, 5.1), 0);
-  map.remove_far(kHere - Eigen::Vector3d(20.0, 0.0, 0.0));
+  remove_all_far(map, kHere - Eigen::Vector3d(20.0, 0.0, 0.0));
   EXPECT_EQ(level_at_wall(map, 5.1), 1);
 }
 

@@ -15,9 +15,10 @@ using namespace test;  // NOLINT: the scan of the test support
 
 KnotRegistration attempts_from(const KnotWindow& start, const KnotPrior& prior,
                                const UsualFit& usual, int* searches = nullptr,
-                               const VelocityModel& model = VelocityModel(Config().knots)) {
+                               const VelocityModel& model = VelocityModel(Config().knots),
+                               int threads = 1) {
   const Config::Knots config = Config().knots;
-  const Workers workers(1);
+  const Workers workers(threads);
   const StepObserver count = [&](Step step) {
     if (searches != nullptr && step == Step::search) ++*searches;
   };
@@ -71,6 +72,29 @@ TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
               error.rotation_deg, found.misfit);
   EXPECT_LT(error.translation, 0.02);  // as from the truth
   EXPECT_LT(error.rotation_deg, 0.7);
+}
+
+TEST(KnotAttempts, AreTheSameBitsOnTwoThreads) {
+  const KnotWindow truth = window_along(swaying);
+  const KnotPrior prior = prior_at(truth, 0.01);
+  UsualFit usual;
+  usual.learn(register_from(truth, prior), 1.0, Config().knots);
+  usual.disagreement *= 0.5;
+  const VelocityModel model(Config().knots);
+  int others_taken = 0;
+  for (const Eigen::Vector3d& degrees : {Eigen::Vector3d(0.0, 20.0, 0.0),
+                                         {0.0, 40.0, 0.0},
+                                         {40.0, 0.0, 0.0},
+                                         {0.0, 0.0, 60.0},
+                                         {0.0, 0.0, 90.0}}) {
+    const KnotWindow start = turned(truth, degrees);
+    const KnotRegistration one = attempts_from(start, prior, usual, nullptr, model, 1);
+    const KnotRegistration two = attempts_from(start, prior, usual, nullptr, model, 2);
+    others_taken += one.misfit != register_from(start, prior).misfit ? 1 : 0;
+    EXPECT_EQ(one.misfit, two.misfit);
+    EXPECT_EQ(one.window.knots.back().translation, two.window.knots.back().translation);
+  }
+  EXPECT_GT(others_taken, 0);
 }
 
 TEST(KnotAttempts, WhereTheyLeadToTheSamePlaceTheyCostLittle) {

@@ -51,6 +51,11 @@ inline int level_found(const SurfelMap& map, const Eigen::Vector3d& place, int f
   return fresh.level;
 }
 
+/// All that is far is dropped after so many calls.
+inline void remove_all_far(SurfelMap& map, const Eigen::Vector3d& sensor) {
+  for (std::size_t i = 0; i < SurfelMap::kRound; ++i) map.remove_far(sensor);
+}
+
 /// Points about `centre`, spread evenly by +-half along each of the columns of `axes`, with noise.
 inline Points cloud(Random& random, int count, const Eigen::Vector3d& centre,
                     const Eigen::Matrix3d& axes, const Eigen::Vector3d& half, double noise = 0.0) {

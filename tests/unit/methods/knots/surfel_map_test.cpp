@@ -25,6 +25,7 @@ using test::level_found;
 using test::map_of;
 using test::Points;
 using test::Random;
+using test::remove_all_far;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -168,8 +169,7 @@ TEST(SurfelMap, AWallHasTwoSides) {
   EXPECT_LT(front->across(0).x(), -0.99);  // each to who sees it
   EXPECT_GT(back->across(0).x(), 0.99);
   // And both survive a cleaning.
-  map.remove_far({0.0, 0.0, 0.0});
-  map.remove_far({90.0, 0.0, 0.0});
+  remove_all_far(map, {90.0, 0.0, 0.0});
   EXPECT_NEAR(find(map, place, 0, here)->mean.x(), 0.10, 1e-3);
   EXPECT_NEAR(find(map, place, 0, there)->mean.x(), 0.25, 1e-3);
 }

@@ -23,6 +23,7 @@ using test::kSensor;
 using test::map_of;
 using test::Points;
 using test::Random;
+using test::remove_all_far;
 
 TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
   Random random(6);
@@ -53,7 +54,7 @@ TEST(SurfelMap, AVoxelTakesAScansPointsInWhateverOrder) {
   EXPECT_NEAR(one.variance(0), other.variance(0), 1e-8);
 }
 
-TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
+TEST(SurfelMap, FarVoxelsLeave) {
   Random random(7);
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   const Eigen::Vector3d near(0.2, 0.2, 0.2), far(160.2, 0.2, 0.2);
@@ -62,10 +63,9 @@ TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
   points.insert(points.end(), others.begin(), others.end());
   SurfelMap map = map_of(points);  // its radius is 100 m
   ASSERT_EQ(map.points().size(), 2U);
-  map.remove_far({80.0, 0.0, 0.0});  // where the cleaning counts from; both are within
-  map.remove_far({82.0, 0.0, 0.0});
+  remove_all_far(map, {80.0, 0.0, 0.0});
   EXPECT_EQ(map.points().size(), 2U);
-  map.remove_far({100.5, 0.0, 0.0});
+  remove_all_far(map, {100.5, 0.0, 0.0});
   ASSERT_EQ(map.points().size(), 1U);
   EXPECT_NEAR(map.points().front().x(), 160.2, 0.1);
   EXPECT_EQ(find(map, near), nullptr);
@@ -75,6 +75,43 @@ TEST(SurfelMap, FarVoxelsLeaveOnceTheSensorWentFarEnough) {
   map.clear();
   EXPECT_TRUE(map.empty());
   EXPECT_EQ(find(map, far), nullptr);
+}
+
+TEST(SurfelMap, FarVoxelsLeaveInParts) {
+  Random random(8);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  SurfelMap map = map_of(cloud(random, 20'000, {0.0, 0.0, 0.0}, axes, {20.0, 20.0, 0.1}));
+  const std::size_t all = map.points().size();
+  ASSERT_GT(all, 5'000U);
+  const Eigen::Vector3d away(200.0, 0.0, 0.0);
+  for (std::size_t call = 1; call <= SurfelMap::kRound; ++call) {
+    const std::size_t before = map.points().size();
+    map.remove_far(away);
+    EXPECT_LE(before - map.points().size(), all / SurfelMap::kRound + 1) << call;
+  }
+  EXPECT_TRUE(map.empty());
+}
+
+TEST(SurfelMap, WhatWasDroppedLeavesItsMemoryForWhatComes) {
+  Random random(9);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const auto floor_at = [&](double x) {
+    return cloud(random, 2'000, {x, 0.0, 0.0}, axes, {5.0, 5.0, 0.1});
+  };
+  SurfelMap map = map_of(floor_at(0.0));
+  for (int place = 1; place <= 5; ++place) {
+    const Eigen::Vector3d sensor(place * 200.0, 0.0, 1.0);
+    remove_all_far(map, sensor);
+    EXPECT_TRUE(map.empty());
+    map.insert(floor_at(sensor.x()), sensor);
+    const SurfelMap fresh = map_of(floor_at(sensor.x()), knots_config(), sensor);
+    EXPECT_NEAR(static_cast<double>(map.points().size()),
+                static_cast<double>(fresh.points().size()),
+                0.05 * static_cast<double>(fresh.points().size()));
+    for (const Eigen::Vector3d& point : map.points()) {
+      ASSERT_LT(std::abs(point.x() - sensor.x()), 6.0);  // nothing is left of what a side held
+    }
+  }
 }
 
 /// Scans of a wall that somebody stands in front of, for so many scans, and then no longer.
