@@ -14,6 +14,7 @@
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
 #include "io/file_writer.hpp"
+#include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -34,6 +35,7 @@ struct CheckCommand {
 
 int execute(const CheckCommand& command) {
   checks::require_page_or_nothing(command.html);
+  take_piped_recording(command.check.input, command.quiet || command.json);
   const process::InterruptGuard interrupt;
   const bool quiet = command.quiet || command.json;
   process::Progress progress("scans", quiet);

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "io/conversion.hpp"
 #include "io/printable.hpp"
+#include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -27,6 +28,7 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options) {
+  take_piped_recording(options.request.input, options.quiet);
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);
   const auto complain = [&](const std::string& text) {

@@ -14,6 +14,7 @@
 #include "evaluation/tables.hpp"
 #include "evaluation_options.hpp"
 #include "experiments/estimate_evaluation.hpp"
+#include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 
 namespace surefoot::app {
@@ -45,6 +46,8 @@ std::string table_of(const std::vector<Evaluation>& evaluations, TableFormat for
 
 /// An estimate that cannot be evaluated is told and left out.
 int evaluate_all(const EvalOptions& options) {
+  take_piped_text(options.request.reference.path);
+  for (const auto& estimate : options.request.estimates) take_piped_text(estimate);
   const std::vector<Evaluation> evaluations = experiments::evaluate_estimates(
       options.request,
       {[](const std::string& text) { fmt::print(stderr, "note: {}\n", text); },

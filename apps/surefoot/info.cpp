@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "io/recording.hpp"
 #include "io/recording_summary.hpp"
+#include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 #include "reader_options.hpp"
 #include "runs/length_unit.hpp"
@@ -37,6 +38,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   add_reader_options(*command, options->reader);
   command->callback([options, &exit_code] {
     options->reader.repair_stamps = false;  // what is odd is told, not mended
+    take_piped_recording(options->input, options->json);
     const auto recording = io::open_recording(options->input, options->reader);
     io::RecordingSummary summary = io::summarise(*recording);
     if (const auto odd = runs::odd_range(summary.range_m.median)) {

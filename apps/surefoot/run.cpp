@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "evaluation/statistics.hpp"
 #include "map_outcome.hpp"
+#include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -78,6 +79,7 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
 
 int run_recording(CLI::App& command, runs::RunOptions& options) {
   complete_options(command, options);
+  take_piped_recording(options.input, options.quiet);
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);
   const auto say = [&](const std::string& text) {

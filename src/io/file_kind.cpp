@@ -63,15 +63,28 @@ std::optional<FileKind> kind_by_content(std::span<const std::byte> begin) {
   return std::nullopt;
 }
 
+bool is_recording_begin(std::span<const std::byte> begin) {
+  return kind_by_content(begin) || compression_by_content(begin) != Compression::none;
+}
+
+std::filesystem::path uncompressed_name(const std::filesystem::path& file) {
+  const std::string extension = lower_case(file.extension().string());
+  for (const char* const one : {".zstd", ".zst", ".gz", ".bz2", ".lz4"}) {
+    if (extension == one) return file.parent_path() / file.stem();
+  }
+  return file;
+}
+
 std::optional<FileKind> kind_by_name(const std::filesystem::path& file) {
-  std::filesystem::path name = lower_case(file.filename().string());
-  const bool compressed = name.extension() == ".zstd" || name.extension() == ".zst";
-  if (compressed) name = name.stem();
+  const std::filesystem::path plain = uncompressed_name(file);
+  const bool compressed = plain != file;
+  std::filesystem::path name = lower_case(plain.filename().string());
   const bool active = name.extension() == ".active";
   if (active) name = name.stem();
   for (const auto& [extension, kind] : kExtensions) {
     if (name.extension() != extension) continue;
-    return is_bag_kind(kind) || !(compressed || active) ? std::optional(kind) : std::nullopt;
+    const bool may_be = (!compressed || may_be_compressed(kind)) && (!active || is_bag_kind(kind));
+    return may_be ? std::optional(kind) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -83,10 +96,10 @@ std::optional<FileKind> kind_of(const std::filesystem::path& file) {
     std::array<std::byte, kTellingBytes> begin{};
     FileStream stream(file);
     std::span<const std::byte> bytes = std::span(begin).first(stream.read(begin));
-    const bool compressed = is_zstd(bytes);
+    const bool compressed = compression_by_content(bytes) != Compression::none;
     if (compressed) bytes = std::span(begin).first(open_stream(file)->read(begin));
     const auto kind = kind_by_content(bytes);
-    if (is_bag_kind(kind) || (kind && !compressed)) return kind;
+    if (kind && (!compressed || may_be_compressed(kind))) return kind;
   } catch (const ReadError&) {
     // Whoever reads it says so.
   }

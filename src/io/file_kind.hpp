@@ -18,14 +18,24 @@ inline constexpr std::size_t kTellingBytes = 32;
 
 /// Nothing where they do not tell, as KITTI's, which are numbers alone.
 [[nodiscard]] std::optional<FileKind> kind_by_content(std::span<const std::byte> begin);
-/// By the extension in any case, also before ".zstd", ".zst" and ".active" (a bag that is not
-/// closed).
+/// Whether a file that begins so may be a recording: one of the above, or compressed.
+[[nodiscard]] bool is_recording_begin(std::span<const std::byte> begin);
+/// By the extension in any case, of a bag and a capture also before ".zst", ".gz" and their like,
+/// of a bag before ".active" (one that is not closed).
 [[nodiscard]] std::optional<FileKind> kind_by_name(const std::filesystem::path& file);
-/// By the content of a regular file, that of a bag also within Zstandard; else by the name.
+/// By the content of a regular file, that of a bag or capture also where it is compressed as a
+/// whole; else by the name.
 [[nodiscard]] std::optional<FileKind> kind_of(const std::filesystem::path& file);
+
+/// The name of a file without the ending that says it is compressed.
+[[nodiscard]] std::filesystem::path uncompressed_name(const std::filesystem::path& file);
 
 [[nodiscard]] constexpr bool is_bag_kind(std::optional<FileKind> kind) {
   return kind == FileKind::ros1_bag || kind == FileKind::sqlite_bag || kind == FileKind::mcap;
+}
+/// Whether files of the kind are read where they are compressed as a whole, too.
+[[nodiscard]] constexpr bool may_be_compressed(std::optional<FileKind> kind) {
+  return is_bag_kind(kind) || kind == FileKind::capture;
 }
 
 }  // namespace surefoot::io

@@ -98,7 +98,10 @@ void require_seekable(const std::filesystem::path& path) {
     std::error_code ignored;
     const bool is_pipe = std::filesystem::is_fifo(path, ignored);
     throw ReadError(path.string() + ": " + error.what() +
-                    (is_pipe ? ": it is read more than once, which a pipe cannot be" : ""));
+                    (is_pipe
+                         ? ": it is read more than once, which a pipe cannot be; /dev/stdin < PIPE "
+                           "is read by way of a temporary file"
+                         : ""));
   }
 }
 

@@ -40,7 +40,7 @@ BagMetadata metadata_in(const fs::path& folder) {
 // Whole or compressed; nothing where neither is there.
 std::optional<fs::path> part_named(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
-  for (const char* ending : {"", ".zstd", ".zst"}) {
+  for (const char* ending : {"", ".zstd", ".zst", ".gz", ".bz2", ".lz4"}) {
     fs::path file = folder / (name + ending);
     if (fs::is_regular_file(file, ignored)) return file;
   }
@@ -176,8 +176,8 @@ std::vector<fs::path> bag_files(const fs::path& path) {
   });
   // A part that lies there compressed and plain is one part.
   std::erase_if(files, [&](const fs::path& file) {
-    return (file.extension() == ".zstd" || file.extension() == ".zst") &&
-           std::find(files.begin(), files.end(), file.parent_path() / file.stem()) != files.end();
+    const fs::path plain = uncompressed_name(file);
+    return plain != file && std::find(files.begin(), files.end(), plain) != files.end();
   });
   return files;
 }

@@ -4,6 +4,7 @@
 
 #include <bzlib.h>
 #include <lz4frame.h>
+#include <zlib.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -95,6 +96,36 @@ class Bzip2 {
   bool ended_ = false;
 };
 
+class Gzip {
+ public:
+  Gzip() { inflateInit2(&state_, kGzipOnly); }
+  ~Gzip() { inflateEnd(&state_); }
+  Gzip(const Gzip&) = delete;
+  Gzip& operator=(const Gzip&) = delete;
+
+  Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+    if (ended_ && !in.empty()) {  // another member follows
+      inflateReset(&state_);
+      ended_ = false;
+    }
+    state_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(in.data()));
+    state_.avail_in = static_cast<unsigned>(in.size());
+    state_.next_out = reinterpret_cast<Bytef*>(out.data());
+    state_.avail_out = static_cast<unsigned>(out.size());
+    const int result = ended_ ? Z_STREAM_END : inflate(&state_, Z_NO_FLUSH);
+    if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR) {
+      throw ReadError("gzip: the data are damaged (" + std::to_string(result) + ")");
+    }
+    ended_ = result == Z_STREAM_END;
+    return {in.size() - state_.avail_in, out.size() - state_.avail_out};
+  }
+
+ private:
+  static constexpr int kGzipOnly = 15 + 16;
+  z_stream state_{};
+  bool ended_ = false;
+};
+
 template <typename Decoder>
 class DecompressingStream final : public ByteStream {
  public:
@@ -104,7 +135,7 @@ class DecompressingStream final : public ByteStream {
     std::size_t done = 0;
     while (done < to.size()) {
       refill();
-      constexpr std::size_t kMostAtOnce = 1 << 30;  // bzip2 counts in 32 bits
+      constexpr std::size_t kMostAtOnce = 1 << 30;  // bzip2 and zlib count in 32 bits
       const Step step =
           decoder_.step(rest_, to.subspan(done, std::min(to.size() - done, kMostAtOnce)));
       rest_ = rest_.subspan(step.consumed);
@@ -126,11 +157,11 @@ class DecompressingStream final : public ByteStream {
   std::span<const std::byte> rest_;
 };
 
-/// A file that is one Zstandard stream.
-class ZstdFile final : public ByteStream {
+/// A file that is compressed as a whole.
+class CompressedFile final : public ByteStream {
  public:
-  explicit ZstdFile(const std::filesystem::path& file)
-      : file_(file), inside_(decompress(Compression::zstd, file_)) {}
+  CompressedFile(const std::filesystem::path& file, Compression compression)
+      : file_(file), inside_(decompress(compression, file_)) {}
   std::size_t read(std::span<std::byte> to) override { return inside_->read(to); }
   double progress() const override { return file_.progress(); }
 
@@ -176,6 +207,8 @@ std::unique_ptr<ByteStream> decompress(Compression compression, ByteStream& comp
       return std::make_unique<DecompressingStream<Zstd>>(compressed);
     case Compression::bzip2:
       return std::make_unique<DecompressingStream<Bzip2>>(compressed);
+    case Compression::gzip:
+      return std::make_unique<DecompressingStream<Gzip>>(compressed);
     case Compression::none:
       break;
   }
@@ -193,11 +226,23 @@ bool is_zstd(std::span<const std::byte> bytes) {
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
 
+Compression compression_by_content(std::span<const std::byte> begin) {
+  using namespace std::string_view_literals;
+  const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
+  if (is_zstd(begin)) return Compression::zstd;
+  if (text.starts_with("\x1f\x8b\x08"sv)) return Compression::gzip;
+  if (text.starts_with("\x04\x22\x4d\x18"sv)) return Compression::lz4;
+  const bool bzip2 = text.starts_with("BZh"sv) &&
+                     text.substr(std::min<std::size_t>(text.size(), 4)).starts_with("1AY&SY"sv);
+  return bzip2 ? Compression::bzip2 : Compression::none;
+}
+
 std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file) {
-  std::array<std::byte, 4> begin{};
+  std::array<std::byte, 16> begin{};
   const std::size_t got = FileStream(file).read(begin);
-  if (is_zstd(std::span(begin).first(got))) return std::make_unique<ZstdFile>(file);
-  return std::make_unique<FileStream>(file);
+  const Compression compression = compression_by_content(std::span(begin).first(got));
+  if (compression == Compression::none) return std::make_unique<FileStream>(file);
+  return std::make_unique<CompressedFile>(file, compression);
 }
 
 std::optional<std::span<const std::byte>> CompressedMessages::plain(
@@ -231,9 +276,10 @@ std::string compress(Compression compression, std::string_view bytes) {
     case Compression::none:
       return std::string(bytes);
     case Compression::bzip2:
+    case Compression::gzip:
       break;
   }
-  throw std::invalid_argument("bzip2 is not written");
+  throw std::invalid_argument("neither bzip2 nor gzip is written");
 }
 
 }  // namespace surefoot::io

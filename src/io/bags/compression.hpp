@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// LZ4 frames, Zstandard frames and bzip2, as bags have them.
+// LZ4 frames, Zstandard frames and bzip2, as bags have them, and gzip, as whole files do.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace surefoot::io {
 
-enum class Compression { none, lz4, zstd, bzip2 };
+enum class Compression { none, lz4, zstd, bzip2, gzip };
 
 /// "", "none", "lz4", "zstd", "bz2"; nothing for another name.
 [[nodiscard]] std::optional<Compression> compression_named(std::string_view name);
@@ -43,8 +43,11 @@ inline constexpr std::string_view kTooDense =
 /// True where the bytes begin as a Zstandard frame does.
 [[nodiscard]] bool is_zstd(std::span<const std::byte> bytes);
 
-/// A file's bytes; those that it holds, where it is compressed as a whole with Zstandard (the
-/// file's first bytes say so). Throws ReadError without the file's name.
+/// What bytes that begin so are compressed with: none where they do not tell.
+[[nodiscard]] Compression compression_by_content(std::span<const std::byte> begin);
+
+/// A file's bytes; those that it holds, where it is compressed as a whole (its first bytes say so).
+/// Throws ReadError without the file's name.
 [[nodiscard]] std::unique_ptr<ByteStream> open_stream(const std::filesystem::path& file);
 
 /// Messages that rosbag2 compressed one by one, in a database or in MCAP. Nothing in the file says

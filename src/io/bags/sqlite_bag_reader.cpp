@@ -141,13 +141,18 @@ class SqliteBagReader final : public MessageSource {
 
  private:
   fs::path unpack(const fs::path& file) {
-    std::array<std::byte, 4> begin{};
+    std::array<std::byte, 16> begin{};
     FileStream stream(file);
     const std::size_t got = stream.read(begin);
-    if (!is_zstd(std::span(begin).first(got))) return file;
+    const bool compressed =
+        compression_by_content(std::span(begin).first(got)) != Compression::none;
+    std::error_code ignored;
+    const bool nameless = fs::hard_link_count(file, ignored) == 0;  // sqlite3 asks for the name
+    if (!compressed && !nameless) return file;
     temporary_ = std::make_unique<TemporaryFile>(*open_stream(file));
-    note_harmless(
-        "it is compressed as a whole, and was written out to a temporary file to be read");
+    note_harmless(std::string("it is ") +
+                  (compressed ? "compressed as a whole" : "a file without a name") +
+                  ", and was written out to a temporary file to be read");
     return temporary_->path();
   }
 

@@ -5,9 +5,11 @@
 #include <pcap/pcap.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
+#include "io/bags/compression.hpp"
 #include "io/file_reader.hpp"
 #include "io/recording.hpp"
 
@@ -48,13 +50,38 @@ constexpr std::int64_t kFarthestSecond = 4'500'000'000;
 
 }  // namespace
 
+/// A compressed capture as the stream of C that libpcap asks for.
+struct CaptureFile::Unpacked {
+  std::unique_ptr<ByteStream> stream;
+  std::string error = {};  ///< that nothing may throw through libpcap
+
+  static ssize_t read(void* cookie, char* to, std::size_t size) {
+    auto& self = *static_cast<Unpacked*>(cookie);
+    try {
+      return static_cast<ssize_t>(self.stream->read({reinterpret_cast<std::byte*>(to), size}));
+    } catch (const std::exception& error) {
+      self.error = error.what();
+      errno = EIO;
+      return -1;
+    }
+  }
+};
+
+void CaptureFile::Forget::operator()(Unpacked* unpacked) const { delete unpacked; }
+
 void CaptureFile::Close::operator()(void* handle) const {
   pcap_close(static_cast<pcap_t*>(handle));
 }
 
 CaptureFile::CaptureFile(const std::filesystem::path& file) {
   require_regular_file(file);
-  std::FILE* opened = std::fopen(file.c_str(), "rb");
+  std::array<std::byte, 16> begin{};
+  const std::size_t got = FileStream(file).read(begin);
+  const bool packed = compression_by_content(std::span(begin).first(got)) != Compression::none;
+  if (packed) unpacked_.reset(new Unpacked{open_stream(file)});
+  std::FILE* opened =
+      packed ? fopencookie(unpacked_.get(), "rb", {Unpacked::read, nullptr, nullptr, nullptr})
+             : std::fopen(file.c_str(), "rb");
   if (opened == nullptr) {
     throw ReadError(std::string("cannot read it: ") + std::strerror(errno));
   }
@@ -64,15 +91,18 @@ CaptureFile::CaptureFile(const std::filesystem::path& file) {
 CaptureFile::CaptureFile(std::FILE* file) { open(file); }
 
 void CaptureFile::open(std::FILE* file) {
-  std::fseek(file, 0, SEEK_END);
-  size_ = static_cast<double>(std::ftell(file));
-  std::rewind(file);
+  if (!unpacked_) {
+    std::fseek(file, 0, SEEK_END);
+    size_ = static_cast<double>(std::ftell(file));
+    std::rewind(file);
+  }
   char message[PCAP_ERRBUF_SIZE] = "";
   handle_.reset(
       pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, message));
   if (!handle_) {
     std::fclose(file);
-    throw ReadError(std::string("no pcap or pcapng capture: ") + message);
+    throw ReadError("no pcap or pcapng capture: " +
+                    (unpacked_ && !unpacked_->error.empty() ? unpacked_->error : message));
   }
   link_ = link_layer(pcap_datalink(pcap_of(handle_)));
 }
@@ -82,7 +112,7 @@ std::optional<CapturedFrame> CaptureFile::next() {
   const unsigned char* data = nullptr;
   const int result = pcap_next_ex(pcap_of(handle_), &header, &data);
   if (result != 1) {
-    cut_short_ = result == PCAP_ERROR ? pcap_geterr(pcap_of(handle_)) : "";
+    if (result == PCAP_ERROR) fail();
     return std::nullopt;
   }
   const auto seconds = static_cast<std::int64_t>(header->ts.tv_sec);
@@ -99,7 +129,13 @@ std::optional<CapturedFrame> CaptureFile::next() {
   return frame;
 }
 
+void CaptureFile::fail() {
+  const bool damaged = unpacked_ && !unpacked_->error.empty();
+  cut_short_ = damaged ? unpacked_->error : pcap_geterr(pcap_of(handle_));
+}
+
 double CaptureFile::progress() const {
+  if (unpacked_) return unpacked_->stream->progress();
   const long position = std::ftell(pcap_file(pcap_of(handle_)));
   return size_ > 0.0 ? std::clamp(static_cast<double>(position) / size_, 0.0, 1.0) : 1.0;
 }

@@ -20,7 +20,7 @@ struct CapturedFrame {
   std::span<const std::byte> bytes;  ///< valid until the next frame is read
 };
 
-/// A packet capture (pcap or pcapng) read from front to back through libpcap.
+/// A packet capture (pcap or pcapng), also compressed, read from front to back through libpcap.
 class CaptureFile {
  public:
   /// Throws ReadError where it is no capture, or of a link layer that is not known.
@@ -40,9 +40,15 @@ class CaptureFile {
   struct Close {
     void operator()(void* handle) const;
   };
+  struct Unpacked;
+  struct Forget {
+    void operator()(Unpacked* unpacked) const;
+  };
   void open(std::FILE* file);
+  void fail();
 
-  std::unique_ptr<void, Close> handle_;  ///< a pcap_t, which nobody outside has to know
+  std::unique_ptr<Unpacked, Forget> unpacked_;  ///< what libpcap reads from; null: the file itself
+  std::unique_ptr<void, Close> handle_;         ///< a pcap_t, which nobody outside has to know
   LinkLayer link_ = LinkLayer::ethernet;
   std::string cut_short_;
   double size_ = 0.0;

@@ -3,6 +3,7 @@
 #include "io/packets/capture_recording.hpp"
 
 #include "io/ascii_values.hpp"
+#include "io/file_kind.hpp"
 #include "io/file_reader.hpp"
 #include "io/packets/capture_file.hpp"
 #include "io/packets/packet_intake.hpp"
@@ -108,8 +109,8 @@ class CaptureRecording final : public Recording {
 };
 
 // What an Ouster says about itself lies beside its capture: walk.json of walk.pcap.
-std::string metadata_beside(std::filesystem::path file) {
-  file.replace_extension(".json");
+std::string metadata_beside(const std::filesystem::path& capture) {
+  std::filesystem::path file = uncompressed_name(capture).replace_extension(".json");
   std::error_code ignored;
   constexpr std::uintmax_t kMostBytes = 4'000'000;
   const std::uintmax_t size = std::filesystem::file_size(file, ignored);

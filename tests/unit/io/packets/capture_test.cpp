@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <libdeflate.h>
 #include <sys/stat.h>
 
 #include <limits>
 
+#include "io/bags/compression.hpp"
 #include "io/recording.hpp"
 #include "unit/io/support.hpp"
 
@@ -238,6 +240,53 @@ TEST(Capture, ErrorsNameWhatWasSeen) {
   options.sensor = "vlp16";
   options.calibration_file = folder.path() / "absent.yaml";
   EXPECT_NE(test::message_of<ReadError>(with).find("absent.yaml"), std::string::npos);
+}
+
+std::string gzip(std::string_view bytes) {
+  libdeflate_compressor* const compressor = libdeflate_alloc_compressor(1);
+  std::string packed(libdeflate_gzip_compress_bound(compressor, bytes.size()), '\0');
+  packed.resize(libdeflate_gzip_compress(compressor, bytes.data(), bytes.size(), packed.data(),
+                                         packed.size()));
+  libdeflate_free_compressor(compressor);
+  return packed;
+}
+
+std::size_t scans_in(Recording& recording) {
+  std::size_t scans = 0;
+  while (recording.next()) ++scans;
+  return scans;
+}
+
+// By its content, whatever it is called; gzip puts members one behind the other.
+TEST(Capture, CompressedAsAWhole) {
+  const test::TemporaryFolder folder;
+  const std::string plain = two_turns(true, false).content();
+  const std::string two = gzip(plain.substr(0, 70'001)) + gzip(plain.substr(70'001));
+  const std::pair<const char*, std::string> files[] = {
+      {"a.pcap.gz", gzip(plain)},
+      {"a.pcap", two},
+      {"b.pcap.zst", compress(Compression::zstd, plain)},
+      {"walk", compress(Compression::lz4, plain)}};
+  for (const auto& [name, bytes] : files) {
+    const auto recording = open_recording(folder.write(name, bytes));
+    EXPECT_EQ(scans_in(*recording), 2U) << name;
+    EXPECT_EQ(recording->progress(), 1.0);
+    EXPECT_TRUE(recording->losses().empty()) << recording->losses().front();
+  }
+}
+
+TEST(Capture, DamagedInCompressionIsReadAsFarAsItGoes) {
+  const test::TemporaryFolder folder;
+  const std::string one = gzip(two_turns(true, false).content());
+  std::string damaged = one + one;
+  damaged.replace(one.size(), 12, 12, '\x7f');
+  const auto recording = open_recording(folder.write("a.pcap.gz", damaged));
+  EXPECT_EQ(scans_in(*recording), 2U);
+  ASSERT_EQ(recording->losses().size(), 1U);
+  EXPECT_NE(recording->losses().front().find("gzip: the data are damaged"), std::string::npos);
+  const auto other = folder.write("b.pcap", "\x1f\x8b\x08 this is not what gzip writes");
+  EXPECT_NE(test::message_of<ReadError>([&] { (void)open_recording(other); }).find("gzip"),
+            std::string::npos);
 }
 
 // Opening a pipe would wait for a writer.
