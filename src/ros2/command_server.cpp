@@ -33,7 +33,7 @@ std::vector<std::vector<std::byte>> take_all(const Participant::Endpoint& reader
 
 /// A client may not have been found yet by who answers it.
 void wait_for_reader(const Participant::Endpoint& writer) {
-  constexpr int kTries = 20;
+  constexpr int kTries = 200;
   for (int i = 0; i < kTries && dds_get_matched_subscriptions(writer.entity, nullptr, 0) < 1; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
