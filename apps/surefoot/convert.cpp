@@ -54,6 +54,7 @@ int convert(const ConvertOptions& options) {
       fmt::print("  {:5} messages of {} other topics, copied as they are\n", outcome.messages,
                  outcome.topics);
     }
+    if (outcome.packets > 0) fmt::print("  {:5} packets, copied as they are\n", outcome.packets);
     if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
   }
   if (outcome.interrupted) return process::kInterrupted;
@@ -72,10 +73,11 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "output", request.output,
-          "FILE.mcap, FILE.bag (ROS 1), a folder, or of one scan FILE.pcd, .ply, .bin, .las")
+          "FILE.mcap, FILE.bag (ROS 1), a folder, of one scan FILE.pcd, .ply, .bin, .las, or of a "
+          "capture FILE.pcap, with its packets")
       ->required();
   command->add_option("--to", request.format, "format (by the output's name; a folder: pcd)")
-      ->check(CLI::IsMember(io::scan_format_names()));
+      ->check(CLI::IsMember(io::conversion_format_names()));
   command->add_option("--begin", request.begin, "leave out what is before [s after the first scan]")
       ->check(command_line::number_within(0.0, 1e9));
   command->add_option("--end", request.end, "leave out what is after [s after the first scan]")

@@ -15,6 +15,7 @@
 #include "io/conversion_lane.hpp"
 #include "io/file_writer.hpp"
 #include "io/messages/cloud_message.hpp"
+#include "io/packet_conversion.hpp"
 #include "io/printable.hpp"
 
 namespace surefoot::io {
@@ -28,11 +29,7 @@ std::string advice_for(const fs::path& extension) {
   if (extension == ".zst" || extension == ".zstd") {
     return "; an .mcap is compressed inside, and of another 'zstd FILE' makes one";
   }
-  if (extension == ".pcap" || extension == ".pcapng") {
-    return "; points cannot be turned back into packets, and packets are not copied: 'editcap' "
-           "cuts a "
-           "capture";
-  }
+  if (extension == ".pcapng") return "; a capture's packets are written as .pcap";
   if (extension == ".laz") return "; LAZ is not written: .las, and 'laszip' makes one of it";
   return "";
 }
@@ -47,7 +44,8 @@ ScanFormat wanted_format(const ConversionRequest& request) {
   if (known && name != "rosbag2") return scan_format_named(name);
   throw std::invalid_argument(
       request.output.string() + ": extension '" + extension.string() +
-      "'; expected .mcap, .bag, .pcd, .ply, .bin, .las, or a folder (PCD, " + "or --to says what)" +
+      "'; expected .mcap, .bag, .pcd, .ply, .bin, .las, of a capture .pcap, or a folder (PCD, or "
+      "--to says what)" +
       advice_for(extension));
 }
 
@@ -57,6 +55,7 @@ bool is_one_file(const ConversionRequest& request, ScanFormat format) {
   return has_file_a_scan(format) && request.output.extension() == "." + name;
 }
 
+constexpr const char* kPcap = "pcap";
 constexpr std::int64_t kEarliest = std::numeric_limits<std::int64_t>::min();
 
 // Topics of a bag that goes into a bag.
@@ -119,13 +118,7 @@ class Conversion {
         format_(wanted_format(request)),
         one_file_(is_one_file(request, format_)) {
     open_input();
-    std::error_code ignored;
-    const bool is_empty_folder = is_folder(format_) && !one_file_ &&
-                                 fs::is_directory(request.output, ignored) &&
-                                 fs::is_empty(request.output, ignored);
-    if (fs::exists(fs::symlink_status(request.output, ignored)) && !is_empty_folder) {
-      throw std::invalid_argument(request.output.string() + ": is there already");
-    }
+    require_unused(request.output, is_folder(format_) && !one_file_);
   }
 
   ConversionOutcome execute();
@@ -142,11 +135,6 @@ class Conversion {
   void add(ConversionLane& lane);
   void copy_the_rest();
   void finish();
-  [[nodiscard]] bool begins_with_all() const { return request_.begin == 0 && request_.start == 0; }
-  [[nodiscard]] bool ends_with_all() const {
-    return request_.end == std::numeric_limits<double>::infinity() &&
-           request_.count == std::numeric_limits<std::size_t>::max();
-  }
 
   const ConversionRequest& request_;
   const ConversionListener& listener_;
@@ -253,7 +241,9 @@ void Conversion::add(ConversionLane& lane) {
   const std::int64_t at_ns = came_ns(item);
   if (!first_written_ns_) first_written_ns_ = at_ns;
   last_written_ns_ = std::max(last_written_ns_, at_ns);
-  if (others_) others_->copy(*bag_, begins_with_all() ? kEarliest : *first_written_ns_, at_ns);
+  if (others_) {
+    others_->copy(*bag_, request_.begins_with_all() ? kEarliest : *first_written_ns_, at_ns);
+  }
   if (const std::string why = lane.add(); !why.empty()) return leave_out(why);
   ++outcome_.scans;
   listener_.progress(outcome_.scans, lane.recording().progress());
@@ -274,8 +264,9 @@ void Conversion::use(ConversionLane& lane) {
 
 void Conversion::copy_the_rest() {
   if (!others_) return;
-  others_->copy(*bag_, begins_with_all() ? kEarliest : *first_written_ns_,
-                ends_with_all() ? std::numeric_limits<std::int64_t>::max() : last_written_ns_);
+  others_->copy(
+      *bag_, request_.begins_with_all() ? kEarliest : *first_written_ns_,
+      request_.ends_with_all() ? std::numeric_limits<std::int64_t>::max() : last_written_ns_);
   for (std::string& loss : others_->losses()) outcome_.losses.push_back(std::move(loss));
   outcome_.messages = others_->messages();
   outcome_.topics = others_->topics();
@@ -309,10 +300,41 @@ ConversionOutcome Conversion::execute() {
   return std::move(outcome_);
 }
 
+bool is_of_packets(const ConversionRequest& request) {
+  return request.format.empty() ? request.output.extension() == ".pcap" : request.format == kPcap;
+}
+
 }  // namespace
+
+const std::vector<std::string>& conversion_format_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = scan_format_names();
+    all.emplace_back(kPcap);
+    return all;
+  }();
+  return names;
+}
+
+void require_unused(const fs::path& output, bool is_folder) {
+  std::error_code ignored;
+  const bool is_empty_folder =
+      is_folder && fs::is_directory(output, ignored) && fs::is_empty(output, ignored);
+  if (fs::exists(fs::symlink_status(output, ignored)) && !is_empty_folder) {
+    throw std::invalid_argument(output.string() + ": is there already");
+  }
+}
 
 ConversionOutcome convert_recording(const ConversionRequest& request,
                                     const ConversionListener& listener) {
+  if (is_of_packets(request)) {
+#ifdef SUREFOOT_HAS_PCAP
+    return convert_packets(request, listener);
+#else
+    throw std::invalid_argument(request.output.string() +
+                                ": captures cannot be written: built without libpcap "
+                                "(SUREFOOT_PCAP=OFF)");
+#endif
+  }
   return Conversion(request, listener).execute();
 }
 

@@ -30,6 +30,12 @@ struct ConversionRequest {
   std::size_t start = 0;
   std::size_t count = std::numeric_limits<std::size_t>::max();
   std::size_t stride = 1;
+
+  [[nodiscard]] bool begins_with_all() const { return begin == 0 && start == 0; }
+  [[nodiscard]] bool ends_with_all() const {
+    return end == std::numeric_limits<double>::infinity() &&
+           count == std::numeric_limits<std::size_t>::max();
+  }
 };
 
 /// Who is told what goes on.
@@ -45,10 +51,18 @@ struct ConversionOutcome {
   std::size_t unreadable = 0;  ///< scans
   std::size_t messages = 0;    ///< of other topics, copied as they are
   std::size_t topics = 0;      ///< of those
+  std::size_t packets = 0;     ///< of a capture, copied as they are
   bool interrupted = false;    ///< with no scan: nothing is written
   std::vector<std::string> notes;
   std::vector<std::string> losses;  ///< what the source has and the output has not, a line each
 };
+
+/// scan_format_names(), and "pcap".
+[[nodiscard]] const std::vector<std::string>& conversion_format_names();
+
+/// Throws std::invalid_argument where the output is there and more than an empty folder (of outputs
+/// that are folders).
+void require_unused(const std::filesystem::path& output, bool is_folder);
 
 /// Throws ReadError, WriteError, std::invalid_argument where the output is there already or has a
 /// name that tells no format.

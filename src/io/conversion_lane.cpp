@@ -43,8 +43,7 @@ std::string ConversionLane::add() {
     return item.name + ": " + why;
   }
   sink_->add(*item.scan, item.further, item.logged_ns);
-  ++scans_;
-  points_ += item.scan->points.size();
+  count();
   dropped_points_ += item.dropped_points;
   dropped_empty_ += item.dropped_not_finite + item.dropped_zero;
   rounded_by_ = std::max(rounded_by_, item.rounded_by);
@@ -53,6 +52,11 @@ std::string ConversionLane::add() {
     if (field_losses_.size() < kMostLosses) field_losses_.insert(loss);
   }
   return {};
+}
+
+void ConversionLane::count() {
+  ++scans_;
+  points_ += item_->scan->points.size();
 }
 
 std::vector<std::string> ConversionLane::losses() const {

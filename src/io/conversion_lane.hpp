@@ -32,6 +32,8 @@ class ConversionLane {
   [[nodiscard]] bool is_within(std::int64_t first_ns, std::int64_t at_ns);
   /// The item into the output; why it cannot be, or empty.
   [[nodiscard]] std::string add();
+  /// The item goes otherwise.
+  void count();
   /// Where scans go to: before the first add().
   void set_sink(std::unique_ptr<ScanSink> sink) { sink_ = std::move(sink); }
   [[nodiscard]] ScanSink* sink() { return sink_.get(); }

@@ -114,6 +114,13 @@ struct PointClock {
   std::int64_t origin_ns = 0;  ///< at the instant that times_ns count from
 };
 
+/// Where in a capture a scan's packets are.
+struct CapturedPackets {
+  std::uint64_t first = 0, end = 0;  ///< numbers of frames; neighbours may share a packet
+  std::uint32_t source_address = 0;
+  std::uint16_t port = 0;  ///< that they go to
+};
+
 /// One scan of a recording, or why there is none: a bad file in a folder does not end the reading.
 struct ScanItem {
   std::optional<Scan> scan;
@@ -130,6 +137,7 @@ struct ScanItem {
   std::vector<std::string> losses;    ///< what neither those nor the scan hold, where wanted
   double rounded_by = 0.0;            ///< most that a coordinate lost by becoming a float [m]
   std::optional<PointClock> clock;
+  std::optional<CapturedPackets> packets;
 };
 
 /// Counters of a packet capture so far; all zero for other recordings.

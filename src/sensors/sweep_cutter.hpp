@@ -19,6 +19,7 @@ struct Sweep {
   double turned_deg = 0.0;       ///< what the firings cover; less than a turn if partial
   std::int64_t duration_ns = 0;  ///< what the firings last
   bool whole = false;
+  bool shares_packet = false;  ///< its last one, with the sweep after it
 };
 
 class SweepCutter {
@@ -42,6 +43,7 @@ class SweepCutter {
 
  private:
   void begin(std::int64_t stamp_ns, std::uint32_t frame);
+  void end();
   [[nodiscard]] bool starts_sweep(const Firing& firing, double past_cut_deg,
                                   std::int64_t stamp_ns) const;
   [[nodiscard]] bool is_whole(const Sweep& sweep) const;

@@ -276,6 +276,23 @@ TEST(Convert, CaptureToBag) {
   EXPECT_NE(info.output.find("rings          16"), std::string::npos) << info;
 }
 
+TEST(Convert, CaptureToCapture) {
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
+  write_content(folder / "walk.pcapng", pcapng_file(vlp16_packets(4)));
+  const ProcessResult all = run_surefoot({"convert", "walk.pcapng", "walk.pcap"}, folder);
+  EXPECT_EQ(all.exit_code, 0) << all;
+  EXPECT_NE(all.output.find(" packets, copied as they are"), std::string::npos) << all;
+  EXPECT_NE(all.errors.find("lost: what pcapng has besides packets"), std::string::npos) << all;
+  const ProcessResult some =
+      run_surefoot({"convert", "walk.pcap", "some", "--to", "pcap", "--stride", "2"}, folder);
+  EXPECT_EQ(some.exit_code, 0) << some;
+  EXPECT_NE(some.errors.find("packets go whole"), std::string::npos) << some;
+  const ProcessResult again = run_surefoot({"convert", "walk.pcapng", "walk.pcap"}, folder);
+  EXPECT_EQ(again.exit_code, 2) << again;
+  EXPECT_NE(again.errors.find("walk.pcap: is there already"), std::string::npos) << again;
+}
+
 // Everything that a run says as messages, in both containers.
 TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
   const ScratchFolder scratch;

@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/targets.hpp"
 
+#include <bzlib.h>
+#include <libdeflate.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string_view>
 
 #include "fuzz/whole_way.hpp"
 #include "io/ascii_values.hpp"
+#include "io/bags/compression.hpp"
 #include "io/packets/capture_recording.hpp"
 #include "io/packets/packet_scans.hpp"
 #include "io/recording.hpp"
@@ -197,6 +204,65 @@ Seeds capture_seeds() {
   return seeds;
 }
 
+// A file that is compressed as a whole, whatever is in it: as it is, or (by the first byte) the
+// bytes inside, which mutations of compressed ones would hardly reach.
+void read_compressed(Bytes bytes) {
+  if (bytes.empty()) return;
+  constexpr io::Compression kInside[] = {io::Compression::none, io::Compression::zstd,
+                                         io::Compression::lz4};
+  const io::Compression inside = kInside[std::to_integer<std::size_t>(bytes.front()) % 3];
+  const std::string content = io::compress(inside, io::text_of(bytes.subspan(1)));
+  static const int file = memfd_create("compressed", 0);
+  if (ftruncate(file, 0) != 0 || pwrite(file, content.data(), content.size(), 0) < 0) std::abort();
+  try {
+    const auto recording = io::open_recording("/proc/self/fd/" + std::to_string(file));
+    while (recording->next()) {
+    }
+  } catch (const io::ReadError&) {
+  }
+}
+
+std::string bzip2(std::string bytes) {
+  auto size = static_cast<unsigned>(bytes.size() + bytes.size() / 100 + 600);  // as its manual says
+  std::string packed(size, '\0');
+  BZ2_bzBuffToBuffCompress(packed.data(), &size, bytes.data(), static_cast<unsigned>(bytes.size()),
+                           1, 0, 0);
+  return packed.substr(0, size);
+}
+std::string gzip(const std::string& bytes) {
+  libdeflate_compressor* const compressor = libdeflate_alloc_compressor(1);
+  std::string packed(libdeflate_gzip_compress_bound(compressor, bytes.size()), '\0');
+  packed.resize(libdeflate_gzip_compress(compressor, bytes.data(), bytes.size(), packed.data(),
+                                         packed.size()));
+  libdeflate_free_compressor(compressor);
+  return packed;
+}
+Seeds compressed_seeds() {
+  std::vector<std::string> files = capture_seeds();
+  for (const Target& target : bag_targets()) {
+    const std::string_view name = target.name;
+    if (name != "mcap" && name != "ros1_bag" && name != "sqlite_bag") continue;
+    for (std::string& bag : target.seeds()) files.push_back(std::move(bag));
+  }
+  Seeds seeds;
+  for (const std::string& file : files) {
+    switch (seeds.size() % 4) {
+      case 0:
+        seeds.push_back('\1' + file);  // Zstandard
+        break;
+      case 1:
+        seeds.push_back('\2' + file);  // LZ4
+        break;
+      case 2:
+        seeds.push_back('\0' + bzip2(file));
+        break;
+      default:
+        seeds.push_back('\0' + gzip(file));
+    }
+  }
+  return seeds;
+}
+
 constexpr Target kPacketTargets[] = {{"vlp16", read_vlp16, vlp16_seeds},
                                      {"velodyne", read_vlp16, velodyne_seeds},
                                      {"hesai", read_hesai, hesai_seeds},
@@ -204,7 +270,8 @@ constexpr Target kPacketTargets[] = {{"vlp16", read_vlp16, vlp16_seeds},
                                      {"livox", read_livox, livox_seeds},
                                      {"rs16", read_rs16, rs16_seeds},
                                      {"calibration", read_calibration, calibration_seeds},
-                                     {"capture", read_capture, capture_seeds}};
+                                     {"capture", read_capture, capture_seeds},
+                                     {"compressed", read_compressed, compressed_seeds}};
 
 }  // namespace
 

@@ -125,6 +125,7 @@ std::optional<CapturedFrame> CaptureFile::next() {
   CapturedFrame frame;
   // With nanosecond precision tv_usec holds nanoseconds.
   frame.stamp_ns = seconds * 1'000'000'000 + static_cast<std::int64_t>(header->ts.tv_usec);
+  frame.length = header->len;
   frame.bytes = {reinterpret_cast<const std::byte*>(data), header->caplen};
   return frame;
 }

@@ -17,6 +17,7 @@ namespace surefoot::io {
 
 struct CapturedFrame {
   std::int64_t stamp_ns = 0;         ///< the capturing machine's clock
+  std::uint32_t length = 0;          ///< on the wire, of which the capture may have less [bytes]
   std::span<const std::byte> bytes;  ///< valid until the next frame is read
 };
 
@@ -31,6 +32,8 @@ class CaptureFile {
   /// The next frame, or nothing at the end or where the file is cut short: see cut_short().
   [[nodiscard]] std::optional<CapturedFrame> next();
   [[nodiscard]] LinkLayer link() const { return link_; }
+  /// libpcap's own of it, a pcap_t, for who writes another capture like it.
+  [[nodiscard]] void* handle() const { return handle_.get(); }
   /// What libpcap said where the capture ends before its time; empty: it does not.
   [[nodiscard]] const std::string& cut_short() const { return cut_short_; }
   /// Share of the file that was read, 0..1.

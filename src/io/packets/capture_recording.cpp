@@ -27,12 +27,12 @@ class CaptureRecording final : public Recording {
   }
 
   std::optional<ScanItem> next() override {
-    std::optional<ScanItem> item = scans().take();
+    std::optional<ScanItem> item = take();
     while (!item && !ended_) {
       if (!read_frame()) {
         end();
       }
-      item = scans().take();
+      item = take();
     }
     return item;
   }
@@ -65,6 +65,18 @@ class CaptureRecording final : public Recording {
   PacketScans& scans() { return intake_.scans(); }
   const PacketScans& scans() const { return intake_.scans(); }
 
+  std::optional<ScanItem> take() {
+    std::optional<ScanItem> item = scans().take();
+    if (item) {
+      const auto [address, port] = intake_.stream();
+      const bool has_last = ended_ || scans().shared_packet();
+      item->packets =
+          CapturedPackets{scan_begin_, has_last ? data_end_ : data_begin_, address, port};
+      scan_begin_ = data_begin_;
+    }
+    return item;
+  }
+
   void end() {
     ended_ = true;
     scans().finish();
@@ -84,18 +96,31 @@ class CaptureRecording final : public Recording {
     if (!frame) {
       return false;
     }
-    ++packets_;
+    const std::uint64_t number = packets_++;
+    std::uint64_t begin = number;
     IpFragment fragment;
     UdpDatagram datagram = find_udp(file_.link(), frame->bytes, &fragment);
     if (datagram.content == FrameContent::fragment) {
+      parts_begin_ = parts_begin_.value_or(number);
+      begin = *parts_begin_;
       datagram = fragments_.add(fragment);
       if (datagram.content == FrameContent::fragment) {
         ++fragments_seen_;
         return true;
       }
+      parts_begin_.reset();
     }
+    const std::size_t before = intake_.counts().data_packets;
     intake_.add(frame->stamp_ns, datagram);
+    if (intake_.counts().data_packets > before) note_data(begin, number + 1);
     return true;
+  }
+
+  // The frames of a data packet.
+  void note_data(std::uint64_t begin, std::uint64_t end) {
+    if (data_end_ == 0) scan_begin_ = begin;
+    data_begin_ = begin;
+    data_end_ = end;
   }
 
   CaptureFile file_;
@@ -106,9 +131,13 @@ class CaptureRecording final : public Recording {
   std::size_t fragments_seen_ = 0;
   std::vector<std::string> notes_;
   bool ended_ = false;
+  // Numbers of frames: of the scan at hand, the last data packet, the parts of the next datagram.
+  std::uint64_t scan_begin_ = 0, data_begin_ = 0, data_end_ = 0;
+  std::optional<std::uint64_t> parts_begin_;
 };
 
-// What an Ouster says about itself lies beside its capture: walk.json of walk.pcap.
+}  // namespace
+
 std::string metadata_beside(const std::filesystem::path& capture) {
   std::filesystem::path file = uncompressed_name(capture).replace_extension(".json");
   std::error_code ignored;
@@ -125,8 +154,6 @@ std::string metadata_beside(const std::filesystem::path& capture) {
     return {};
   }
 }
-
-}  // namespace
 
 std::unique_ptr<Recording> open_capture(const std::filesystem::path& file,
                                         const OpenOptions& options) {

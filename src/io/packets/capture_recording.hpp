@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "io/recording.hpp"
 
@@ -17,5 +18,9 @@ namespace surefoot::io {
 /// The same from an open file, which is taken over; `name` is for messages.
 [[nodiscard]] std::unique_ptr<Recording> open_capture(std::FILE* file, const std::string& name,
                                                       const OpenOptions& options);
+
+/// What an Ouster says about itself lies beside its capture, walk.json of walk.pcap; empty: nothing
+/// does.
+[[nodiscard]] std::string metadata_beside(const std::filesystem::path& capture);
 
 }  // namespace surefoot::io

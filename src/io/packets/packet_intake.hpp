@@ -28,6 +28,8 @@ class PacketIntake {
   /// Its scans are taken there.
   [[nodiscard]] PacketScans& scans() { return scans_; }
   [[nodiscard]] const PacketScans& scans() const { return scans_; }
+  /// The address that its data packets come from, and the port that they go to.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint16_t> stream() const { return stream_; }
   /// Of datagrams by what became of them; `lost` by the sensor's clock.
   [[nodiscard]] CaptureCounts counts() const;
   /// What there was instead of a sensor's data, for messages: "; most are of 512 bytes to port 9".

@@ -183,6 +183,7 @@ std::optional<ScanItem> PacketScans::take() {
   if (!sweep->whole) {
     item.remark = remark_of(*sweep, decoder_->sweep_end());
   }
+  shared_packet_ = sweep->shares_packet;
   item.scan = std::move(sweep->scan);
   return item;
 }

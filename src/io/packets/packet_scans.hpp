@@ -47,6 +47,9 @@ class PacketScans {
   /// The next scan that is whole or ended, named "revolution N".
   [[nodiscard]] std::optional<ScanItem> take();
 
+  /// Whether the scan that was taken last shares its last packet with the one after it.
+  [[nodiscard]] bool shared_packet() const { return shared_packet_; }
+
   /// Whether the sensor is known: a data packet was seen.
   [[nodiscard]] bool found() const { return decoder_ != nullptr; }
   /// Whether any firing waits in a scan that is not ended.
@@ -92,6 +95,7 @@ class PacketScans {
   std::size_t lost_ = 0, reordered_ = 0;
   std::size_t next_ = 0;
   std::size_t jumps_ = 0;
+  bool shared_packet_ = false;
   std::string reason_;
   std::vector<std::string> notes_;
 };
