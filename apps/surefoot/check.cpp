@@ -36,6 +36,7 @@ struct CheckCommand {
 int execute(const CheckCommand& command) {
   checks::require_page_or_nothing(command.html);
   take_piped_recording(command.check.input, command.quiet || command.json);
+  take_piped_text(command.check.truth);
   const process::InterruptGuard interrupt;
   const bool quiet = command.quiet || command.json;
   process::Progress progress("scans", quiet);

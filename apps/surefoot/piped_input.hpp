@@ -11,7 +11,7 @@ namespace surefoot::app {
 
 /// Of a recording, which has to begin as one. Throws io::ReadError, std::runtime_error.
 void take_piped_recording(const std::filesystem::path& input, bool quiet);
-/// Of a trajectory. Throws std::runtime_error.
+/// Of a trajectory; nothing happens where no path is given. Throws std::runtime_error.
 void take_piped_text(const std::filesystem::path& input);
 
 }  // namespace surefoot::app

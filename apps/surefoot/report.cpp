@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "experiments/folder_report.hpp"
+#include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 
 namespace surefoot::app {
@@ -31,6 +32,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
                    "of each map at most (default: 400000, and 1000000 of all maps together)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
   command->callback([options, &exit_code] {
+    take_piped_text(options->truth);
     const experiments::ReportOutcome outcome = experiments::report_folders(
         *options, [](const std::string& text) { fmt::print(stderr, "surefoot: {}\n", text); });
     fmt::print("{}\n", outcome.file.string());

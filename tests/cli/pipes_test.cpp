@@ -137,5 +137,19 @@ TEST_F(Pipes, TrajectoriesAreEvaluated) {
   EXPECT_EQ(result.output, whole.output);
 }
 
+TEST_F(Pipes, TruthsOfACheckAndOfAReport) {
+  ASSERT_EQ(shell("surefoot run walk.pcap -o run").exit_code, 0);
+  const std::string truth = "run/trajectory.tum";
+  const ProcessResult piped = shell("surefoot check walk.pcap --truth <(cat " + truth + ")");
+  EXPECT_EQ(piped.output, shell("surefoot check walk.pcap --truth " + truth).output) << piped;
+  EXPECT_FALSE(piped.output.empty());
+  EXPECT_EQ(piped.errors.find("surefoot:"), std::string::npos) << piped;
+  const ProcessResult report = shell("surefoot report run --truth <(cat " + truth + ")");
+  EXPECT_EQ(report.exit_code, 0) << report;
+  const ProcessResult binary = shell("surefoot report run --truth <(cat walk.pcap)");
+  EXPECT_EQ(binary.exit_code, 2) << binary;
+  EXPECT_NE(binary.errors.find("what comes through the pipe is no text"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace surefoot::test
