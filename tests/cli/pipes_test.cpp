@@ -146,9 +146,11 @@ TEST_F(Pipes, TruthsOfACheckAndOfAReport) {
   EXPECT_EQ(piped.errors.find("surefoot:"), std::string::npos) << piped;
   const ProcessResult report = shell("surefoot report run --truth <(cat " + truth + ")");
   EXPECT_EQ(report.exit_code, 0) << report;
-  const ProcessResult binary = shell("surefoot report run --truth <(cat walk.pcap)");
-  EXPECT_EQ(binary.exit_code, 2) << binary;
-  EXPECT_NE(binary.errors.find("what comes through the pipe is no text"), std::string::npos);
+  for (const char* const line : {"surefoot report run", "surefoot check walk.pcap"}) {
+    const ProcessResult binary = shell(line + std::string(" --truth <(cat walk.pcap)"));
+    EXPECT_EQ(binary.exit_code, 2) << binary;
+    EXPECT_NE(binary.errors.find("what comes through the pipe is no text"), std::string::npos);
+  }
 }
 
 }  // namespace
