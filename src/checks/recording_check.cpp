@@ -41,6 +41,7 @@ class Check {
       : options_(options), listener_(listener) {}
 
   RecordingCheck execute() {
+    read_truth();
     look_at_all();
     if (const auto odd = runs::odd_range(result_.figures.range_m.median)) {
       result_.findings.insert(result_.findings.begin(), {true, "odd ranges", *odd, 0, ""});
@@ -55,6 +56,13 @@ class Check {
   }
 
  private:
+  // Before the recording, which may be too short to ask it anything.
+  void read_truth() {
+    if (options_.truth.empty()) return;
+    truth_ = is_bag(options_.truth) ? io::read_pose_topic(options_.truth, options_.truth_topic)
+                                    : io::read_tum(options_.truth);
+  }
+
   void look_at_all() {
     io::OpenOptions reader = options_.reader;
     reader.repair_stamps = false;  // what is odd is told, not mended
@@ -129,8 +137,7 @@ class Check {
     Trajectory reference;
     std::error_code ignored;
     if (!options_.truth.empty()) {
-      reference = is_bag(options_.truth) ? io::read_pose_topic(options_.truth, options_.truth_topic)
-                                         : io::read_tum(options_.truth);
+      reference = truth_;
       motion.reference = options_.truth.filename().string();
     } else if (is_bag(options_.input)) {
       io::Gyroscope gyroscope = io::read_gyroscope(
@@ -156,6 +163,7 @@ class Check {
 
   const CheckOptions& options_;
   const CheckListener& listener_;
+  Trajectory truth_;
   RecordingCheck result_;
 };
 

@@ -66,6 +66,14 @@ TEST(Check, ASoundRecordingIsFit) {
   EXPECT_NE(text.output.find("verdict      fit for a run\n"), std::string::npos) << text;
 }
 
+TEST(Check, ATruthThatCannotBeReadIsRefusedWhateverIsAskedOfIt) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(2));
+  const ProcessResult result = run_surefoot({"check", "in", "--truth", "none.tum"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 2) << result;
+  EXPECT_NE(result.errors.find("none.tum"), std::string::npos) << result;
+}
+
 TEST(Check, TimesThatCountBackAreTold) {
   const ScratchFolder scratch;
   std::vector<Scan> scans = trot_scans();
