@@ -146,6 +146,27 @@ def reliability_bins():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
+def loops():
+    """A scene a row: its walks' sums, the APE's medians; then all, and those on fresh layouts."""
+    kept = Kept("loops")
+    names = kept.rows[0]
+    rows = [dict(zip(names, row)) for row in kept.rows[1:]]
+    fresh = [row for row in rows if int(row["layout"]) > 8000]
+    sums = names[2:8]
+
+    def line(name, of):
+        cells = [str(sum(int(row[column]) for row in of)) for column in sums]
+        medians = [f"{statistics.median(float(row[column]) for row in of):.3f}"
+                   for column in names[8:]]
+        return [name, str(len(of)), *cells, *medians]
+
+    lines = [line(scene, [row for row in rows if row["scene"] == scene])
+             for scene in dict.fromkeys(row["scene"] for row in rows)]
+    lines += [line("all", rows), line("of these, layouts from 8101 on", fresh)]
+    head = ["scene", "walks", *sums, *(f"{name}, median" for name in names[8:])]
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
+
+
 def as_kept(name):
     """A file as it is, and what made it."""
     kept = Kept(name)
@@ -356,6 +377,7 @@ TABLES = {
     "before-count": before_count,
     "readme": readme,
     "finer-grid": finer_grid,
+    "loops": loops,
     "reference": reference,
     "reliability-alike": reliability_alike,
     "reliability": reliability,
