@@ -24,6 +24,7 @@ void bind_estimate(py::module_& module);
 void bind_odometry(py::module_& module);
 void bind_mapping(py::module_& module);
 void bind_recording(py::module_& module);
+void bind_datasets(py::module_& module);
 void bind_evaluation(py::module_& module);
 void bind_run(py::module_& module);
 #ifdef SUREFOOT_HAS_SIMULATION

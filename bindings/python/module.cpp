@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   bind_odometry(module);
   bind_mapping(module);
   bind_recording(module);
+  bind_datasets(module);
   bind_evaluation(module);
   bind_run(module);
 #ifdef SUREFOOT_HAS_SIMULATION

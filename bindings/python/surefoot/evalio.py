@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Surefoot authors
 # SPDX-License-Identifier: MIT
-"""Surefoot as a pipeline of evalio (https://github.com/contagon/evalio):
+"""Surefoot as a pipeline of evalio (https://github.com/contagon/evalio), and legged data sets for it:
 
     EVALIO_CUSTOM=surefoot.evalio evalio run -d botanic_garden/1018_00 -p surefoot
 
@@ -20,6 +20,15 @@ from evalio.pipelines import Pipeline
 from evalio.types import SE3, SO3, Point
 
 import surefoot
+
+from .evalio_datasets import (  # evalio looks for them in the module that it is given
+    DiTer as DiTer,
+    FusionPortableLegged as FusionPortableLegged,
+    GrandTour as GrandTour,
+    LeggedRecordings as LeggedRecordings,
+    LegKilo as LegKilo,
+    QuadrupedSlam as QuadrupedSlam,
+)
 
 
 def _matrix(pose: Any) -> NDArray[np.float64]:
