@@ -38,19 +38,23 @@ struct LiveArguments {
 /// A robot that is named has a topic of its own.
 void complete_source(live::LiveSource& source, const std::string& robot) {
   live::TopicRequest& topics = source.topics;
-  const bool has_packets = !source.replay.empty() || source.udp != 0;
+  const bool has_packets = !source.replay.empty() || !source.follow.empty() || source.udp != 0;
   if (topics.network == "ros2" && topics.topic.empty() && !robot.empty() && !has_packets) {
     topics.topic = io::robot_named(robot).topic;
   }
   if (topics.topic.empty() && !has_packets) {
     throw std::invalid_argument(
         topics.network.empty()
-            ? "live: expected --udp PORT or --replay CAPTURE"
-            : fmt::format("live: expected --udp PORT, --replay CAPTURE or --{}-topic TOPIC",
-                          topics.network));
+            ? "live: expected --udp PORT, --replay FILE or --follow FILE"
+            : fmt::format(
+                  "live: expected --udp PORT, --replay FILE, --follow FILE or --{}-topic TOPIC",
+                  topics.network));
   }
-  if (!source.record.empty() && !source.replay.empty()) {
-    throw std::invalid_argument("live: --record of what --replay plays would be the same");
+  const bool of_file = !source.replay.empty() || !source.follow.empty();
+  const bool is_kept = source.follow.empty() || std::filesystem::is_regular_file(source.follow);
+  if (!source.record.empty() && of_file && is_kept) {
+    throw std::invalid_argument(fmt::format("live: --record of what --{} reads would be the same",
+                                            source.follow.empty() ? "replay" : "follow"));
   }
 }
 
@@ -130,6 +134,12 @@ void add_source_options(CLI::App& command, LiveArguments& arguments) {
       ->check(command_line::number_within(0.0, 1000.0))
       ->needs("--replay")
       ->capture_default_str();
+  group
+      .add("--follow", source.follow,
+           "a capture, MCAP or ROS 1 bag that is still written to, or a pipe that a capture comes "
+           "through: all of it, and what comes; nothing is dropped")
+      ->excludes("--udp")
+      ->excludes("--replay");
   group
       .add("--queue", arguments.request.live.queue,
            "scans that may wait; beyond that the oldest is dropped, and told")

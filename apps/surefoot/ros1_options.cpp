@@ -20,7 +20,8 @@ void add_ros1_options(CLI::App& command, live::TopicRequest& topics) {
            "a topic of scans or of a sensor's packets, instead of its packets themselves")
       ->type_name("TOPIC")
       ->excludes("--udp")
-      ->excludes("--replay");
+      ->excludes("--replay")
+      ->excludes("--follow");
   group.add_flag("--ros1-publish", topics.publish,
                  "publish odometry, transforms, path, deskewed scans, local map and diagnostics");
   group.add_flag(

@@ -26,7 +26,8 @@ void add_ros2_options(CLI::App& command, live::TopicRequest& topics) {
            "a topic of scans or of a sensor's packets, instead of its packets themselves")
       ->type_name("TOPIC")
       ->excludes("--udp")
-      ->excludes("--replay");
+      ->excludes("--replay")
+      ->excludes("--follow");
   group.add_choice<bool>(
       "--ros2-qos", options->reliable,
       "how that topic is read: best_effort gets what it gets; reliable asks again, "

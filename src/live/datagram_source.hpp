@@ -31,14 +31,18 @@ class DatagramSource {
  public:
   virtual ~DatagramSource() = default;
 
-  /// Waits a tenth of a second at most.
+  /// Waits a tenth of a second at most, or asks several times in that what ask() gave.
   [[nodiscard]] virtual Received receive(Arrival& arrival) = 0;
+  /// Whom to ask whether it is worth waiting, before each receive().
+  virtual void ask(const std::function<bool()>& /*go_on*/) {}
   /// Datagrams that came but were lost before they could be received.
   [[nodiscard]] virtual std::uint64_t overflowed() const { return 0; }
   /// Whether it waits for a slow receiver instead of losing anything.
   [[nodiscard]] virtual bool patient() const { return false; }
   /// "UDP port 2368".
   [[nodiscard]] virtual std::string name() const = 0;
+  /// Why it ended before its time; empty: it did not.
+  [[nodiscard]] virtual std::string ended_early() const { return {}; }
 };
 
 /// @param address of the interface to listen on; "": all. Port 0: any that is free. Throws
@@ -49,5 +53,9 @@ class DatagramSource {
 /// @param speed times the capture's own; 0: as fast as it is taken. Throws io::ReadError.
 [[nodiscard]] std::unique_ptr<DatagramSource> replay_capture(const std::filesystem::path& file,
                                                              double speed);
+
+/// A capture that is still written to, or a pipe that one comes through: all that is there, as fast
+/// as it is taken, then what comes. Throws io::ReadError.
+[[nodiscard]] std::unique_ptr<DatagramSource> follow_capture(const std::filesystem::path& file);
 
 }  // namespace surefoot::live

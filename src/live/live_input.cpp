@@ -16,8 +16,15 @@
 namespace surefoot::live {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// That is played or grows; empty: none.
+const fs::path& file_of(const LiveSource& source) {
+  return source.follow.empty() ? source.replay : source.follow;
+}
+
 /// An Ouster's packets are not understood without what it says about itself.
-std::string metadata_beside(std::filesystem::path capture) {
+std::string metadata_beside(fs::path capture) {
   std::ifstream stream(capture.replace_extension(".json"), std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -25,14 +32,15 @@ std::string metadata_beside(std::filesystem::path capture) {
 /// What is not recorded has a name, but cannot be opened again.
 void name_input(LiveInput& input, const LiveSource& source, const std::string& name) {
   input.is_kept = !source.record.empty();
-  input.path = input.is_kept ? source.record : std::filesystem::path(name);
+  input.path = input.is_kept ? source.record : fs::path(name);
 }
 
 void open_packets(LiveInput& input, const LiveSource& source, const io::OpenOptions& reader) {
   input.repeated_by.emplace_back("repair-stamps", "false");  // which would wait for two scans
-  if (!source.replay.empty()) {
-    input.stream = packet_stream(replay_capture(source.replay, source.speed), reader,
-                                 metadata_beside(source.replay), {});
+  if (const fs::path& file = file_of(source); !file.empty()) {
+    input.stream = packet_stream(
+        source.follow.empty() ? replay_capture(file, source.speed) : follow_capture(file), reader,
+        metadata_beside(file), source.record);
     return;
   }
   name_input(input, source, fmt::format("udp-{}", source.udp));
@@ -46,10 +54,9 @@ io::OpenOptions topic_options(LiveInput& input, const io::OpenOptions& reader) {
   return io::with_robot(io::with_dataset(reader));
 }
 
-bool is_bag(const std::filesystem::path& path) {
+bool is_bag(const fs::path& path) {
   std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored) ? !io::bag_files(path).empty()
-                                                      : io::is_bag_file(path);
+  return fs::is_directory(path, ignored) ? !io::bag_files(path).empty() : io::is_bag_file(path);
 }
 
 /// A topic is named by the network that it is of, and recorded as that network has it.
@@ -87,13 +94,19 @@ LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reade
     open_topic(input, source, reader, say);
     return input;
   }
-  if (!source.replay.empty()) {
-    input.path = source.replay;
+  const fs::path& file = file_of(source);
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored) || fs::is_directory(file, ignored)) {
+    input.path = file;
     input.is_kept = true;
+  } else if (!file.empty()) {
+    name_input(input, source, file.filename().string());  // what comes through a pipe
   }
-  if (is_bag(source.replay)) {
+  if (is_bag(file)) {
     const io::OpenOptions options = topic_options(input, reader);
-    input.stream = topic_stream(replay_bag(source.replay, options, source.speed), options, {});
+    input.stream = topic_stream(
+        source.follow.empty() ? replay_bag(file, options, source.speed) : follow_bag(file, options),
+        options, {});
   } else {
     open_packets(input, source, reader);
   }

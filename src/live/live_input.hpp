@@ -20,11 +20,12 @@
 
 namespace surefoot::live {
 
-/// A topic, or a capture or bag that is played, or a port.
+/// A topic, or a capture or bag that is played or still grows, or a port.
 struct LiveSource {
   TopicRequest topics;
   std::filesystem::path replay;
   double speed = 1.0;  ///< times its own pace; 0: as fast as it is used
+  std::filesystem::path follow;
   std::uint16_t udp = 0;
   std::string address;           ///< of the interface to listen on; empty: all
   std::filesystem::path record;  ///< of all packets or messages; empty: none is made

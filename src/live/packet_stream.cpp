@@ -20,6 +20,7 @@ class PacketStream final : public ScanStream {
         intake_(options, std::move(metadata)) {}
 
   std::optional<LiveScan> next(const std::function<bool()>& go_on) override {
+    source_->ask(go_on);
     while (true) {
       if (std::optional<io::ScanItem> item = intake_.scans().take()) {
         if (writer_) writer_->flush();
@@ -71,6 +72,9 @@ class PacketStream final : public ScanStream {
     if (intake_.scans().lost() > 0) {
       end_notes_.push_back("by the sensor's clock " + std::to_string(intake_.scans().lost()) +
                            " data packets are missing");
+    }
+    if (const std::string why = source_->ended_early(); !why.empty()) {
+      end_notes_.push_back("it ends early: " + why);
     }
     if (source_->overflowed() > 0) {
       end_notes_.push_back(std::to_string(source_->overflowed()) +

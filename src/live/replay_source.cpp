@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <optional>
 
-#include "io/packets/capture_file.hpp"
 #include "io/recording.hpp"
+#include "live/captured_datagrams.hpp"
 #include "live/datagram_source.hpp"
 #include "live/replay_pace.hpp"
 
@@ -13,10 +13,10 @@ namespace {
 class ReplaySource final : public DatagramSource {
  public:
   ReplaySource(const std::filesystem::path& file, double speed)
-      : file_(file), name_(file.string()), pace_(speed) {}
+      : datagrams_(io::CaptureFile(file)), name_(file.string()), pace_(speed) {}
 
   Received receive(Arrival& arrival) override {
-    if (!waiting_) waiting_ = next();
+    if (!waiting_) waiting_ = datagrams_.next();
     if (!waiting_) return Received::end;
     if (!pace_.is_due(waiting_->arrival_ns)) return Received::nothing;
     arrival = *waiting_;
@@ -27,23 +27,12 @@ class ReplaySource final : public DatagramSource {
 
   bool patient() const override { return pace_.is_at_once(); }
   std::string name() const override { return name_; }
+  std::string ended_early() const override { return datagrams_.cut_short(); }
 
  private:
-  std::optional<Arrival> next() {
-    while (const std::optional<io::CapturedFrame> frame = file_.next()) {
-      io::IpFragment fragment;
-      io::UdpDatagram datagram = io::find_udp(file_.link(), frame->bytes, &fragment);
-      if (datagram.content == io::FrameContent::fragment) datagram = fragments_.add(fragment);
-      if (datagram.content != io::FrameContent::udp) continue;
-      return Arrival{datagram, frame->stamp_ns, {}};
-    }
-    return std::nullopt;
-  }
-
-  io::CaptureFile file_;
+  CapturedDatagrams datagrams_;
   std::string name_;
   ReplayPace pace_;
-  io::FragmentBuffer fragments_;
   std::optional<Arrival> waiting_;
 };
 

@@ -29,8 +29,11 @@ class TopicSource {
  public:
   virtual ~TopicSource() = default;
 
-  /// Waits a tenth of a second at most. Throws io::ReadError where the topic holds no scans.
+  /// Waits a tenth of a second at most, or asks several times in that what ask() gave. Throws
+  /// io::ReadError where the topic holds no scans.
   [[nodiscard]] virtual Received receive(TopicArrival& arrival) = 0;
+  /// Whom to ask whether it is worth waiting, before each receive().
+  virtual void ask(const std::function<bool()>& /*go_on*/) {}
   /// Known once something was received.
   [[nodiscard]] virtual const io::Topic& topic() const = 0;
   /// Of its type, for who records it: for ROS 2 clouds' alone, which no reader of ours asks for.
@@ -52,5 +55,10 @@ class TopicSource {
 /// A bag's topic. @param speed times its own; 0: as fast as it is taken. Throws io::ReadError.
 [[nodiscard]] std::unique_ptr<TopicSource> replay_bag(const std::filesystem::path& path,
                                                       const io::OpenOptions& options, double speed);
+
+/// The topic of a bag (MCAP, ROS 1) that is still written to: all that is there, as fast as it is
+/// taken, then what comes. Throws io::ReadError.
+[[nodiscard]] std::unique_ptr<TopicSource> follow_bag(const std::filesystem::path& file,
+                                                      const io::OpenOptions& options);
 
 }  // namespace surefoot::live

@@ -72,7 +72,10 @@ class LiveMessages final : public io::MessageSource {
     next_kept_ = 0;
     keeps_ = false;
   }
-  void ask(const std::function<bool()>& go_on) { go_on_ = &go_on; }
+  void ask(const std::function<bool()>& go_on) {
+    go_on_ = &go_on;
+    source_->ask(go_on);
+  }
   void finish() {
     if (record_) record_->finish();
     record_.reset();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -85,6 +86,66 @@ TEST_F(LiveTest, AReplayedBagLeavesWhatItsRunDoes) {
             kBare));
   expect_same("bag", "paced", {"trajectory.tum", "map.ply"});
   expect_repeated("paced");
+}
+
+/// Writes a file bit by bit into another one while a live run follows that, and gives the run's
+/// end.
+ProcessResult follow(const fs::path& folder, const std::string& source, const std::string& grown) {
+  const std::string whole = file_content(folder / source);
+  std::ofstream file(folder / grown, std::ios::binary);
+  const Process process(with({"live", "--follow", grown, "--silence", "1", "-o", "live"}, kBare),
+                        folder);
+  std::mt19937 random(5);
+  for (std::size_t at = 0; at < whole.size();) {  // cut where it comes
+    const std::size_t size = std::min<std::size_t>(1 + random() % 40'000, whole.size() - at);
+    file.write(whole.data() + at, static_cast<std::streamsize>(size)).flush();
+    at += size;
+    std::this_thread::sleep_for(milliseconds(3));
+  }
+  return process.wait();
+}
+
+TEST_F(LiveTest, AFileThatGrowsLeavesWhatItsRunDoes) {
+  write_content(scratch_.path() / "hall.pcapng", pcapng_file(packets_));
+  for (const char* bag : {"hall.mcap", "hall.bag"}) {
+    const ProcessResult made = run_surefoot({"convert", "hall.pcap", bag}, scratch_.path());
+    ASSERT_EQ(made.exit_code, 0) << made;
+  }
+  for (const char* source : {"hall.pcap", "hall.pcapng", "hall.mcap", "hall.bag"}) {
+    const ProcessResult whole =
+        run_surefoot(with({"run", source, "-o", "whole"}, kBare), scratch_.path());
+    ASSERT_EQ(whole.exit_code, 0) << whole;
+    const ProcessResult live = follow(scratch_.path(), source,
+                                      std::string("grown") + fs::path(source).extension().c_str());
+    EXPECT_EQ(live.exit_code, 0) << live;
+    EXPECT_EQ(live.errors.find("ends early"), std::string::npos) << live;
+    expect_same("whole", "live", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+    EXPECT_EQ(content("live/live.log").find("dropped"), std::string::npos);
+    expect_repeated("live");
+  }
+}
+
+TEST_F(LiveTest, ACaptureThroughAPipeEndsWithIt) {
+  const fs::path pipe = scratch_.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Process process(
+      with({"live", "--follow", "pipe", "--record", "heard.pcap", "-o", "live"}, kBare),
+      scratch_.path());
+  std::ofstream(pipe, std::ios::binary) << content("hall.pcap");
+  const ProcessResult live = process.wait();
+  ASSERT_EQ(live.exit_code, 0) << live;
+  expect_same("offline", "live", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+  expect_repeated("live");
+}
+
+TEST_F(LiveTest, ACaptureThatIsCutIsSaidToBe) {
+  const std::string whole = content("hall.pcap");
+  write_content(scratch_.path() / "cut.pcap", whole.substr(0, whole.size() - 100));
+  const ProcessResult live = run_surefoot(
+      {"live", "--replay", "cut.pcap", "--speed", "0", "-o", "live", "--no-report", "--no-picture"},
+      scratch_.path());
+  EXPECT_EQ(live.exit_code, 0) << live;
+  EXPECT_NE(live.errors.find("it ends early: truncated"), std::string::npos) << live;
 }
 
 TEST_F(LiveTest, PacketsOverLoopbackGiveWhatTheCaptureGives) {
@@ -229,6 +290,14 @@ TEST_F(LiveTest, BadUsageIsExplained) {
   expect({"live", "--udp", "2368", "--replay", "hall.pcap"}, "excludes");
   expect({"live", "--udp", "2368", "--address", "here"}, "'here' is no address");
   expect({"live", "--replay", "none.pcap"}, "none.pcap: ");
+  expect({"live", "--follow", "none.pcap"}, "none.pcap: cannot read it: No such file");
+  expect({"live", "--follow", "."}, "expected a file or a pipe");
+  expect({"live", "--follow", "hall.pcap", "--replay", "hall.pcap"}, "excludes");
+  expect({"live", "--follow", "hall.pcap", "--record", "too.pcap"},
+         "--follow reads would be the same");
+  write_content(scratch_.path() / "text.pcap", std::string(100, 'a'));
+  expect({"live", "--follow", "text.pcap", "--silence", "1"},
+         "text.pcap: no pcap or pcapng capture");
   expect({"live", "--replay", "hall.pcap", "--set", "knots.points=-1"}, "knots.points");
   write_content(scratch_.path() / "no.log", "stamp\n1\n");
   expect({"run", "hall.pcap", "--like", "no.log"}, "no.log: got 'stamp', expected the log");

@@ -211,7 +211,8 @@ TEST_F(Ros1Test, WhatIsMissingIsNamed) {
     EXPECT_EQ(result.exit_code, 2) << result;
     EXPECT_NE((result.output + result.errors).find(text), std::string::npos) << result;
   };
-  expect({"--ros1-publish"}, "expected --udp PORT, --replay CAPTURE or --ros1-topic TOPIC");
+  expect({"--ros1-publish"},
+         "expected --udp PORT, --replay FILE, --follow FILE or --ros1-topic TOPIC");
   expect({"--ros1-topic", "/points", "--ros1-master", "http://127.0.0.1:9"},
          "no master answers at http://127.0.0.1:9; start roscore");
   expect({"--ros1-topic", "/points", "--record", "heard.mcap"}, "FILE.bag");

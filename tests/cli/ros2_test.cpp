@@ -282,7 +282,8 @@ TEST_F(Ros2Test, WhatIsMissingIsNamed) {
     EXPECT_EQ(result.exit_code, 2) << result;
     EXPECT_NE((result.output + result.errors).find(text), std::string::npos) << result;
   };
-  expect({"live", "--ros2-publish"}, "expected --udp PORT, --replay CAPTURE or --ros2-topic TOPIC");
+  expect({"live", "--ros2-publish"},
+         "expected --udp PORT, --replay FILE, --follow FILE or --ros2-topic TOPIC");
   expect({"live", "--ros2-topic", "/points", "--ros2-interface", "none0"},
          "on none0: none0: does not match an available interface");
   expect({"live", "--ros2-topic", "/points", "--ros2-domain", "300"}, "--ros2-domain");

@@ -64,7 +64,12 @@ std::string missed_text(const OpenOptions& options, const std::string& taken) {
 }  // namespace
 
 BagTopic open_bag_topic(const std::filesystem::path& path, const OpenOptions& options) {
-  TopicRecordingParts parts{path.string(), TopicMessages(path), {}, {}, options.others_are_read};
+  return open_bag_topic(TopicMessages([path] { return open_bag(path); }), path.string(), options);
+}
+
+BagTopic open_bag_topic(TopicMessages messages, const std::string& name,
+                        const OpenOptions& options) {
+  TopicRecordingParts parts{name, std::move(messages), {}, {}, options.others_are_read};
   BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
       options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;

@@ -27,5 +27,8 @@ struct BagTopic {
 /// Throws ReadError.
 [[nodiscard]] BagTopic open_bag_topic(const std::filesystem::path& path,
                                       const OpenOptions& options);
+/// Of messages that are not opened by a path. `name`: what they are called.
+[[nodiscard]] BagTopic open_bag_topic(TopicMessages messages, const std::string& name,
+                                      const OpenOptions& options);
 
 }  // namespace surefoot::io

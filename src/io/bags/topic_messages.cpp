@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "io/bags/topic_messages.hpp"
 
-#include "io/bags/bag_files.hpp"
-
 namespace surefoot::io {
 
-TopicMessages::TopicMessages(std::filesystem::path bag)
-    : path_(std::move(bag)), bag_(open_bag(path_)) {}
+TopicMessages::TopicMessages(std::function<std::unique_ptr<MessageSource>()> open)
+    : open_(std::move(open)), bag_(open_()) {}
 
 void TopicMessages::begin(const Topic& topic) {
   format_ = bag_->format();  // known once something was read
   topic_ = topic;
-  if (!bag_->rewind()) bag_ = open_bag(path_);
+  if (!bag_->rewind()) bag_ = open_();
   bag_->want(topic_.name);
 }
 

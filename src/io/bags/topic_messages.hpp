@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +16,8 @@ namespace surefoot::io {
 /// The messages of one topic of a bag, as often as they are wanted from the beginning.
 class TopicMessages {
  public:
-  /// Throws ReadError naming the file.
-  explicit TopicMessages(std::filesystem::path bag);
+  /// Of a bag that `open` opens, as often as it is begun anew.
+  explicit TopicMessages(std::function<std::unique_ptr<MessageSource>()> open);
   /// Of a source that can begin anew.
   explicit TopicMessages(std::unique_ptr<MessageSource> source) : bag_(std::move(source)) {}
 
@@ -35,7 +35,7 @@ class TopicMessages {
   [[nodiscard]] std::string description() const;
 
  private:
-  std::filesystem::path path_;
+  std::function<std::unique_ptr<MessageSource>()> open_;
   std::unique_ptr<MessageSource> bag_;
   std::string format_;
   Topic topic_;

@@ -50,11 +50,13 @@ constexpr std::int64_t kFarthestSecond = 4'500'000'000;
 
 }  // namespace
 
-/// A compressed capture as the stream of C that libpcap asks for.
+/// Bytes, as of a compressed capture, as the stream of C that libpcap asks for.
 struct CaptureFile::Unpacked {
   std::unique_ptr<ByteStream> stream;
   std::string error = {};  ///< that nothing may throw through libpcap
 
+  /// Null where there is no memory for it.
+  std::FILE* open() { return fopencookie(this, "rb", {read, nullptr, nullptr, nullptr}); }
   static ssize_t read(void* cookie, char* to, std::size_t size) {
     auto& self = *static_cast<Unpacked*>(cookie);
     try {
@@ -79,9 +81,7 @@ CaptureFile::CaptureFile(const std::filesystem::path& file) {
   const std::size_t got = FileStream(file).read(begin);
   const bool packed = compression_by_content(std::span(begin).first(got)) != Compression::none;
   if (packed) unpacked_.reset(new Unpacked{open_stream(file)});
-  std::FILE* opened =
-      packed ? fopencookie(unpacked_.get(), "rb", {Unpacked::read, nullptr, nullptr, nullptr})
-             : std::fopen(file.c_str(), "rb");
+  std::FILE* opened = packed ? unpacked_->open() : std::fopen(file.c_str(), "rb");
   if (opened == nullptr) {
     throw ReadError(std::string("cannot read it: ") + std::strerror(errno));
   }
@@ -89,6 +89,14 @@ CaptureFile::CaptureFile(const std::filesystem::path& file) {
 }
 
 CaptureFile::CaptureFile(std::FILE* file) { open(file); }
+
+CaptureFile::CaptureFile(std::unique_ptr<ByteStream> bytes) {
+  unpacked_.reset(new Unpacked{std::move(bytes)});
+  std::FILE* opened = unpacked_->open();
+  if (opened == nullptr) throw ReadError(std::string("cannot read it: ") + std::strerror(errno));
+  std::setvbuf(opened, nullptr, _IONBF, 0);
+  open(opened);
+}
 
 void CaptureFile::open(std::FILE* file) {
   if (!unpacked_) {

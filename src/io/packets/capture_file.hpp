@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "io/bags/byte_stream.hpp"
 #include "io/packets/udp_datagram.hpp"
 
 namespace surefoot::io {
@@ -28,6 +29,8 @@ class CaptureFile {
   explicit CaptureFile(const std::filesystem::path& file);
   /// Takes the open file over, for captures in memory. Throws as above.
   explicit CaptureFile(std::FILE* file);
+  /// Of bytes that come as they come: no more of them are asked for than the next frame needs.
+  explicit CaptureFile(std::unique_ptr<ByteStream> bytes);
 
   /// The next frame, or nothing at the end or where the file is cut short: see cut_short().
   [[nodiscard]] std::optional<CapturedFrame> next();

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "live/followed_file.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "io/recording.hpp"
+
+namespace surefoot::live {
+namespace {
+
+/// Of a file nobody tells that it has grown: looking this often costs nothing, and latency little.
+constexpr std::chrono::milliseconds kLookAgain(5);
+
+io::ReadError failed(int error) {
+  return io::ReadError(std::string("cannot read it: ") + std::strerror(error));
+}
+
+}  // namespace
+
+FollowedFile::FollowedFile(const std::filesystem::path& file, std::function<bool()> goes_on)
+    : goes_on_(std::move(goes_on)),
+      // A named pipe is opened at once, whether or not somebody writes to it yet.
+      file_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+  if (file_ < 0) throw failed(errno);
+  struct stat kind {};
+  if (::fstat(file_, &kind) != 0 || !(S_ISREG(kind.st_mode) || S_ISFIFO(kind.st_mode))) {
+    ::close(file_);
+    throw io::ReadError("it is no file that can grow; expected a file or a pipe");
+  }
+  is_pipe_ = S_ISFIFO(kind.st_mode);
+}
+
+FollowedFile::~FollowedFile() { ::close(file_); }
+
+std::size_t FollowedFile::read(std::span<std::byte> to) {
+  std::size_t done = 0;
+  while (done < to.size()) {
+    const ssize_t got = ::read(file_, to.data() + done, to.size() - done);
+    if (got > 0) {
+      done += static_cast<std::size_t>(got);
+      position_ += static_cast<std::uint64_t>(got);
+      continue;
+    }
+    if (got < 0 && errno != EAGAIN && errno != EINTR) throw failed(errno);
+    // A pipe is at its end where all have closed it that once wrote to it.
+    const bool has_ended = got == 0 && is_pipe_ && position_ > 0;
+    if (has_ended || !wait()) break;
+  }
+  return done;
+}
+
+bool FollowedFile::wait() {
+  if (!goes_on_()) return false;
+  if (!is_pipe_) {
+    struct stat now {};
+    if (::fstat(file_, &now) == 0 && static_cast<std::uint64_t>(now.st_size) < position_) {
+      throw io::ReadError("it has become shorter, " + std::to_string(now.st_size) +
+                          " bytes, of which " + std::to_string(position_) + " were read");
+    }
+    std::this_thread::sleep_for(kLookAgain);
+    return true;
+  }
+  pollfd more{file_, POLLIN, 0};
+  constexpr int kWaitMs = 50;
+  // A pipe that nobody has written to yet is told to be at its end at once, again and again.
+  if (::poll(&more, 1, kWaitMs) > 0 && (more.revents & POLLIN) == 0) {
+    std::this_thread::sleep_for(kLookAgain);
+  }
+  return true;
+}
+
+}  // namespace surefoot::live

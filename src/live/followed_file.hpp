@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A file that somebody else is still writing, or a pipe: its bytes as they come.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+
+#include "io/bags/byte_stream.hpp"
+
+namespace surefoot::live {
+
+class FollowedFile final : public io::ByteStream {
+ public:
+  /// @param goes_on asked several times in a tenth of a second while nothing new is there; where it
+  /// says no, the file ends. Throws io::ReadError without the file's name.
+  FollowedFile(const std::filesystem::path& file, std::function<bool()> goes_on);
+  ~FollowedFile() override;
+  FollowedFile(const FollowedFile&) = delete;
+  FollowedFile& operator=(const FollowedFile&) = delete;
+
+  /// Waits until all of `to` is there. Throws io::ReadError, also where the file has become shorter
+  /// than what was read of it.
+  std::size_t read(std::span<std::byte> to) override;
+
+ private:
+  [[nodiscard]] bool wait();
+
+  std::function<bool()> goes_on_;
+  int file_;
+  bool is_pipe_ = false;
+  std::uint64_t position_ = 0;
+};
+
+}  // namespace surefoot::live

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Files and pipes that grow while they are read.
+#include "live/followed_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "io/recording.hpp"
+#include "support/scratch.hpp"
+
+namespace surefoot::live {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+void append(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary | std::ios::app) << text;
+}
+
+std::string read(FollowedFile& file, std::size_t count) {
+  std::string text(count, '\0');
+  text.resize(file.read(std::as_writable_bytes(std::span(text))));
+  return text;
+}
+
+class FollowedFileTest : public test::Scratch {
+ protected:
+  fs::path file_ = folder_ / "growing";
+  std::atomic<int> asked_ = 0;
+  std::atomic<int> patience_ = 1'000'000;
+  [[nodiscard]] std::function<bool()> goes_on() {
+    return [this] { return ++asked_ <= patience_; };
+  }
+};
+
+TEST_F(FollowedFileTest, WhatIsThereIsGivenAndWhatComesIsWaitedFor) {
+  append(file_, "abc");
+  FollowedFile followed(file_, goes_on());
+  EXPECT_EQ(read(followed, 2), "ab");
+  EXPECT_EQ(asked_, 0);
+  std::thread writer([this] {
+    for (const char* part : {"d", "ef", "ghij"}) {
+      while (asked_ == 0) std::this_thread::sleep_for(milliseconds(1));
+      append(file_, part);
+      asked_ = 0;
+    }
+  });
+  EXPECT_EQ(read(followed, 6), "cdefgh");  // however it came
+  writer.join();
+  EXPECT_EQ(read(followed, 2), "ij");
+}
+
+TEST_F(FollowedFileTest, ItEndsWhereNobodyWantsToWait) {
+  append(file_, "abc");
+  patience_ = 3;
+  FollowedFile followed(file_, goes_on());
+  EXPECT_EQ(read(followed, 5), "abc");
+  EXPECT_EQ(asked_, 4);
+}
+
+TEST_F(FollowedFileTest, AFileThatBecameShorterIsToldOf) {
+  append(file_, "abcdef");
+  FollowedFile followed(file_, goes_on());
+  EXPECT_EQ(read(followed, 6), "abcdef");
+  fs::resize_file(file_, 2);
+  try {
+    (void)read(followed, 1);
+    FAIL();
+  } catch (const io::ReadError& error) {
+    EXPECT_STREQ(error.what(), "it has become shorter, 2 bytes, of which 6 were read");
+  }
+}
+
+TEST_F(FollowedFileTest, APipeEndsWhereItsWriterHasClosedItAndNotBeforeOneCame) {
+  ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+  FollowedFile followed(file_, goes_on());  // does not wait for who writes
+  std::thread writer([this] {
+    while (asked_ < 3) std::this_thread::sleep_for(milliseconds(1));
+    std::ofstream pipe(file_, std::ios::binary);
+    pipe << "abc" << std::flush;
+    std::this_thread::sleep_for(milliseconds(80));
+    pipe << "def";
+  });
+  EXPECT_EQ(read(followed, 10), "abcdef");
+  writer.join();
+}
+
+TEST_F(FollowedFileTest, WhatCannotGrowIsRefused) {
+  const auto refused = [this](const fs::path& what, const std::string& why) {
+    try {
+      FollowedFile followed(what, goes_on());
+      FAIL() << what;
+    } catch (const io::ReadError& error) {
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+  };
+  refused(file_, "No such file");
+  refused(file_.parent_path(), "expected a file or a pipe");
+  refused("/dev/null", "expected a file or a pipe");
+}
+
+}  // namespace
+}  // namespace surefoot::live
