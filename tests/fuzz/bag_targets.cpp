@@ -3,8 +3,6 @@
 #include "fuzz/targets.hpp"
 
 #include <sqlite3.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <memory>
@@ -17,8 +15,10 @@
 #include "io/bags/sqlite_bag_reader.hpp"
 #include "io/file_writer.hpp"
 #include "io/messages/cloud_message.hpp"
+#include "io/messages/motion_message.hpp"
 #include "io/messages/packet_message.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
+#include "io/messages/pose_messages.hpp"
 #include "unit/io/support.hpp"
 
 namespace surefoot::fuzz {
@@ -71,10 +71,9 @@ Seeds mcap_seeds() {
 
 // sqlite3 reads files alone: one that is in memory.
 void read_sqlite_bytes(Bytes bytes) {
-  static const int file = memfd_create("bag", 0);
-  if (ftruncate(file, 0) != 0 || pwrite(file, bytes.data(), bytes.size(), 0) < 0) std::abort();
+  static const MemoryFile file;
   try {
-    const auto bag = io::read_sqlite_bag("/proc/self/fd/" + std::to_string(file));
+    const auto bag = io::read_sqlite_bag(file.holding(bytes));
     while (bag->next()) {
     }
   } catch (const io::ReadError&) {
@@ -176,11 +175,40 @@ Seeds packet_seeds() {
   return {std::string(1, '\6') + nebula.take(), std::string(1, '\11') + sized("abc")};
 }
 
+// The first byte chooses type and encoding.
+void read_motion_bytes(Bytes bytes) {
+  if (bytes.empty()) return;
+  constexpr const char* kTypes[] = {"sensor_msgs/Imu", "nav_msgs/Odometry",
+                                    "geometry_msgs/PoseStamped", "geometry_msgs/PointStamped"};
+  const auto choice = std::to_integer<unsigned>(bytes[0]);
+  const io::Topic topic{"/t", kTypes[choice / 2 % 4],
+                        choice % 2 == 0 ? io::MessageEncoding::cdr : io::MessageEncoding::ros1};
+  const io::Message message{&topic, 0, bytes.subspan(1)};
+  try {
+    if (io::is_pose_type(topic.type)) {
+      if (!io::read_pose(message).pose.translation.allFinite()) std::abort();
+    } else {
+      (void)io::read_imu(message);
+    }
+  } catch (const io::ReadError&) {
+  }
+}
+Seeds motion_seeds() {
+  using Flavour = io::MessageWriter::Flavour;
+  io::MessageWriter imu(Flavour::ros1);
+  imu.header(5, "l");
+  for (int i = 0; i < 37; ++i) imu.number(0.5);
+  return {std::string(1, '\1') + imu.take(),
+          std::string(1, '\2') + io::format_odometry({}, Flavour::cdr),
+          std::string(1, '\3') + io::format_odometry({}, Flavour::ros1)};
+}
+
 constexpr Target kBagTargets[] = {{"mcap", read_mcap_bytes, mcap_seeds},
                                   {"sqlite_bag", read_sqlite_bytes, sqlite_seeds},
                                   {"ros1_bag", read_ros1_bytes, ros1_seeds},
                                   {"cloud_message", read_cloud_bytes, cloud_seeds},
-                                  {"packet_message", read_packet_bytes, packet_seeds}};
+                                  {"packet_message", read_packet_bytes, packet_seeds},
+                                  {"motion_message", read_motion_bytes, motion_seeds}};
 
 }  // namespace
 

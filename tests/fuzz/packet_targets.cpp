@@ -4,8 +4,6 @@
 
 #include <bzlib.h>
 #include <libdeflate.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -201,6 +199,14 @@ Seeds capture_seeds() {
     }
     seeds.push_back(file.content());
   }
+  for (const bool big_endian : {false, true}) {
+    io::test::PcapngFile file(1, big_endian ? 9 : 6, big_endian);
+    for (unsigned i = 0; i < 2; ++i) {
+      const std::string ip = io::test::ip_packet(packet(0x37, 35700 + 480 * i, 1327 * i), 2368, i);
+      file.add(1'000'000'000 + i * 1'327'000, io::test::ethernet_frame(ip, i));
+    }
+    seeds.push_back(file.content());
+  }
   return seeds;
 }
 
@@ -212,10 +218,9 @@ void read_compressed(Bytes bytes) {
                                          io::Compression::lz4};
   const io::Compression inside = kInside[std::to_integer<std::size_t>(bytes.front()) % 3];
   const std::string content = io::compress(inside, io::text_of(bytes.subspan(1)));
-  static const int file = memfd_create("compressed", 0);
-  if (ftruncate(file, 0) != 0 || pwrite(file, content.data(), content.size(), 0) < 0) std::abort();
+  static const MemoryFile file;
   try {
-    const auto recording = io::open_recording("/proc/self/fd/" + std::to_string(file));
+    const auto recording = io::open_recording(file.holding(io::test::bytes_of(content)));
     while (recording->next()) {
     }
   } catch (const io::ReadError&) {

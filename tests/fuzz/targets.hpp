@@ -20,6 +20,8 @@ struct Target {
 
 [[nodiscard]] std::span<const Target> file_targets();
 [[nodiscard]] std::span<const Target> packet_targets();
+[[nodiscard]] std::span<const Target> stamp_targets();
+[[nodiscard]] std::span<const Target> program_targets();  // what commands read besides recordings
 [[nodiscard]] std::span<const Target> map_targets();
 [[nodiscard]] std::span<const Target> bag_targets();  // and of the messages in them
 [[nodiscard]] std::vector<Target> targets();          // all of them

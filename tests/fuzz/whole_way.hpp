@@ -4,7 +4,11 @@
 // What targets share: points, once a parser has understood them, go the whole way to a scan.
 #pragma once
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +20,18 @@ namespace surefoot::fuzz {
 
 using Bytes = std::span<const std::byte>;
 using Seeds = std::vector<std::string>;
+
+/// A file in memory, for readers that take a name alone; its bytes are those it was given last.
+class MemoryFile {
+ public:
+  std::string holding(Bytes bytes) const {
+    if (ftruncate(file_, 0) != 0 || pwrite(file_, bytes.data(), bytes.size(), 0) < 0) std::abort();
+    return "/proc/self/fd/" + std::to_string(file_);
+  }
+
+ private:
+  int file_ = memfd_create("fuzzed", 0);
+};
 
 /// As a recording does; throws ReadError.
 inline void go_on_to_a_scan(const io::PointTable& table, std::optional<std::int64_t> stamp_ns,

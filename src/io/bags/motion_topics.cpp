@@ -3,53 +3,19 @@
 #include "io/bags/motion_topics.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "io/bags/bag_files.hpp"
-#include "io/messages/message_reader.hpp"
+#include "io/messages/motion_message.hpp"
 #include "io/recording.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot::io {
 namespace {
 
-constexpr std::array<std::string_view, 5> kPoseTypes = {
-    "nav_msgs/Odometry", "geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped",
-    "geometry_msgs/TransformStamped", "geometry_msgs/PointStamped"};
 // Gaps of a gyroscope that are still bridged [s].
 constexpr double kLongestStep = 0.1;
 // Messages logged so much later than stamped are still looked at [ns].
 constexpr std::int64_t kLate = 2'000'000'000;
-
-Eigen::Vector3d vector_of(MessageReader& reader, const char* what) {
-  const double x = reader.number<double>(what), y = reader.number<double>(what);
-  return {x, y, reader.number<double>(what)};
-}
-
-Eigen::Quaterniond rotation_of(MessageReader& reader) {
-  const double x = reader.number<double>("rotation"), y = reader.number<double>("rotation");
-  const double z = reader.number<double>("rotation"), w = reader.number<double>("rotation");
-  const Eigen::Quaterniond rotation(w, x, y, z);
-  const double norm = rotation.norm();
-  if (norm == 0.0) return Eigen::Quaterniond::Identity();  // how some say that they do not know
-  if (!(norm > 0.5 && norm < 2.0)) throw ReadError("a rotation that is no unit quaternion");
-  return rotation.normalized();
-}
-
-StampedPose read_pose(const Message& message) {
-  MessageReader reader(message.topic->encoding, message.bytes);
-  reader.begin_structure();
-  StampedPose pose;
-  pose.stamp_ns = read_header(reader).stamp_ns;
-  const std::string& type = message.topic->type;
-  if (type == "nav_msgs/Odometry" || type == "geometry_msgs/TransformStamped") {
-    (void)reader.string("child frame");
-  }
-  pose.pose.translation = vector_of(reader, "position");
-  if (!pose.pose.translation.allFinite()) throw ReadError("a position that is not finite");
-  if (type != "geometry_msgs/PointStamped") pose.pose.rotation = rotation_of(reader);
-  return pose;
-}
 
 // Names of the topics with poses, in the order they appear; all of the bag is read.
 std::vector<std::string> pose_topics(const std::filesystem::path& bag) {
@@ -71,21 +37,6 @@ std::string only_pose_topic(const std::filesystem::path& bag) {
   throw ReadError(text + (names.empty() ? "" : "\nname one"));
 }
 
-struct Turning {
-  std::int64_t stamp_ns = 0;
-  Eigen::Vector3d rate;  // [rad/s]
-};
-
-Turning read_imu(const Message& message) {
-  MessageReader reader(message.topic->encoding, message.bytes);
-  reader.begin_structure();
-  Turning turning;
-  turning.stamp_ns = read_header(reader).stamp_ns;
-  for (int i = 0; i < 13; ++i) (void)reader.number<double>("orientation and its covariance");
-  turning.rate = vector_of(reader, "angular velocity");
-  return turning;
-}
-
 void go_on(Trajectory& turning, const Turning& next) {
   if (turning.empty()) {
     turning.push_back({next.stamp_ns, {}});
@@ -101,10 +52,6 @@ void go_on(Trajectory& turning, const Turning& next) {
 }
 
 }  // namespace
-
-bool is_pose_type(const std::string& type) {
-  return std::find(kPoseTypes.begin(), kPoseTypes.end(), type) != kPoseTypes.end();
-}
 
 Trajectory read_pose_topic(const std::filesystem::path& bag, const std::string& topic) {
   const std::string name = topic.empty() ? only_pose_topic(bag) : topic;

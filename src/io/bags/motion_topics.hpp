@@ -12,13 +12,9 @@
 
 namespace surefoot::io {
 
-/// Whether read_pose_topic() takes messages of the type: Odometry, PoseStamped,
-/// PoseWithCovarianceStamped, TransformStamped, PointStamped.
-[[nodiscard]] bool is_pose_type(const std::string& type);
-
-/// Poses of a bag's topic, or, without a name, of the only one that has any. Points have no
-/// rotation: theirs is the identity. Throws ReadError, also where there is no such topic or
-/// several.
+/// Poses of a bag's topic (motion_message.hpp says of which types), or, without a name, of the only
+/// one that has any. Points have no rotation: theirs is the identity. Throws ReadError, also where
+/// there is no such topic or several.
 [[nodiscard]] Trajectory read_pose_topic(const std::filesystem::path& bag,
                                          const std::string& topic);
 
