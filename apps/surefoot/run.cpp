@@ -105,7 +105,7 @@ int run_recording(CLI::App& command, runs::RunOptions& options) {
   }
   const bool apart = say_if_apart(outcome);
   if (outcome.interrupted) return process::kInterrupted;
-  return apart ? process::kSomeFailed : process::kDone;
+  return apart || outcome.unreadable > 0 ? process::kSomeFailed : process::kDone;
 }
 
 void add_run_command(CLI::App& app, int& exit_code) {

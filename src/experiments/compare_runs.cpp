@@ -35,7 +35,7 @@ void RunQueue::skip_done(bool retry_failed) {
   std::erase_if(waiting_, [&](std::size_t i) {
     const std::optional<RunRecord> record = read_record(tasks_[i].folder);
     const bool done =
-        record && record->key == tasks_[i].key && (record->end.exit_code == 0 || !retry_failed);
+        record && record->key == tasks_[i].key && (record->end.is_done() || !retry_failed);
     if (done) {
       ++done_;
       weight_left_ -= tasks_[i].weight;
@@ -83,7 +83,7 @@ void RunQueue::poll_all(bool interrupted) {
       continue;
     }
     // A run that ended while Ctrl-C was on its way may have been cut short by it.
-    if (!interrupted || end->exit_code == 0) finish(running_[i], *end);
+    if (!interrupted || end->is_done()) finish(running_[i], *end);
     running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }

@@ -99,7 +99,7 @@ evaluation::MeasuredRun measured_run(const fs::path& folder, const RunRecord& re
                               .processor_seconds = record.end.processor_seconds,
                               .peak_memory_bytes = record.end.peak_memory_bytes,
                               .jobs = record.jobs};
-  if (record.end.exit_code != 0) {
+  if (!record.end.is_done()) {
     const std::string words = last_words(log_file(folder));
     run.error = words.empty() ? process::describe(record.end)
                               : fmt::format("{}: {}", process::describe(record.end), words);

@@ -67,6 +67,11 @@ bool is_recording_begin(std::span<const std::byte> begin) {
   return kind_by_content(begin) || compression_by_content(begin) != Compression::none;
 }
 
+bool is_lfs_pointer(std::span<const std::byte> begin) {
+  const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
+  return text.starts_with("version https://git-lfs");
+}
+
 std::filesystem::path uncompressed_name(const std::filesystem::path& file) {
   const std::string extension = lower_case(file.extension().string());
   for (const char* const one : {".zstd", ".zst", ".gz", ".bz2", ".lz4"}) {

@@ -20,6 +20,10 @@ inline constexpr std::size_t kTellingBytes = 32;
 [[nodiscard]] std::optional<FileKind> kind_by_content(std::span<const std::byte> begin);
 /// Whether a file that begins so may be a recording: one of the above, or compressed.
 [[nodiscard]] bool is_recording_begin(std::span<const std::byte> begin);
+/// Whether a file that begins so is what Git LFS has in place of one that was not fetched.
+[[nodiscard]] bool is_lfs_pointer(std::span<const std::byte> begin);
+inline constexpr const char* kLfsPointer =
+    "what Git LFS has in place of the file; 'git lfs pull' fetches it";
 /// By the extension in any case, of a bag and a capture also before ".zst", ".gz" and their like,
 /// of a bag before ".active" (one that is not closed).
 [[nodiscard]] std::optional<FileKind> kind_by_name(const std::filesystem::path& file);

@@ -12,8 +12,8 @@
 #include "io/file_writer.hpp"
 #include "io/files/folder_listing.hpp"
 #include "io/packets/capture_file.hpp"
-#include "io/packets/capture_recording.hpp"
 #include "io/packets/frame_writer.hpp"
+#include "io/packets/metadata_file.hpp"
 #include "io/packets/udp_datagram.hpp"
 
 namespace surefoot::io {
@@ -163,7 +163,7 @@ void PacketConversion::copy_frames(const fs::path& output) {
 
 // What an Ouster's packets are read by: walk.json of walk.pcap.
 void PacketConversion::copy_metadata() {
-  const std::string text = metadata_beside(input_);
+  const std::string text = metadata_beside(input_).text;
   const fs::path copy = fs::path(request_.output).replace_extension(".json");
   if (text.find("beam_altitude_angles") == std::string::npos) return;
   std::error_code ignored;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/recording.hpp"
 
+#include <array>
+
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_recording.hpp"
+#include "io/bags/byte_stream.hpp"
 #include "io/datasets.hpp"
 #include "io/file_kind.hpp"
 #include "io/file_reader.hpp"
@@ -47,22 +50,33 @@ std::vector<std::string> folder_notes(const std::filesystem::path& path, bool as
 }
 
 // Options that somebody gave and that say nothing about this kind of recording.
-std::vector<std::string> idle_options(const std::filesystem::path& path, const OpenOptions& options,
-                                      bool as_bag) {
-  std::error_code ignored;
-  const bool scans = !as_bag &&
-                     (std::filesystem::is_directory(path, ignored) || scan_kind(kind_of(path))) &&
-                     !(std::filesystem::is_directory(path, ignored) && only_capture(path));
+std::vector<std::string> idle_options(const OpenOptions& options, bool as_bag, bool packets) {
+  const OpenOptions usual;
+  const bool files = !as_bag && !packets;
   std::vector<std::string> notes;
   const auto idle = [&](bool given, const char* option, const char* of) {
     if (given) notes.push_back(std::string(option) + " counts for nothing here: it is for " + of);
   };
   if (!as_bag) idle(!options.topic.empty(), "--topic", "bags");
-  if (!scans) idle(!options.stamps_file.empty(), "--stamps", "folders of scans");
-  if (!scans) idle(!options.format.empty(), "--format", "folders of scans");
-  if (scans) idle(!options.sensor.empty(), "--sensor", "a sensor's packets");
-  if (scans) idle(!options.calibration_file.empty(), "--calibration", "a sensor's packets");
-  if (scans || as_bag) idle(options.udp_port != 0, "--udp-port", "captures");
+  if (!files) idle(!options.stamps_file.empty(), "--stamps", "folders of scans");
+  if (!files) idle(!options.format.empty(), "--format", "folders of scans");
+  if (!files) idle(options.kitti_hdl64_correction, "--kitti-correction", "files of scans");
+  if (as_bag || files) idle(options.udp_port != 0, "--udp-port", "captures");
+  const bool derived = options.derive_times != DeriveTimes::no;
+  if (!derived) idle(options.spin != usual.spin, "--spin", "--derive-times");
+  if (packets) {
+    const char* const of = "points that come with their fields";
+    idle(!options.time_field.empty(), "--time-field", of);
+    idle(options.time_unit != usual.time_unit, "--time-unit", of);
+    idle(options.time_reference != usual.time_reference, "--time-reference", of);
+  } else {
+    const char* const of = "a sensor's packets";
+    idle(!options.sensor.empty(), "--sensor", of);
+    idle(!options.calibration_file.empty(), "--calibration", of);
+    idle(options.dual_return != usual.dual_return, "--return", of);
+    idle(!options.beam_origins, "--no-vertical-correction", of);
+    idle(options.cut_azimuth_deg != 0.0 && !derived, "--cut", of);
+  }
   return notes;
 }
 
@@ -84,8 +98,9 @@ std::unique_ptr<Recording> with_notes(std::unique_ptr<Recording> recording,
                                       const std::filesystem::path& path,
                                       const OpenOptions& options) {
   const bool as_bag = is_bag_input(path, options);
+  const bool packets = recording->capture_counts().packets > 0;
   std::vector<std::string> notes = folder_notes(path, as_bag);
-  for (std::string& text : idle_options(path, options, as_bag)) notes.push_back(std::move(text));
+  for (std::string& text : idle_options(options, as_bag, packets)) notes.push_back(std::move(text));
   if (notes.empty()) return recording;
   return std::make_unique<NotedRecording>(std::move(recording), notes);
 }
@@ -105,6 +120,20 @@ void require_seekable(const std::filesystem::path& path) {
   }
 }
 
+// A clone of a repository has these where its large files would be.
+void refuse_lfs_pointer(const std::filesystem::path& path) {
+  std::array<std::byte, kTellingBytes> begin{};
+  std::size_t size = 0;
+  try {
+    size = FileStream(path).read(begin);
+  } catch (const ReadError&) {
+    return;  // whoever reads it says so
+  }
+  if (is_lfs_pointer(std::span(begin).first(size))) {
+    throw ReadError(path.string() + ": " + kLfsPointer);
+  }
+}
+
 std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const OpenOptions& options) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
@@ -112,6 +141,7 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
   }
   const bool is_folder = std::filesystem::is_directory(path, ignored);
   if (!is_folder && !scan_kind(kind_of(path))) require_seekable(path);
+  if (std::filesystem::is_regular_file(path, ignored)) refuse_lfs_pointer(path);
   if (is_bag_input(path, options)) return open_bag_recording(path, options);
   if (is_folder) {
     if (const auto capture = only_capture(path)) return open_any(*capture, options);

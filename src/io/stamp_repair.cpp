@@ -111,6 +111,12 @@ class RepairedRecording : public RecordingFilter {
         scan.stamp_ns = std::min(scan.stamp_ns, sum(*last_, to_next / 2 + 1));
       }
       note_wild(given, item.name);
+    } else if (at_once_ && last_came_late(*item.scan)) {
+      note_once(late_noted_, "stamps: the one before " + item.name +
+                                 " came late; the next ones come nearer to where they belong");
+      scan.stamp_ns = std::max(sum(given, offset_ns_), sum(*last_, usual_interval_ns() / 2));
+      steady_ = 0;
+      confirm(given);
     } else if (at_once_ && !fits_at_once(item)) {
       const std::int64_t intervals = intervals_since_last(item);
       scan.stamp_ns = sum(*last_, intervals * usual_interval_ns());
@@ -122,6 +128,7 @@ class RepairedRecording : public RecordingFilter {
       }
       scan.stamp_ns = sum(given, offset_ns_);
       note_lateness(item);
+      if (2 * distance(told, usual_interval_ns()) <= usual_interval_ns()) confirm(given);
       const std::int64_t step = difference(scan.stamp_ns, *last_);
       if (step < kWild * usual_interval_ns()) {
         intervals_.push_back(step);
@@ -132,6 +139,7 @@ class RepairedRecording : public RecordingFilter {
       if (intervals_.size() > kIntervals) intervals_.pop_front();
     }
     given_ns_ = given;
+    ++since_confirmed_;
     if (last_) last_step_ns_ = difference(scan.stamp_ns, *last_);
     last_ = scan.stamp_ns;
     last_logged_ns_ = item.logged_ns;
@@ -232,6 +240,21 @@ class RepairedRecording : public RecordingFilter {
     return std::clamp<std::int64_t>(std::llround(std::clamp(intervals, 0.0, 1e6)), 1, kMost);
   }
 
+  /// The clock is what it was at this stamp.
+  void confirm(std::int64_t given) {
+    confirmed_ns_ = sum(given, offset_ns_);
+    since_confirmed_ = 0;
+  }
+
+  /// Whether a stamp that cannot follow the last one follows those before it.
+  [[nodiscard]] bool last_came_late(const Scan& scan) const {
+    const std::int64_t at = sum(scan.stamp_ns, offset_ns_);
+    if (!confirmed_ns_ || since_confirmed_ > kWild) return false;
+    if (at > *last_ && !is_too_soon(scan)) return false;
+    const std::int64_t usual = usual_interval_ns();
+    return 2 * distance(difference(at, *confirmed_ns_), since_confirmed_ * usual) <= usual;
+  }
+
   /// Whether a stamp goes on from those before, if need be by a clock that was set.
   bool fits_at_once(const ScanItem& item) {
     const std::int64_t given = item.scan->stamp_ns;
@@ -298,10 +321,12 @@ class RepairedRecording : public RecordingFilter {
   std::int64_t last_step_ns_ = 0;
   std::int64_t offset_ns_ = 0;
   std::int64_t last_logged_ns_ = 0;
+  std::optional<std::int64_t> confirmed_ns_;  // that followed the one before as they usually do
+  std::int64_t since_confirmed_ = 0;          // scans
   std::size_t steady_ = 0;  // stamps in a row that fit each other, but not those before
   std::optional<std::int64_t> least_late_ns_;  // of receipts after stamps
   bool gap_noted_ = false, wild_noted_ = false, set_back_noted_ = false, ahead_noted_ = false,
-       stands_noted_ = false, twice_ = false;
+       stands_noted_ = false, late_noted_ = false, twice_ = false;
   bool differ_ = false;  // two scans that follow each other do
 };
 
@@ -311,8 +336,8 @@ std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
                                          const OpenOptions& options) {
   auto repaired = std::make_unique<RepairedRecording>(
       follow_point_clock(std::move(recording), options), options);
-  if (options.repair_at_once) return repaired;
-  return steady_stamps(std::move(repaired));
+  return options.repair_at_once ? steady_stamps_at_once(std::move(repaired))
+                                : steady_stamps(std::move(repaired));
 }
 
 }  // namespace surefoot::io

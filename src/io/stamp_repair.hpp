@@ -29,7 +29,7 @@ namespace surefoot::io {
 /// With `repair_at_once` none waits. A stamp that does not grow, or is far ahead of when its
 /// message was received, compared to all before, counts for nothing, until three go on from each
 /// other: then the clock was set. Where stamps do not help, receipts tell how many intervals have
-/// passed.
+/// passed. Stamps that come and go are steadied by those before alone.
 [[nodiscard]] std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
                                                        const OpenOptions& options);
 

@@ -5,131 +5,23 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "io/recording_filter.hpp"
 #include "io/saturated.hpp"
-#include "io/sweep_span.hpp"
-#include "surefoot/quantile.hpp"
+#include "io/steady_line.hpp"
 
 namespace surefoot::io {
-
 namespace {
 
-// Pairs of scans without which nothing is clear.
-constexpr std::size_t kLeastPairs = 8;
-// Sweeps that overlap by less than this share may do so by rounding, or by a packet.
-constexpr double kOverlap = 0.02;
-constexpr double kManyOverlap = 0.2;                   // share of the pairs
-constexpr double kAlike = 0.02;                        // spread of the sweeps' durations
-constexpr double kFollowing = 0.1;                     // of a sweep, between them on average
-constexpr std::size_t kReadAhead = 30, kWindow = 200;  // scans that the line is drawn through
-constexpr std::size_t kAgreeing = 8;       // of them have to come late for a scan to be missing
-constexpr double kLongestPause = 5.0;      // sweeps; what comes after it begins anew
-constexpr std::size_t kLeastForRise = 16;  // scans, of which fewer say nothing of it
-// What a sweep may last less than a turn, as a share: how much the line may rise unasked.
-constexpr double kUsualRise = 0.005;
-
-double real(std::int64_t ns) { return static_cast<double>(ns); }
-
-/// When a scan's first point was measured, by its stamp, and for how long the sweep lasted.
-struct Beginning {
-  std::int64_t at_ns = 0;
-  double lasts_ns = 0.0;
-  std::optional<std::int64_t> clock_ns;  ///< of the points, where they have one
-};
-
-Beginning beginning_of(const ScanItem& item) {
-  const SweepSpan sweep = span_of(*item.scan);
-  Beginning beginning{sum(item.scan->stamp_ns, sweep.first_ns),
-                      real(sweep.last_ns) - real(sweep.first_ns), std::nullopt};
-  if (item.clock) beginning.clock_ns = item.clock->first_ns;
-  return beginning;
-}
-
-/// What the first scans tell.
-class Evidence {
- public:
-  explicit Evidence(const std::vector<Beginning>& scans) {
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-      lasts_.push_back(scans[i].lasts_ns);
-      if (i > 0) steps_.push_back(real(difference(scans[i].at_ns, scans[i - 1].at_ns)));
-    }
-    if (steps_.empty()) return;
-    usual_ = quantile(lasts_, 0.5);
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-      overlapping_ += lasts_[i] - steps_[i] > kOverlap * usual_ ? 1 : 0;
-    }
-  }
-  [[nodiscard]] double usual_ns() const { return usual_; }
-  [[nodiscard]] bool any() const { return overlapping_ > 0; }
-  [[nodiscard]] bool is_clear() const {
-    if (steps_.size() < kLeastPairs || !(usual_ > 0.0)) return false;
-    const bool alike = quantile(lasts_, 0.9) - quantile(lasts_, 0.1) <= kAlike * usual_;
-    double mean = 0.0;
-    for (const double step : steps_) mean += step / real(static_cast<std::int64_t>(steps_.size()));
-    const bool following = std::abs(mean - usual_) <= kFollowing * usual_;
-    const bool many = real(overlapping_) >= kManyOverlap * static_cast<double>(steps_.size());
-    return alike && following && many;
-  }
-
- private:
-  std::vector<double> lasts_, steps_;
-  double usual_ = 0.0;
-  std::int64_t overlapping_ = 0;
-};
-
-/// Stamps over a time that sweeps themselves make up: a line through them.
-class SteadyLine {
- public:
-  void add(double turned, double stamp) {
-    points_.push_back({turned, stamp - turned});
-    if (points_.size() > kWindow) points_.pop_front();
-  }
-  void clear() { points_.clear(); }
-  [[nodiscard]] bool empty() const { return points_.empty(); }
-
-  /// Rise by the median of what pairs half a window apart say, as far as they can know it.
-  void fit(double lasts) {
-    const std::size_t n = points_.size(), half = n / 2;
-    std::vector<double> rises;
-    for (std::size_t i = 0; i + half < n && half > 0; ++i) {
-      const double run = points_[i + half].turned - points_[i].turned;
-      if (run > 0.0) rises.push_back((points_[i + half].over - points_[i].over) / run);
-    }
-    rise_ = n < kLeastForRise ? 0.0 : quantile(rises, 0.5);
-    spread_ = spread_about(rise_);
-    const double width = std::max(1.0, static_cast<double>(n)) * lasts;
-    const double doubt = spread_ * std::sqrt(12.0 / std::max(1.0, static_cast<double>(n))) / width;
-    rise_ *= kUsualRise * kUsualRise / (kUsualRise * kUsualRise + doubt * doubt);
-    spread_ = spread_about(rise_);
-  }
-  [[nodiscard]] double at(double turned) const {
-    return turned + level_ + rise_ * (turned - points_.back().turned);
-  }
-  [[nodiscard]] double spread() const { return spread_; }
-
- private:
-  struct Point {
-    double turned = 0.0, over = 0.0;  ///< [ns] since it began
-  };
-
-  double spread_about(double rise) {
-    std::vector<double> levels;
-    for (const Point& point : points_) {
-      levels.push_back(point.over - rise * (point.turned - points_.back().turned));
-    }
-    level_ = quantile(levels, 0.5);
-    for (double& level : levels) level = std::abs(level - level_);
-    return quantile(std::move(levels), 0.5);
-  }
-
-  std::deque<Point> points_;
-  double rise_ = 0.0, level_ = 0.0, spread_ = 0.0;
-};
+constexpr std::size_t kReadAhead = 30;  // scans that tell
+// Without a look ahead a stamp comes nearer to the line by so much at a time,
+constexpr double kNearer = 0.1;  // sweeps
+// and so many scans in a row tell that sweeps were counted wrongly.
+constexpr std::size_t kAgreeAtOnce = 3;
 
 class SteadiedRecording final : public RecordingFilter {
  public:
@@ -140,13 +32,13 @@ class SteadiedRecording final : public RecordingFilter {
 
   std::optional<ScanItem> next() override {
     if (!asked_) ask();
-    if (steadies_) read_ahead(kReadAhead);
+    if (row_) read_ahead(kReadAhead);
     if (waiting().empty()) {
       std::optional<ScanItem> item = recording().next();
       merge_notes();
       return item;
     }
-    if (steadies_ && waiting().front().scan) place_front();
+    if (row_ && waiting().front().scan) place_front();
     ScanItem item = std::move(waiting().front());
     waiting().pop_front();
     return item;
@@ -164,11 +56,10 @@ class SteadiedRecording final : public RecordingFilter {
   void ask() {
     asked_ = true;
     read_ahead(kLeastPairs + 1);
-    if (!Evidence(beginnings_ahead()).any()) return;
+    if (!JitterEvidence(beginnings_ahead()).any()) return;
     read_ahead(kReadAhead);
-    const Evidence evidence(beginnings_ahead());
-    steadies_ = evidence.is_clear();
-    usual_ns_ = evidence.usual_ns();
+    const JitterEvidence evidence(beginnings_ahead());
+    if (evidence.is_clear()) row_.emplace(evidence.usual_ns());
   }
 
   void read_ahead(std::size_t scans) {
@@ -195,75 +86,143 @@ class SteadiedRecording final : public RecordingFilter {
     while (goes_on && (placed_.empty() || placed_.size() + kAgreeing < ahead.size())) {
       goes_on = place(ahead, placed_.size());
     }
-    line_.fit(usual_ns_);
+    row_->fit();
     Scan& scan = *waiting().front().scan;
-    const std::int64_t begins = sum(begun_ns_, std::llround(line_.at(placed_.front())));
+    const std::int64_t begins = row_->begun_ns(placed_.front());
     scan.stamp_ns = sum(scan.stamp_ns, difference(begins, ahead.front().at_ns));
     if (given_) scan.stamp_ns = std::max(scan.stamp_ns, sum(*given_, 1));
     given_ = scan.stamp_ns;
     placed_.pop_front();
-    if (!noted_) {
-      note("stamps: they come and go by " + std::to_string(std::llround(1e-6 * line_.spread())) +
-           " ms and more beside sweeps that follow each other steadily (times of arrival?); they "
-           "are taken from a line through them");
-    }
-    noted_ = true;
+    if (!std::exchange(noted_, true)) note(steadied_text(*row_));
   }
 
   /// The next place in the row of sweeps: a sweep later, or several where scans are missing. False
   /// where a row has ended, and those in front are to go first.
   bool place(const std::vector<Beginning>& ahead, std::size_t i) {
-    const Beginning& scan = ahead[i];
-    const double turned = line_.empty() ? 0.0 : turned_ + turned_between(ahead, i);
-    if (line_.empty() || !(turned > turned_) || turned - turned_ > kLongestPause * usual_ns_) {
-      if (!placed_.empty()) return false;
-      line_.clear();
-      begun_ns_ = scan.at_ns;
-      turned_ = 0.0;
+    const double turned = row_->turned_until(std::span(ahead).subspan(i));
+    if (row_->goes_on(turned)) {
+      row_->go_on(ahead[i], turned);
     } else {
-      turned_ = turned;
+      if (!placed_.empty()) return false;
+      row_->begin(ahead[i]);
     }
-    line_.add(turned_, real(difference(scan.at_ns, begun_ns_)));
-    placed_.push_back(turned_);
-    last_ = scan;
+    placed_.push_back(row_->turned());
     return true;
   }
 
-  /// From the last scan that was placed to this one, by the points' clock or in sweeps. Of missing
-  /// ones all that follow have to be late.
-  [[nodiscard]] double turned_between(const std::vector<Beginning>& ahead, std::size_t i) {
-    if (last_.clock_ns && ahead[i].clock_ns) {
-      return real(difference(*ahead[i].clock_ns, *last_.clock_ns));
-    }
-    // A scan in part says little of how long a sweep lasts.
-    const auto lasts = [this](const Beginning& scan) {
-      return std::abs(scan.lasts_ns - usual_ns_) <= kAlike * usual_ns_ ? scan.lasts_ns : usual_ns_;
-    };
-    line_.fit(usual_ns_);
-    double least = std::numeric_limits<double>::infinity();
-    double turned = lasts(last_);
-    for (std::size_t k = i; k < std::min(i + kAgreeing, ahead.size()); ++k) {
-      const double at = real(difference(ahead[k].at_ns, begun_ns_));
-      least = std::min(least, (at - line_.at(turned_ + turned)) / usual_ns_);
-      turned += lasts(ahead[k]);
-    }
-    return lasts(last_) + usual_ns_ * std::max(0.0, std::round(least));
+  bool asked_ = false, noted_ = false;
+  std::optional<SteadyRow> row_;  ///< where stamps are steadied
+  std::deque<double> placed_;     ///< where those that wait stand in it [ns]
+  std::optional<std::int64_t> given_;
+};
+
+/// The same without a look at the next scans. What is not known yet makes stamps drift for a while
+/// instead of leaping: they come nearer to the line by a part of a sweep at a time.
+class SteadiedAtOnce final : public RecordingFilter {
+ public:
+  explicit SteadiedAtOnce(std::unique_ptr<Recording> recording)
+      : RecordingFilter(std::move(recording)) {
+    merge_notes();
   }
 
-  bool asked_ = false, steadies_ = false, noted_ = false;
-  SteadyLine line_;
-  std::deque<double> placed_;  ///< where those that wait stand in the row of sweeps [ns]
-  std::int64_t begun_ns_ = 0;  ///< what the row and the line count from
-  double turned_ = 0.0;        ///< of the last one that was placed
-  Beginning last_;             ///< the same scan
-  double usual_ns_ = 0.0;      ///< that a sweep lasts
-  std::optional<std::int64_t> given_;
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = recording().next();
+    merge_notes();
+    if (item && item->scan) steady(*item->scan, beginning_of(*item));
+    return item;
+  }
+
+  void skip(std::size_t scans) override {  // each tells something
+    while (scans-- > 0 && next()) {
+    }
+  }
+
+ private:
+  void steady(Scan& scan, const Beginning& given) {
+    double last_turned = 0.0;
+    if (row_) {
+      begun_ns_ = place(given);
+    } else if (is_clear_with(given)) {
+      for (std::size_t i = 0; i < recent_.size(); ++i) last_turned = add_recent(i);
+      row_->fit();
+      note(steadied_text(*row_));
+      begun_ns_ = step_on(last_turned);
+    } else {
+      begun_ns_ = given.at_ns;
+    }
+    scan.stamp_ns = sum(scan.stamp_ns, difference(begun_ns_, given.at_ns));
+    if (last_stamp_ns_) scan.stamp_ns = std::max(scan.stamp_ns, sum(*last_stamp_ns_, 1));
+    last_stamp_ns_ = scan.stamp_ns;
+  }
+
+  /// Whether the last scans leave no doubt.
+  bool is_clear_with(const Beginning& given) {
+    recent_.push_back(given);
+    if (recent_.size() > kReadAhead) recent_.erase(recent_.begin());
+    const JitterEvidence evidence(recent_);
+    if (recent_.size() < kReadAhead || !evidence.is_clear()) return false;
+    row_.emplace(evidence.usual_ns());
+    return true;
+  }
+
+  /// Of the scans that made it clear, each with those behind it: what turned before it.
+  double add_recent(std::size_t i) {
+    const double turned = row_->turned_until(std::span(recent_).subspan(i));
+    row_->goes_on(turned) ? row_->go_on(recent_[i], turned) : row_->begin(recent_[i]);
+    return turned;
+  }
+
+  /// When the scan began.
+  std::int64_t place(const Beginning& given) {
+    const bool counts = row_->counts_sweeps(given);
+    const double turned = row_->turned_until(std::span(&given, 1));
+    if (!row_->goes_on(turned)) {
+      row_->begin(given);
+      off_.clear();
+      return given.at_ns;
+    }
+    const double sweeps = counts ? miscounted(given, turned) : 0.0;
+    row_->go_on(given, turned + sweeps * row_->usual_ns());
+    row_->fit();
+    return step_on(turned + std::max(0.0, sweeps) * row_->usual_ns());
+  }
+
+  /// Sweeps that were counted too few, or less than none: some scans in a row are as far off. One
+  /// may have come late.
+  double miscounted(const Beginning& given, double turned) {
+    const std::int64_t expected = row_->begun_ns(row_->turned() + turned);
+    off_.push_back(real(difference(given.at_ns, expected)) / row_->usual_ns());
+    if (off_.size() < kAgreeAtOnce) return 0.0;
+    const auto [least, most] = std::minmax_element(off_.begin(), off_.end());
+    const double sweeps = std::round(*least > 0.0 ? *least : std::min(0.0, *most));
+    off_.pop_front();
+    for (double& off : off_) off -= sweeps;
+    return sweeps;
+  }
+
+  /// So much after the one before, as that was given out, and some way to the line.
+  [[nodiscard]] std::int64_t step_on(double turned) const {
+    const std::int64_t expected = sum(begun_ns_, std::llround(turned));
+    const std::int64_t wanted = row_->begun_ns(row_->turned());
+    const auto most = std::llround(kNearer * row_->usual_ns());
+    return sum(expected, std::clamp<std::int64_t>(difference(wanted, expected), -most, most));
+  }
+
+  std::vector<Beginning> recent_;  ///< until it is clear
+  std::optional<SteadyRow> row_;   ///< from then on
+  std::int64_t begun_ns_ = 0;      ///< when the last scan began, as it was given out
+  std::deque<double> off_;         ///< the line: the last ones, as they were given [sweeps]
+  std::optional<std::int64_t> last_stamp_ns_;
 };
 
 }  // namespace
 
 std::unique_ptr<Recording> steady_stamps(std::unique_ptr<Recording> recording) {
   return std::make_unique<SteadiedRecording>(std::move(recording));
+}
+
+std::unique_ptr<Recording> steady_stamps_at_once(std::unique_ptr<Recording> recording) {
+  return std::make_unique<SteadiedAtOnce>(std::move(recording));
 }
 
 }  // namespace surefoot::io

@@ -18,4 +18,10 @@ namespace surefoot::io {
 /// that is missing stays missing. Other recordings are given out as they are.
 [[nodiscard]] std::unique_ptr<Recording> steady_stamps(std::unique_ptr<Recording> recording);
 
+/// The same without a look at the next scans, for live runs: once the last thirty leave no doubt,
+/// by a line through those before. That a scan is missing the third one behind it tells, as the
+/// others may be late; sweeps that were counted wrongly are made up for by a tenth at a time.
+[[nodiscard]] std::unique_ptr<Recording> steady_stamps_at_once(
+    std::unique_ptr<Recording> recording);
+
 }  // namespace surefoot::io

@@ -5,12 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "io/bags/bag_files.hpp"
 #include "io/datasets.hpp"
+#include "io/packets/metadata_file.hpp"
 #include "io/robots.hpp"
 
 namespace surefoot::live {
@@ -21,12 +20,6 @@ namespace fs = std::filesystem;
 /// That is played or grows; empty: none.
 const fs::path& file_of(const LiveSource& source) {
   return source.follow.empty() ? source.replay : source.follow;
-}
-
-/// An Ouster's packets are not understood without what it says about itself.
-std::string metadata_beside(fs::path capture) {
-  std::ifstream stream(capture.replace_extension(".json"), std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// What is not recorded has a name, but cannot be opened again.
@@ -40,7 +33,7 @@ void open_packets(LiveInput& input, const LiveSource& source, const io::OpenOpti
   if (const fs::path& file = file_of(source); !file.empty()) {
     input.stream = packet_stream(
         source.follow.empty() ? replay_capture(file, source.speed) : follow_capture(file), reader,
-        metadata_beside(file), source.record);
+        io::metadata_beside(file).text, source.record);
     return;
   }
   name_input(input, source, fmt::format("udp-{}", source.udp));

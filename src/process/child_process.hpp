@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "process/exit_codes.hpp"
+
 namespace surefoot::process {
 
 /// How a process ended and what it needed.
@@ -23,6 +25,9 @@ struct ProcessEnd {
   double wall_seconds = 0.0;
   double processor_seconds = 0.0;       ///< user and system, all threads
   std::uint64_t peak_memory_bytes = 0;  ///< largest resident set
+
+  /// It did what it was to do, be it with something that failed on the way.
+  [[nodiscard]] bool is_done() const { return exit_code == kDone || exit_code == kSomeFailed; }
 };
 
 class ChildProcess {

@@ -366,7 +366,7 @@ TEST(Bags, OneBadMessageIsNamedAndCountedAndTheRunGoesOn) {
   }
   bag->finish();
   const ProcessResult result = run_surefoot({"run", "a.mcap", "-o", "out", "--no-report"}, folder);
-  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(result.exit_code, 1) << result;
   EXPECT_NE(result.errors.find("/points, message 2: "), std::string::npos) << result;
   EXPECT_NE(result.output.find("1 unreadable"), std::string::npos) << result;
   EXPECT_NE(result.output.find("4 scans"), std::string::npos) << result;

@@ -3,6 +3,7 @@
 #include "io/bags/bag_recording.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "io/bags/bag_files.hpp"
@@ -26,13 +27,13 @@ std::string likely_topic(const std::vector<TopicSurvey>& topics,
   return {};
 }
 
-// The first of the topics that are not the one of that name.
-std::string others(const std::vector<TopicSurvey>& topics, const std::string& name) {
+// The first of the topics that are not read.
+std::string others(const std::vector<TopicSurvey>& topics, const std::set<std::string>& read) {
   constexpr std::size_t kMost = 10;
   std::string text;
   std::size_t count = 0;
   for (const TopicSurvey& survey : topics) {
-    if (survey.topic.name == name || ++count > kMost) continue;
+    if (read.count(survey.topic.name) > 0 || ++count > kMost) continue;
     text += (text.empty() ? "" : ", ") + survey.topic.name;
   }
   return count > kMost ? text + " and " + std::to_string(count - kMost) + " more" : text;
@@ -78,9 +79,12 @@ BagTopic open_bag_topic(TopicMessages messages, const std::string& name,
     parts.notes.push_back(std::move(text));
   }
   if (survey.topics.size() > 1 && !options.others_are_read) {
+    std::set<std::string> read = {topic.name};
+    if (is_packet_type(topic.type)) read.insert(survey.metadata_topic_for(topic.name));
+    const std::string left = others(survey.topics, read);
     parts.notes.push_back("topic: " + topic.name + ", one of " +
-                          std::to_string(survey.topics.size()) +
-                          " in the bag; not read: " + others(survey.topics, topic.name));
+                          std::to_string(survey.topics.size()) + " in the bag" +
+                          (left.empty() ? "" : "; not read: " + left));
   }
   for (TopicSurvey& one : survey.topics) parts.seen.push_back(std::move(one.topic));
   std::string metadata = survey.metadata_for(topic.name);

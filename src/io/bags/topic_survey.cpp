@@ -44,7 +44,7 @@ void look_into_packets(const Message& message, const OpenOptions& options,
     scans.add(packet.stamp_ns, packet.bytes);
   });
   survey.usable = scans.found();
-  survey.content = std::to_string(packets) + " packets of " +
+  survey.content = std::to_string(packets) + (packets == 1 ? " packet of " : " packets of ") +
                    (scans.found() ? scans.sensor() : "no sensor that is known");
   if (!scans.found() && !scans.reason().empty()) survey.content += ": " + scans.reason();
 }
@@ -118,16 +118,21 @@ double TopicSurvey::rate_hz() const {
              : static_cast<double>(messages - 1) / seconds(last_ns - first_ns);
 }
 
-std::string BagSurvey::metadata_for(const std::string& topic) const {
-  const std::string* best = nullptr;
+std::string BagSurvey::metadata_topic_for(const std::string& topic) const {
+  std::string best;
   std::ptrdiff_t most = -1;
   for (const auto& [name, text] : metadata) {
     const auto end = std::mismatch(name.begin(), name.end(), topic.begin(), topic.end()).first;
     if (end - name.begin() <= most) continue;
     most = end - name.begin();
-    best = &text;
+    best = name;
   }
-  return best == nullptr ? std::string() : *best;
+  return best;
+}
+
+std::string BagSurvey::metadata_for(const std::string& topic) const {
+  const auto found = metadata.find(metadata_topic_for(topic));
+  return found == metadata.end() ? std::string() : found->second;
 }
 
 BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {

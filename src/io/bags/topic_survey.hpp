@@ -31,7 +31,10 @@ struct BagSurvey {
   /// What sensors say about themselves, as Ousters do, by the topic that it is on.
   std::map<std::string, std::string> metadata;
 
-  /// Of the metadata that whose topic's name begins most as this one's does; empty: there is none.
+  /// Of the topics with metadata the one whose name begins most as this one's does; empty: there is
+  /// none.
+  [[nodiscard]] std::string metadata_topic_for(const std::string& topic) const;
+  /// What it says; empty: there is none.
   [[nodiscard]] std::string metadata_for(const std::string& topic) const;
 };
 

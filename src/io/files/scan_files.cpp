@@ -71,6 +71,7 @@ PointTable parse_scan_file(ScanFileKind kind, std::span<const std::byte> bytes) 
   if (bytes.empty()) {
     throw ReadError(std::string("empty file; expected ") + name_of(kind));
   }
+  if (is_lfs_pointer(bytes)) throw ReadError(kLfsPointer);
   switch (kind) {
     case ScanFileKind::pcd:
       return parse_pcd(bytes);

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/packets/capture_recording.hpp"
 
-#include "io/ascii_values.hpp"
-#include "io/file_kind.hpp"
-#include "io/file_reader.hpp"
 #include "io/packets/capture_file.hpp"
+#include "io/packets/metadata_file.hpp"
 #include "io/packets/packet_intake.hpp"
 
 namespace surefoot::io {
@@ -13,17 +11,22 @@ namespace {
 
 class CaptureRecording final : public Recording {
  public:
-  CaptureRecording(CaptureFile file, std::string name, std::string metadata,
+  CaptureRecording(CaptureFile file, std::string name, MetadataFile metadata,
                    const OpenOptions& options)
-      : file_(std::move(file)), name_(std::move(name)), intake_(options, std::move(metadata)) {
+      : file_(std::move(file)), name_(std::move(name)), intake_(options, metadata.text) {
+    if (!metadata.remark.empty()) notes_.push_back(metadata.remark);
     // So that a capture of something else is refused when it is opened.
     while (!scans().pending() && read_frame()) {
     }
     if (intake_.counts().data_packets == 0) {
-      throw ReadError(name_ + ": " + std::to_string(packets_) + " packets, no LiDAR's data packet" +
-                      intake_.port_text() + " among them" + intake_.traffic_seen() +
-                      (file_.cut_short().empty() ? "" : "; cut short: " + file_.cut_short()));
+      throw ReadError(
+          name_ + ": " + std::to_string(packets_) + (packets_ == 1 ? " packet" : " packets") +
+          ", no LiDAR's data packet" + intake_.port_text() + " among them" +
+          intake_.traffic_seen() +
+          (metadata.text.empty() && !metadata.remark.empty() ? " (" + metadata.remark + ")" : "") +
+          (file_.cut_short().empty() ? "" : "; cut short: " + file_.cut_short()));
     }
+    gather_notes();
   }
 
   std::optional<ScanItem> next() override {
@@ -44,9 +47,7 @@ class CaptureRecording final : public Recording {
     }
   }
   double progress() const override { return ended_ ? 1.0 : file_.progress(); }
-  const std::vector<std::string>& notes() const override {
-    return ended_ ? notes_ : scans().notes();
-  }
+  const std::vector<std::string>& notes() const override { return notes_; }
   std::vector<std::string> losses() const override {
     if (!ended_ || file_.cut_short().empty()) return {};
     return {"the capture is cut short: " + file_.cut_short()};
@@ -67,6 +68,7 @@ class CaptureRecording final : public Recording {
 
   std::optional<ScanItem> take() {
     std::optional<ScanItem> item = scans().take();
+    gather_notes();
     if (item) {
       const auto [address, port] = intake_.stream();
       const bool has_last = ended_ || scans().shared_packet();
@@ -80,7 +82,7 @@ class CaptureRecording final : public Recording {
   void end() {
     ended_ = true;
     scans().finish();
-    notes_ = scans().notes();
+    gather_notes();
     if (!file_.cut_short().empty()) {
       notes_.push_back("the capture is cut short: " + file_.cut_short());
     }
@@ -88,6 +90,11 @@ class CaptureRecording final : public Recording {
       notes_.push_back("by the sensor's clock " + std::to_string(scans().lost()) +
                        " data packets are missing");
     }
+  }
+
+  void gather_notes() {
+    const std::vector<std::string>& notes = scans().notes();
+    for (; gathered_ < notes.size(); ++gathered_) notes_.push_back(notes[gathered_]);
   }
 
   // Reads one frame; false at the end.
@@ -130,6 +137,7 @@ class CaptureRecording final : public Recording {
   std::size_t packets_ = 0;
   std::size_t fragments_seen_ = 0;
   std::vector<std::string> notes_;
+  std::size_t gathered_ = 0;  ///< of the scans' notes
   bool ended_ = false;
   // Numbers of frames: of the scan at hand, the last data packet, the parts of the next datagram.
   std::uint64_t scan_begin_ = 0, data_begin_ = 0, data_end_ = 0;
@@ -137,23 +145,6 @@ class CaptureRecording final : public Recording {
 };
 
 }  // namespace
-
-std::string metadata_beside(const std::filesystem::path& capture) {
-  std::filesystem::path file = uncompressed_name(capture).replace_extension(".json");
-  std::error_code ignored;
-  constexpr std::uintmax_t kMostBytes = 4'000'000;
-  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-  if (ignored || size > kMostBytes) {
-    return {};
-  }
-  try {
-    std::vector<std::byte> bytes;
-    read_whole_file(file, bytes);
-    return std::string(text_of(bytes));
-  } catch (const ReadError&) {
-    return {};
-  }
-}
 
 std::unique_ptr<Recording> open_capture(const std::filesystem::path& file,
                                         const OpenOptions& options) {
@@ -168,7 +159,7 @@ std::unique_ptr<Recording> open_capture(const std::filesystem::path& file,
 
 std::unique_ptr<Recording> open_capture(std::FILE* file, const std::string& name,
                                         const OpenOptions& options) {
-  return std::make_unique<CaptureRecording>(CaptureFile(file), name, "", options);
+  return std::make_unique<CaptureRecording>(CaptureFile(file), name, MetadataFile{}, options);
 }
 
 }  // namespace surefoot::io

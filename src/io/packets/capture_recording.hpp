@@ -19,8 +19,4 @@ namespace surefoot::io {
 [[nodiscard]] std::unique_ptr<Recording> open_capture(std::FILE* file, const std::string& name,
                                                       const OpenOptions& options);
 
-/// What an Ouster says about itself lies beside its capture, walk.json of walk.pcap; empty: nothing
-/// does.
-[[nodiscard]] std::string metadata_beside(const std::filesystem::path& capture);
-
 }  // namespace surefoot::io

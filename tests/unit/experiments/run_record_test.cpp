@@ -79,6 +79,13 @@ TEST_F(RunRecordTest, AFailureIsToldWithTheLogsLastWords) {
   EXPECT_NE(killed.error.find("out of memory"), std::string::npos) << killed.error;
 }
 
+// `surefoot run` says so of a recording with scans that it could not read.
+TEST_F(RunRecordTest, ARunThatLeftScansOutIsDone) {
+  write("run.log", "left out: 000003.pcd: empty file\n");
+  write("scans.csv", "stamp,status,ms_total\n0.05,first_scan,1\n0.15,ok,9\n");
+  EXPECT_EQ(measured_run(folder_, {"{}", {1, 0, 1.0, 0.5, 4096}, 1}).error, "");
+}
+
 TEST_F(RunRecordTest, AGoodRunIsMeasured) {
   write("scans.csv", "stamp,status,ms_total\n0.05,first_scan,1\n0.15,ok,9\n0.25,ok,3\n0.35,ok,2\n");
   const evaluation::MeasuredRun run = measured_run(folder_, {"{}", {0, 0, 1.0, 0.5, 4096}, 1});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/file_kind.hpp"
+#include "io/files/scan_files.hpp"
 #include "io/recording.hpp"
 #include "io/scan_sink.hpp"
 #include "unit/io/scan_folders.hpp"
@@ -33,6 +34,21 @@ TEST(OpenRecording, SaysWhatWasSeenAndExpected) {
   options.format = "xyz";
   EXPECT_NE(error_of(folder.path() / "mixed", options).find("expected pcd, ply, bin or las"),
             std::string::npos);
+}
+
+TEST(OpenRecording, WhatGitLfsLeavesIsNamed) {
+  const test::TemporaryFolder folder;
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 123456\n";
+  for (const char* name : {"a.bag", "a.mcap", "a.db3", "a.pcap", "a.pcd", "a.bin"}) {
+    try {
+      (void)open_recording(folder.write(name, pointer));
+      ADD_FAILURE() << name;
+    } catch (const ReadError& error) {
+      EXPECT_NE(std::string(error.what()).find("git lfs pull"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_THROW((void)parse_scan_file(ScanFileKind::kitti_bin, test::bytes_of(pointer)), ReadError);
 }
 
 TEST(OpenRecording, ContentGoesBeforeTheExtension) {
@@ -78,9 +94,19 @@ TEST(OpenRecording, OptionsThatSayNothingAboutItAreNoted) {
   OpenOptions options;
   options.topic = "/x";
   options.calibration_file = "/nope";
+  options.dual_return = ReturnChoice::last;
+  options.cut_azimuth_deg = 90.0;
+  options.spin = Spin::counterclockwise;
   const std::string notes = notes_of(folder.path(), options);
   EXPECT_NE(notes.find("--topic counts for nothing here"), std::string::npos) << notes;
   EXPECT_NE(notes.find("--calibration counts for nothing here"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("--return counts for nothing here"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("--cut counts for nothing here"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("--spin counts for nothing here"), std::string::npos) << notes;
+  options.derive_times = DeriveTimes::azimuth;
+  const std::string derived = notes_of(folder.path(), options);
+  EXPECT_EQ(derived.find("--cut counts for nothing here"), std::string::npos) << derived;
+  EXPECT_EQ(derived.find("--spin counts for nothing here"), std::string::npos) << derived;
   EXPECT_EQ(notes_of(folder.path()).find("counts for nothing"), std::string::npos);
 }
 

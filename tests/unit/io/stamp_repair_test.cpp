@@ -340,7 +340,66 @@ TEST(StampSteadying, NothingIsDoneWhereItIsNotClear) {
   EXPECT_EQ(repaired(much).stamps, much) << "no times";
   OpenOptions live;
   live.repair_at_once = true;
-  EXPECT_EQ(repaired_sweeps(much, 99'900'000, live).stamps, much) << "live";
+  EXPECT_EQ(repaired_sweeps(little, 99'900'000, live).stamps, little);
+  EXPECT_EQ(repaired_sweeps(much, 20'000'000, live).stamps, much);
+}
+
+// Messages are late, never early: the clock is the one before, not that of the late one.
+TEST(StampRepair, LiveALateScanDoesNotSetTheClock) {
+  OpenOptions live;
+  live.repair_at_once = true;
+  for (const std::int64_t late : {80'000'000, 110'000'000, 150'000'000, 190'000'000}) {
+    std::vector<std::int64_t> given = regular(60);
+    given[40] += late;
+    const std::vector<std::int64_t> stamps = repaired_sweeps(given, 99'900'000, live).stamps;
+    EXPECT_EQ(std::vector(stamps.begin() + 45, stamps.end()),
+              std::vector(given.begin() + 45, given.end()))
+        << late;
+    for (std::size_t i = 1; i < stamps.size(); ++i) {
+      EXPECT_GT(stamps[i] - stamps[i - 1], 0) << late << ' ' << i;
+    }
+  }
+}
+
+/// Without the first ones, from which live runs learn.
+Off off_by_after(std::size_t first, const std::vector<std::int64_t>& stamps,
+                 const std::vector<std::int64_t>& right) {
+  const auto skipped = static_cast<std::ptrdiff_t>(first);
+  return off_by({stamps.begin() + skipped, stamps.end()}, {right.begin() + skipped, right.end()});
+}
+
+TEST(StampSteadying, LiveRunsLearnFromTheFirstScans) {
+  OpenOptions live;
+  live.repair_at_once = true;
+  std::vector<std::int64_t> right = regular(300);
+  for (std::size_t i = 100; i < right.size(); ++i) right[i] += 3 * kSecond / 10;  // three missing
+  for (std::size_t i = 200; i < right.size(); ++i) right[i] += 30 * kSecond;      // a pause
+  const std::vector<std::int64_t> given = late_by(right, 80'000'000);
+  const Repaired result = repaired_sweeps(given, 99'900'000, live);
+  ASSERT_EQ(result.stamps.size(), right.size());
+  for (std::size_t i = 0; i < 29; ++i) EXPECT_EQ(result.stamps[i], given[i]) << i;
+  EXPECT_GT(off_by_after(29, given, right).step_ms, 60.0);
+  EXPECT_LT(off_by_after(29, result.stamps, right).step_ms, 40.0) << "behind the pause, too";
+  const auto part = [](const std::vector<std::int64_t>& all, std::ptrdiff_t from,
+                       std::ptrdiff_t upto) {
+    return std::vector<std::int64_t>(all.begin() + from, all.begin() + upto);
+  };
+  EXPECT_LT(off_by(part(result.stamps, 29, 100), part(right, 29, 100)).step_ms, 11.0);
+  EXPECT_LT(off_by(part(result.stamps, 103, 200), part(right, 103, 200)).step_ms, 11.0);
+  EXPECT_LT(off_by(part(result.stamps, 103, 200), part(right, 103, 200)).most_ms, 20.0);
+  ASSERT_EQ(result.notes.size(), 2U);
+  EXPECT_NE(result.notes[0].find("come and go"), std::string::npos) << result.notes[0];
+}
+
+// One may be late by a sweep; three say that a scan is missing.
+TEST(StampSteadying, LiveALateScanIsNoMissingOne) {
+  OpenOptions live;
+  live.repair_at_once = true;
+  const std::vector<std::int64_t> right = regular(200);
+  std::vector<std::int64_t> given = late_by(right, 60'000'000);
+  for (std::size_t i = 50; i < 200; i += 30) given[i] += 90'000'000;
+  const std::vector<std::int64_t> stamps = repaired_sweeps(given, 99'900'000, live).stamps;
+  for (std::size_t i = 40; i < 200; ++i) EXPECT_NEAR(1e-6 * (stamps[i] - right[i]), 30.0, 25.0);
 }
 
 TEST(StampSteadying, ScansThatArePassedOverChangeNoOther) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/bags/compression.hpp"
+#include "io/packets/metadata_file.hpp"
 #include "io/recording.hpp"
 #include "unit/io/support.hpp"
 
@@ -362,6 +363,32 @@ TEST(Capture, ARealOuster) {
   EXPECT_EQ(points[0] + points[1] + points[2], 322'536U);
   EXPECT_EQ(recording->capture_counts().data_packets, 192U);
   EXPECT_EQ(recording->capture_counts().lost, 0U);
+}
+
+TEST(Capture, MetadataAreFoundByANameThatIsAlike) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path capture = folder.path() / "walk_lb.pcap";
+  const auto write = [&](const char* name, const char* who) {
+    folder.write(name, std::string("{\"beam_altitude_angles\": [], \"of\": \"") + who + "\"}");
+  };
+  const auto found = [&] { return metadata_beside(capture); };
+  write("other.json", "other");
+  folder.write("walk_lb_digest.json", "{}");
+  EXPECT_EQ(found().text, "");
+  EXPECT_EQ(found().remark, "");
+  write("walk_lb_0.json", "first");
+  EXPECT_NE(found().text.find("first"), std::string::npos);
+  EXPECT_NE(found().remark.find("walk_lb_0.json"), std::string::npos);
+  write("walk_lb_1.json", "second");
+  EXPECT_EQ(found().text, "");
+  EXPECT_NE(found().remark.find("walk_lb_0.json, walk_lb_1.json"), std::string::npos);
+  write("walk.json", "beginning");
+  EXPECT_NE(found().text.find("beginning"), std::string::npos);
+  write("wal.json", "shorter");
+  EXPECT_NE(found().text.find("beginning"), std::string::npos);
+  write("walk_lb.json", "exact");
+  EXPECT_NE(found().text.find("exact"), std::string::npos);
+  EXPECT_EQ(found().remark, "");
 }
 
 TEST(Capture, ARealHdl32) {
