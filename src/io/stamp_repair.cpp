@@ -29,6 +29,8 @@ constexpr std::int64_t kWild = 5;
 constexpr std::int64_t kWildAtTheEnd = 1000;
 // Without a look ahead: so many in a row that go on from each other are of a clock that was set.
 constexpr std::size_t kSteady = 3;
+// By so many intervals the last one may have come late, to be made up for by shorter ones.
+constexpr std::int64_t kMadeUpFor = 2;
 constexpr std::int64_t kLongestInterval = 10'000'000'000;  // [ns] of a LiDAR
 
 class RepairedRecording : public RecordingFilter {
@@ -246,12 +248,14 @@ class RepairedRecording : public RecordingFilter {
     since_confirmed_ = 0;
   }
 
-  /// Whether a stamp that cannot follow the last one follows those before it.
+  /// Whether a stamp that cannot follow the last one follows those before it, and the last one was
+  /// not so wrong that its time is not to be made up for.
   [[nodiscard]] bool last_came_late(const Scan& scan) const {
     const std::int64_t at = sum(scan.stamp_ns, offset_ns_);
     if (!confirmed_ns_ || since_confirmed_ > kWild) return false;
     if (at > *last_ && !is_too_soon(scan)) return false;
     const std::int64_t usual = usual_interval_ns();
+    if (difference(*last_, at) > kMadeUpFor * usual) return false;
     return 2 * distance(difference(at, *confirmed_ns_), since_confirmed_ * usual) <= usual;
   }
 
