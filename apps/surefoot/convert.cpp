@@ -48,8 +48,8 @@ int convert(const ConvertOptions& options) {
       fmt::print(stderr, "note: {}\n", io::printable(note));
     }
     for (const std::string& loss : outcome.losses) fmt::print(stderr, "{}\n", loss);
-    fmt::print("{} scans, {} points: {}\n", outcome.scans, outcome.points,
-               options.request.output.string());
+    fmt::print("{} scan{}, {} points: {}\n", outcome.scans, outcome.scans == 1 ? "" : "s",
+               outcome.points, options.request.output.string());
     if (outcome.messages > 0) {
       fmt::print("  {:5} messages of {} other topics, copied as they are\n", outcome.messages,
                  outcome.topics);

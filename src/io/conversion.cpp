@@ -324,8 +324,14 @@ void require_unused(const fs::path& output, bool is_folder) {
   }
 }
 
-ConversionOutcome convert_recording(const ConversionRequest& request,
+ConversionOutcome convert_recording(const ConversionRequest& asked,
                                     const ConversionListener& listener) {
+  ConversionRequest request = asked;
+  request.topics.clear();
+  for (const std::string& topic : asked.topics) {  // each once
+    const auto begin = request.topics.begin(), end = request.topics.end();
+    if (std::find(begin, end, topic) == end) request.topics.push_back(topic);
+  }
   if (is_of_packets(request)) {
 #ifdef SUREFOOT_HAS_PCAP
     return convert_packets(request, listener);

@@ -165,6 +165,8 @@ TEST(ConvertTopics, ThoseThatAreNamed) {
   EXPECT_EQ(topics_of(folder / "two.mcap"), (std::vector<std::string>{"/front", "/rear"}));
   EXPECT_EQ(convert({"/rear", "/state"}, "other.mcap").exit_code, 0);
   EXPECT_EQ(topics_of(folder / "other.mcap"), (std::vector<std::string>{"/rear", "/state"}));
+  EXPECT_EQ(convert({"/rear", "/rear"}, "twice.mcap").exit_code, 0);
+  EXPECT_EQ(file_content(folder / "twice.mcap"), file_content(folder / "one.mcap"));
   const ProcessResult none = convert({"/rear", "/typo"}, "none.mcap");
   EXPECT_EQ(none.exit_code, 2) << none;
   EXPECT_NE(none.errors.find("no topic '/typo'"), std::string::npos) << none;
