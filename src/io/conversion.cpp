@@ -44,7 +44,7 @@ ScanFormat wanted_format(const ConversionRequest& request) {
   if (known && name != "rosbag2") return scan_format_named(name);
   throw std::invalid_argument(
       request.output.string() + ": extension '" + extension.string() +
-      "'; expected .mcap, .bag, .pcd, .ply, .bin, .las, of a capture .pcap, or a folder (PCD, or "
+      "'; expected .mcap, .bag, .pcd, .ply, .bin, .las, of packets .pcap, or a folder (PCD, or "
       "--to says what)" +
       advice_for(extension));
 }

@@ -114,11 +114,12 @@ struct PointClock {
   std::int64_t origin_ns = 0;  ///< at the instant that times_ns count from
 };
 
-/// Where in a capture a scan's packets are.
+/// Where a scan's packets are.
 struct CapturedPackets {
-  std::uint64_t first = 0, end = 0;  ///< numbers of frames; neighbours may share a packet
-  std::uint32_t source_address = 0;
-  std::uint16_t port = 0;  ///< that they go to
+  /// Numbers of a capture's frames, of a topic's packets; neighbours may share a packet.
+  std::uint64_t first = 0, end = 0;
+  std::uint32_t source_address = 0;  ///< of a capture's
+  std::uint16_t port = 0;            ///< that they go to
 };
 
 /// One scan of a recording, or why there is none: a bad file in a folder does not end the reading.

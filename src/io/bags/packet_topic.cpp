@@ -4,6 +4,7 @@
 
 #include "io/bags/topic_recordings.hpp"
 #include "io/messages/packet_message.hpp"
+#include "io/packets/packet_numbers.hpp"
 #include "io/packets/packet_scans.hpp"
 
 namespace surefoot::io {
@@ -66,17 +67,17 @@ class PacketTopic final : public Recording {
           parts_.bag + ": " + message->topic->name + ", " + item.name + ": " + error.what();
       items_.push_back(std::move(item));
     }
-    take_scans();
     gather_notes();
     return true;
   }
 
   void add(const MessagePacket& packet, const Message& message) {
-    ++counts_.packets;
+    const std::uint64_t number = counts_.packets++;
     const std::int64_t stamp_ns = packet.stamp_ns == 0 ? message.logged_ns : packet.stamp_ns;
     switch (scans_.add(stamp_ns, packet.bytes)) {
       case PacketUse::used:
         ++counts_.data_packets;
+        numbers_.note(number, number + 1);
         break;
       case PacketUse::malformed:
         ++counts_.truncated;
@@ -86,10 +87,14 @@ class PacketTopic final : public Recording {
         ++counts_.other;
         break;
     }
+    take_scans();
   }
 
   void take_scans() {
-    while (std::optional<ScanItem> item = scans_.take()) items_.push_back(std::move(*item));
+    while (std::optional<ScanItem> item = scans_.take()) {
+      item->packets = numbers_.take(ended_ || scans_.shared_packet());
+      items_.push_back(std::move(*item));
+    }
   }
 
   void gather_notes() {
@@ -115,6 +120,7 @@ class PacketTopic final : public Recording {
   PacketScans scans_;
   std::deque<ScanItem> items_;
   CaptureCounts counts_;
+  PacketNumbers numbers_;
   std::size_t messages_ = 0;
   std::size_t scan_notes_ = 0;
   std::size_t bag_notes_ = 0;

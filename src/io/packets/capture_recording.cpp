@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/packets/capture_recording.hpp"
 
+#include <tuple>
+
 #include "io/packets/capture_file.hpp"
 #include "io/packets/metadata_file.hpp"
 #include "io/packets/packet_intake.hpp"
+#include "io/packets/packet_numbers.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -70,11 +73,8 @@ class CaptureRecording final : public Recording {
     std::optional<ScanItem> item = scans().take();
     gather_notes();
     if (item) {
-      const auto [address, port] = intake_.stream();
-      const bool has_last = ended_ || scans().shared_packet();
-      item->packets =
-          CapturedPackets{scan_begin_, has_last ? data_end_ : data_begin_, address, port};
-      scan_begin_ = data_begin_;
+      item->packets = numbers_.take(ended_ || scans().shared_packet());
+      std::tie(item->packets->source_address, item->packets->port) = intake_.stream();
     }
     return item;
   }
@@ -119,15 +119,8 @@ class CaptureRecording final : public Recording {
     }
     const std::size_t before = intake_.counts().data_packets;
     intake_.add(frame->stamp_ns, datagram);
-    if (intake_.counts().data_packets > before) note_data(begin, number + 1);
+    if (intake_.counts().data_packets > before) numbers_.note(begin, number + 1);
     return true;
-  }
-
-  // The frames of a data packet.
-  void note_data(std::uint64_t begin, std::uint64_t end) {
-    if (data_end_ == 0) scan_begin_ = begin;
-    data_begin_ = begin;
-    data_end_ = end;
   }
 
   CaptureFile file_;
@@ -139,9 +132,8 @@ class CaptureRecording final : public Recording {
   std::vector<std::string> notes_;
   std::size_t gathered_ = 0;  ///< of the scans' notes
   bool ended_ = false;
-  // Numbers of frames: of the scan at hand, the last data packet, the parts of the next datagram.
-  std::uint64_t scan_begin_ = 0, data_begin_ = 0, data_end_ = 0;
-  std::optional<std::uint64_t> parts_begin_;
+  PacketNumbers numbers_;
+  std::optional<std::uint64_t> parts_begin_;  ///< number of the frame, of the next datagram's
 };
 
 }  // namespace

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
+#include "io/messages/message_writer.hpp"
+#include "io/packets/capture_file.hpp"
 #include "unit/io/support.hpp"
 
 namespace surefoot::io {
@@ -43,22 +46,24 @@ std::vector<std::string> in_two(const std::string& ip) {
   return {first, last};
 }
 
+std::string data_packet(unsigned i) {
+  return test::vlp16_payload(i * 480 % 36000, 40, static_cast<std::uint32_t>(i * kPeriodNs / 1000),
+                             0x37, [](auto, auto) {
+                               return test::Measured{500, 1};
+                             });
+}
+
 std::vector<Frame> frames(bool in_parts = false) {
   std::vector<Frame> all;
   const auto add = [&](unsigned i, int packet, const std::string& ip) {
     all.push_back({kStart + i * kPeriodNs + std::ssize(all) % 7, test::ethernet_frame(ip), packet});
   };
   for (unsigned i = 0; i < kTurns * kTurn; ++i) {
-    const std::string payload =
-        test::vlp16_payload(i * 480 % 36000, 40, static_cast<std::uint32_t>(i * kPeriodNs / 1000),
-                            0x37, [](auto, auto) {
-                              return test::Measured{500, 1};
-                            });
-    const std::string ip = test::ip_packet(payload, 2368);
+    const std::string ip = test::ip_packet(data_packet(i), 2368);
     const auto parts = in_parts ? in_two(ip) : std::vector<std::string>{ip};
     for (const std::string& part : parts) add(i, static_cast<int>(i), part);
     if (i % 10 == 4) add(i, -1, test::ip_packet(std::string(512, 'p'), 8308));
-    if (i % 20 == 9) add(i, -1, test::ip_packet(payload, 2369));  // a second LiDAR
+    if (i % 20 == 9) add(i, -1, test::ip_packet(data_packet(i), 2369));  // a second LiDAR
   }
   return all;
 }
@@ -220,7 +225,7 @@ TEST_F(PacketConversion, WhatIsNoCaptureIsRefused) {
   ConversionRequest request;
   request.input = folder_.write("scan.bin", std::string(160, 'a'));
   const std::string of_points = test::message_of<ReadError>([&] { (void)convert(request); });
-  EXPECT_NE(of_points.find("points cannot be turned back into packets"), std::string::npos);
+  EXPECT_NE(of_points.find("points cannot be turned back into them"), std::string::npos);
   request.input = folder_.path() / "none.pcap";
   const std::string of_none = test::message_of<ReadError>([&] { (void)convert(request); });
   EXPECT_NE(of_none.find("none.pcap: no such file"), std::string::npos) << of_none;
@@ -230,6 +235,65 @@ TEST_F(PacketConversion, WhatIsNoCaptureIsRefused) {
   EXPECT_NE(test::message_of<ReadError>([&] { (void)convert(late); }).find("no scan in what"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(folder_.path() / "out.pcap"));
+}
+
+/// A bag of the data packets, some to a message.
+std::vector<std::string> write_bag(const fs::path& file) {
+  constexpr unsigned kAtOnce = 50;
+  MessageDefinition definition;
+  definition.type = "velodyne_msgs/VelodyneScan";
+  const auto bag = make_ros1_bag(file);
+  const std::size_t topic = bag->add_topic("/velodyne_packets", definition);
+  std::vector<std::string> payloads;
+  for (unsigned i = 0; i < kTurns * kTurn; i += kAtOnce) {
+    MessageWriter message(MessageWriter::Flavour::ros1);
+    const unsigned end = std::min(i + kAtOnce, kTurns * kTurn);
+    message.header(kStart + i * kPeriodNs, "velodyne").count(end - i);
+    for (unsigned k = i; k < end; ++k) {
+      payloads.push_back(data_packet(k));
+      message.time(kStart + k * kPeriodNs).raw(payloads.back());
+    }
+    bag->write(topic, kStart + end * kPeriodNs, message.take());
+  }
+  bag->finish();
+  return payloads;
+}
+
+TEST_F(PacketConversion, ABagsPacketsGoIntoACapture) {
+  ConversionRequest request;
+  request.input = folder_.path() / "walk.bag";
+  const std::vector<std::string> payloads = write_bag(request.input);
+  const auto expect_packets = [&](const ConversionOutcome& outcome, auto&& is_in) {
+    std::vector<std::int64_t> stamps;
+    std::vector<std::string> written;
+    CaptureFile file(request.output);
+    while (const std::optional<CapturedFrame> frame = file.next()) {
+      const UdpDatagram datagram = find_udp(file.link(), frame->bytes);
+      EXPECT_EQ(datagram.destination_port, 2368);
+      stamps.push_back(frame->stamp_ns);
+      written.emplace_back(reinterpret_cast<const char*>(datagram.payload.data()),
+                           datagram.payload.size());
+    }
+    std::vector<std::int64_t> expected_stamps;
+    std::vector<std::string> expected;
+    for (unsigned i = 0; i < payloads.size(); ++i) {
+      if (!is_in(i)) continue;
+      expected_stamps.push_back(kStart + i * kPeriodNs);
+      expected.push_back(payloads[i]);
+    }
+    EXPECT_TRUE(written == expected) << written.size() << " of " << expected.size();
+    EXPECT_EQ(stamps, expected_stamps);
+    EXPECT_EQ(outcome.packets, expected.size());
+  };
+  request.output = folder_.path() / "out.pcap";
+  expect_packets(convert(request), [](unsigned) { return true; });
+  request.start = 1;
+  request.count = 2;
+  expect_packets(convert(request), [](unsigned i) { return i >= kTurn && i < 3 * kTurn; });
+  request = {.input = request.input, .output = request.output, .stride = 2};
+  expect_packets(convert(request), [](unsigned i) { return i / kTurn % 2 == 0; });
+  request.topics = {"/velodyne_packets", "/others"};
+  EXPECT_THROW((void)convert(request), std::invalid_argument);
 }
 
 TEST_F(PacketConversion, InterruptedItWritesNothing) {
