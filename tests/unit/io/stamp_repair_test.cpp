@@ -402,6 +402,19 @@ TEST(StampSteadying, LiveALateScanIsNoMissingOne) {
   for (std::size_t i = 40; i < 200; ++i) EXPECT_NEAR(1e-6 * (stamps[i] - right[i]), 30.0, 25.0);
 }
 
+TEST(StampSteadying, LiveASingleMissingScanIsKnownByTheThirdBehindIt) {
+  OpenOptions live;
+  live.repair_at_once = true;
+  std::vector<std::int64_t> right = regular(140);
+  for (std::size_t i = 90; i < right.size(); ++i) right[i] += kSecond / 10;
+  const std::vector<std::int64_t> given = late_by(right, 60'000'000);
+  const std::vector<std::int64_t> stamps = repaired_sweeps(given, 99'900'000, live).stamps;
+  for (std::size_t i = 40; i < 140; ++i) {
+    if (i >= 90 && i < 92) continue;
+    EXPECT_NEAR(1e-6 * (stamps[i] - right[i]), 30.0, 25.0) << i;
+  }
+}
+
 TEST(StampSteadying, ScansThatArePassedOverChangeNoOther) {
   const std::vector<std::int64_t> given = late_by(regular(120), 80'000'000);
   const auto recording = repair_stamps(std::make_unique<Swept>(given, 99'900'000), {});
