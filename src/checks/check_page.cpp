@@ -71,6 +71,13 @@ std::vector<Dot> drawn(std::vector<Dot> dots) {
   return dots;
 }
 
+// Four digits; a whole number as it is.
+std::string short_number(double value) {
+  constexpr double kMostWhole = 1e7;
+  const bool whole = std::abs(value) >= 1000.0 && std::abs(value) < kMostWhole;
+  return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
+
 std::string chart_of(const Chart& chart, std::size_t scans) {
   const std::vector<Dot> dots = drawn(chart.dots);
   if (dots.empty()) return {};
@@ -89,8 +96,8 @@ std::string chart_of(const Chart& chart, std::size_t scans) {
   for (const double value : {least, greatest}) {
     svg += fmt::format(
         "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/><text x=\"{3}\" y=\"{4:.1f}\" "
-        "text-anchor=\"end\">{5:.4g}{6}</text>\n",
-        kLeft, kWidth - kRight, y(value), kLeft - 6, y(value) + 4, value, chart.unit);
+        "text-anchor=\"end\">{5}{6}</text>\n",
+        kLeft, kWidth - kRight, y(value), kLeft - 6, y(value) + 4, short_number(value), chart.unit);
   }
   svg += fmt::format(
       "<text x=\"{}\" y=\"{}\">scan 0</text><text x=\"{}\" y=\"{}\" "

@@ -97,12 +97,15 @@ void add_lag(const MotionCheck& motion, const io::OpenOptions& reader, const Fig
     sentences.push_back("stamps: " + motion.reference + " does not cover the stretch");
     return;
   }
-  const std::string compared = text(
-      "stamps: turns from scan to scan fit those of %s best moved by %+.3f s (%.3f deg RMS, "
-      "as they are %.3f deg, better in %zu of %zu)",
-      motion.reference.c_str(), lag.lag_s, lag.best_deg, lag.error_deg, lag.better,
-      lag.better + lag.worse);
-  sentences.push_back(compared);
+  const std::size_t differ = lag.better + lag.worse;
+  sentences.push_back(
+      differ == 0
+          ? text("stamps: turns from scan to scan fit those of %s best as they are (%.3f deg RMS)",
+                 motion.reference.c_str(), lag.error_deg)
+          : text("stamps: turns from scan to scan fit those of %s best moved by %+.3f s (%.3f deg "
+                 "RMS, as they are %.3f deg, better in %zu of %zu)",
+                 motion.reference.c_str(), lag.lag_s, lag.best_deg, lag.error_deg, lag.better,
+                 differ));
   const double sweep =
       figures.duration_s.median > 0.0 ? figures.duration_s.median : figures.usual_interval_s;
   // Nearer to another end of the sweep than to the one that was taken.
