@@ -391,6 +391,10 @@ TEST(StampSteadying, LiveRunsLearnFromTheFirstScans) {
   EXPECT_NE(result.notes[0].find("come and go"), std::string::npos) << result.notes[0];
 }
 
+double late_ms(std::int64_t stamp_ns, std::int64_t right_ns) {
+  return 1e-6 * static_cast<double>(stamp_ns - right_ns);
+}
+
 // One may be late by a sweep; three say that a scan is missing.
 TEST(StampSteadying, LiveALateScanIsNoMissingOne) {
   OpenOptions live;
@@ -399,7 +403,7 @@ TEST(StampSteadying, LiveALateScanIsNoMissingOne) {
   std::vector<std::int64_t> given = late_by(right, 60'000'000);
   for (std::size_t i = 50; i < 200; i += 30) given[i] += 90'000'000;
   const std::vector<std::int64_t> stamps = repaired_sweeps(given, 99'900'000, live).stamps;
-  for (std::size_t i = 40; i < 200; ++i) EXPECT_NEAR(1e-6 * (stamps[i] - right[i]), 30.0, 25.0);
+  for (std::size_t i = 40; i < 200; ++i) EXPECT_NEAR(late_ms(stamps[i], right[i]), 30.0, 25.0);
 }
 
 TEST(StampSteadying, LiveASingleMissingScanIsKnownByTheThirdBehindIt) {
@@ -411,7 +415,7 @@ TEST(StampSteadying, LiveASingleMissingScanIsKnownByTheThirdBehindIt) {
   const std::vector<std::int64_t> stamps = repaired_sweeps(given, 99'900'000, live).stamps;
   for (std::size_t i = 40; i < 140; ++i) {
     if (i >= 90 && i < 92) continue;
-    EXPECT_NEAR(1e-6 * (stamps[i] - right[i]), 30.0, 25.0) << i;
+    EXPECT_NEAR(late_ms(stamps[i], right[i]), 30.0, 25.0) << i;
   }
 }
 

@@ -290,7 +290,9 @@ TEST_F(PacketConversion, ABagsPacketsGoIntoACapture) {
   request.start = 1;
   request.count = 2;
   expect_packets(convert(request), [](unsigned i) { return i >= kTurn && i < 3 * kTurn; });
-  request = {.input = request.input, .output = request.output, .stride = 2};
+  request.start = 0;
+  request.count = std::numeric_limits<std::size_t>::max();
+  request.stride = 2;
   expect_packets(convert(request), [](unsigned i) { return i / kTurn % 2 == 0; });
   request.topics = {"/velodyne_packets", "/others"};
   EXPECT_THROW((void)convert(request), std::invalid_argument);
