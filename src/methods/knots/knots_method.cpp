@@ -49,7 +49,7 @@ const ConfigField kFields[] = {
      kMethod},
     {"knots.ring_gap", SLOT(knots.ring_gap), "0.035", "rad", 0.0, 1.0,
      "angle between a LiDAR's rings, about: a cloud (neither plane nor pole) is widened across the "
-     "rays by what may lie that far on either side",
+     "rings by what may lie that far on either side",
      kMethod},
     {"knots.cloud_weight", SLOT(knots.cloud_weight), "0.5", "", 0.0, 1.0,
      "weight of a cloud's residuals, those of planes and poles being 1; 0: no clouds", kMethod},

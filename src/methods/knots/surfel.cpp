@@ -15,47 +15,52 @@ namespace {
 // LiDAR on a wall or floor, whose place along that surface says nothing.
 constexpr double kStanding = 0.7;
 
-/// The smallest variance of a covariance that has none along one direction.
-double narrowest(const Eigen::Matrix3d& C) {
-  const double half = 0.5 * C.trace();
-  const double product = C(0, 0) * C(1, 1) - C(0, 1) * C(0, 1) + C(0, 0) * C(2, 2) -
-                         C(0, 2) * C(0, 2) + C(1, 1) * C(2, 2) - C(1, 2) * C(1, 2);
-  return half - std::sqrt(std::max(half * half - product, 0.0));
-}
-
 }  // namespace
 
 Eigen::Matrix3d SurfelMoments::matrix_of(const Products& p) {
   return (Eigen::Matrix3d() << p.xx, p.xy, p.xz, p.xy, p.yy, p.yz, p.xz, p.yz, p.zz).finished();
 }
 
-Eigen::Matrix3d SurfelMoments::unseen(double ring_gap) const {
-  const Eigen::Vector3d ray = mean_ray().normalized();
-  const double variance = ring_gap * ring_gap * squared_ranges_ / (3.0 * count_);
-  return variance * (Eigen::Matrix3d::Identity() - ray * ray.transpose());  // [K24]
+/// What lies in the plane across the mean ray is told apart by how far the rays spread there: along
+/// a ring as far as the voxel lets them, from ring to ring not at all, or by the gap.
+SurfelMoments::RaySpread SurfelMoments::ray_spread(double size, double ring_gap) const {
+  const Eigen::Vector3d mean = ray_sum_.cast<double>() / count_;
+  RaySpread spread;
+  spread.mean = mean.normalized();
+  const Eigen::Vector3d u = spread.mean.unitOrthogonal(), v = spread.mean.cross(u);
+  const Eigen::Matrix3d C = matrix_of(rays_) / count_ - mean * mean.transpose();
+  const double uu = u.dot(C * u), uv = u.dot(C * v), vv = v.dot(C * v);
+  const double turn = 0.5 * std::atan2(2.0 * uv, uu - vv);  // of the wider axis, from u
+  spread.across[1] = std::cos(turn) * u + std::sin(turn) * v;
+  spread.across[0] = spread.mean.cross(spread.across[1]);
+  const double reach = std::min(ring_gap, size / std::sqrt(squared_ranges_ / count_));
+  const double evenly = std::max(reach * reach / 12.0, 1e-12);
+  const double middle = 0.5 * (uu + vv), wide = std::hypot(0.5 * (uu - vv), uv);
+  spread.left_out[0] = std::clamp(1.0 - (middle - wide) / evenly, 0.0, 1.0);
+  spread.left_out[1] = std::clamp(1.0 - (middle + wide) / evenly, 0.0, 1.0);
+  return spread;
 }
 
-double SurfelMoments::of_one_ring(double ring_gap) const {
-  const Eigen::Vector3d mean = mean_ray();
-  const Eigen::Vector3d ray = mean.normalized();
-  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - ray * ray.transpose();
-  const Eigen::Matrix3d spread = matrix_of(rays_) / count_ - mean * mean.transpose();
-  const double evenly = std::max(ring_gap * ring_gap / 12.0, 1e-12);
-  return std::clamp(1.0 - narrowest(across * spread * across) / evenly, 0.0, 1.0);
+/// What the rings leave unseen between them [m^2].
+Eigen::Matrix3d SurfelMoments::unseen(const RaySpread& rays, double next_ring) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 2; ++i) {
+    sum += rays.left_out[i] * next_ring * rays.across[i] * rays.across[i].transpose();
+  }
+  return sum;  // [K24]
 }
 
 /// What a cloud's residuals are worth, other than that they are small. Of a surface that only one
 /// ring met, nobody knows where along the rays the next one would: on a floor, metres farther on.
 /// And points that fill a voxel from end to end have no place in it, wherever the sensor goes.
-void SurfelMoments::weigh(Surfel& cloud, double size, const Config::Knots& config) const {
-  const Eigen::Vector3d ray = mean_ray().normalized();
-  const double next_ring = config.ring_gap * config.ring_gap * squared_ranges_ / (3.0 * count_);
+void SurfelMoments::weigh(Surfel& cloud, const RaySpread& rays, double next_ring, double size,
+                          const Config::Knots& config) {
   const double slope = 1.0 / std::max(config.edge_on, Surfel::kGrazing);
-  const double along = of_one_ring(config.ring_gap) * next_ring * slope * slope;
+  const double along = rays.left_out[0] * next_ring * slope * slope;
   const double filled = size * size / 12.0;  // variance of what is spread evenly
   for (Surfel::Direction& direction : cloud.along) {
     const double claimed = static_cast<double>(direction.variance) + config.noise * config.noise;
-    const double cosine = direction.across.cast<double>().dot(ray);
+    const double cosine = direction.across.cast<double>().dot(rays.mean);
     const double known = claimed + along * cosine * cosine;
     direction.worth =
         static_cast<float>(claimed / known * std::max(1.0 - known / filled, 0.0));  // [K31]
@@ -84,12 +89,14 @@ Surfel SurfelMoments::fit(const Eigen::Vector3d& middle, double size,
                     spread[1] <= config.slenderness * spread[2] &&
                     std::abs(eigen.vectors(2, 2)) >= kStanding;
   surfel.directions = plane ? 1 : pole ? 2 : config.cloud_weight > 0.0 ? 3 : 0;
-  if (surfel.cloud()) eigen = symmetric_eigen_direct(C + unseen(config.ring_gap));
+  const RaySpread rays = surfel.cloud() ? ray_spread(size, config.ring_gap) : RaySpread{};
+  const double next_ring = config.ring_gap * config.ring_gap * squared_ranges_ / (3.0 * count_);
+  if (surfel.cloud()) eigen = symmetric_eigen_direct(C + unseen(rays, next_ring));
   for (int i = 0; i < std::max(surfel.directions, 2); ++i) {
     surfel.along[i].across = eigen.vectors.col(i).cast<float>();
     surfel.along[i].variance = static_cast<float>(std::max(eigen.values[i], 0.0));
   }
-  if (surfel.cloud()) weigh(surfel, size, config);
+  if (surfel.cloud()) weigh(surfel, rays, next_ring, size, config);
   if (surfel.along[0].across.dot(ray_sum_) > 0.0F) surfel.along[0].across *= -1.0F;
   return surfel;
 }

@@ -76,12 +76,19 @@ class SurfelMoments {
     sum.zz += v.z() * v.z();
   }
   [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
-  [[nodiscard]] Eigen::Vector3d mean_ray() const { return ray_sum_.cast<double>() / count_; }
-  /// What the rings leave unseen between them, as a covariance [m^2].
-  [[nodiscard]] Eigen::Matrix3d unseen(double ring_gap) const;
-  /// 1 if one ring saw the points, 0 if rings did all over the gap between two.
-  [[nodiscard]] double of_one_ring(double ring_gap) const;
-  void weigh(Surfel& cloud, double size, const Config::Knots& config) const;
+  /// How the rays lie about their mean.
+  struct RaySpread {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< unit
+    Eigen::Vector3d across[2];                       ///< unit; they spread the less along the first
+    /// Of each: 0 if they are spread over all that a voxel, or the gap of two rings, has room for;
+    /// 1 if they are not spread at all.
+    double left_out[2] = {0.0, 0.0};
+  };
+  [[nodiscard]] RaySpread ray_spread(double size, double ring_gap) const;
+  /// `next_ring`: variance of what may lie up to the next ring, on either side [m^2].
+  [[nodiscard]] static Eigen::Matrix3d unseen(const RaySpread& rays, double next_ring);
+  static void weigh(Surfel& cloud, const RaySpread& rays, double next_ring, double size,
+                    const Config::Knots& config);
 
   int count_ = 0;
   Eigen::Vector3f sum_ = Eigen::Vector3f::Zero();
