@@ -145,6 +145,8 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
   if (is_bag_input(path, options)) return open_bag_recording(path, options);
   if (is_folder) {
     if (const auto capture = only_capture(path)) return open_any(*capture, options);
+    const std::string why = holds_scan_files(path) ? "" : why_no_bag_files(path);
+    if (!why.empty()) throw ReadError(path.string() + ": " + why);
   }
   const std::optional<FileKind> kind = kind_of(path);
   if (is_folder || scan_kind(kind)) return open_scan_files(path, options);

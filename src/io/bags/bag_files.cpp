@@ -182,6 +182,15 @@ std::vector<fs::path> bag_files(const fs::path& path) {
   return files;
 }
 
+std::string why_no_bag_files(const fs::path& folder) {
+  const std::vector<std::string> missing = missing_files(folder, metadata_in(folder));
+  if (missing.empty()) return {};
+  const std::string more =
+      missing.size() > 1 ? " and " + std::to_string(missing.size() - 1) + " more" : "";
+  return "metadata.yaml names " + printable(missing.front()) + more + ", which " +
+         (missing.size() > 1 ? "are" : "is") + " not there";
+}
+
 std::unique_ptr<MessageSource> open_bag(const fs::path& path) {
   std::vector<fs::path> files = bag_files(path);
   if (files.empty()) throw ReadError(path.string() + ": no bag in it");

@@ -19,6 +19,9 @@ namespace surefoot::io {
 /// have them or else in natural order.
 [[nodiscard]] std::vector<std::filesystem::path> bag_files(const std::filesystem::path& path);
 
+/// Of a folder without any: why, where rosbag2's metadata name some; else empty.
+[[nodiscard]] std::string why_no_bag_files(const std::filesystem::path& folder);
+
 /// The messages of one bag, the file or the folder of its parts, which follow each other. A part
 /// after the first that cannot be read is noted and passed over; so is, at the end, what rosbag2's
 /// metadata promise besides. Throws ReadError naming the file.

@@ -51,6 +51,20 @@ TEST(OpenRecording, WhatGitLfsLeavesIsNamed) {
   EXPECT_THROW((void)parse_scan_file(ScanFileKind::kitti_bin, test::bytes_of(pointer)), ReadError);
 }
 
+TEST(OpenRecording, ABagOfMetadataAloneIsNamed) {
+  const test::TemporaryFolder folder;
+  const std::string head = "rosbag2_bagfile_information:\n  relative_file_paths:\n    - a_0.mcap\n";
+  folder.write("one/metadata.yaml", head);
+  folder.write("two/metadata.yaml", head + "    - a_1.mcap\n");
+  const auto why = [&](const char* name) {
+    return test::message_of<ReadError>([&] { (void)open_recording(folder.path() / name); });
+  };
+  EXPECT_NE(why("one").find("metadata.yaml names a_0.mcap, which is not there"), std::string::npos)
+      << why("one");
+  EXPECT_NE(why("two").find("a_0.mcap and 1 more, which are not there"), std::string::npos)
+      << why("two");
+}
+
 TEST(OpenRecording, ContentGoesBeforeTheExtension) {
   const TemporaryFolder folder;
   const std::string pcd = timed_pcd<float>({0.0F, 0.0625F});
