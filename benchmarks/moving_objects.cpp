@@ -159,8 +159,11 @@ Points read_map(const fs::path& file) {
 }
 
 void print_row(const fs::path& run, const Truth& truth) {
-  const Pose T_truth_map = map_in_truth(run / "trajectory.tum", truth);
-  const Points map = read_map(run / "map.ply");
+  const bool loops = fs::exists(run / "trajectory_optimized.tum");
+  const Pose T_truth_map =
+      map_in_truth(run / (loops ? "trajectory_optimized.tum" : "trajectory.tum"), truth);
+  const bool after_loops = fs::exists(run / "map_optimized.ply");
+  const Points map = read_map(run / (after_loops ? "map_optimized.ply" : "map.ply"));
   std::size_t moved = 0, found = 0;
   CubeSet mapped(kCoarse);
   for (const Eigen::Vector3d& point : map) {

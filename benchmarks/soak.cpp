@@ -16,7 +16,6 @@
 #include "memory.hpp"
 #include "simulated_walk.hpp"
 #include "surefoot/odometry.hpp"
-#include "town.hpp"
 
 namespace surefoot::benchmarks {
 
@@ -145,7 +144,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     using namespace surefoot::benchmarks;
-    SimulatedWalk walk(stand ? standing_on_campus() : town(),
+    namespace simulation = surefoot::simulation;
+    SimulatedWalk walk(stand ? standing_on_campus() : simulation::build_scene("town", 1),
                        {.scans = scans, .speed = stand ? 0.0 : kSpeed, .footprint = false});
     const Soak soak = follow(walk, scans);
     const bool held = stand ? judge_standing(soak) : judge_way(soak, scans);

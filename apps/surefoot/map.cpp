@@ -18,6 +18,11 @@ void add_map_command(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input,
                       "what surefoot run reads; default: that of --config's run.yaml");
   add_run_options(*command, *options);
+  command
+      ->add_option("--loop-candidates", options->loop_candidates,
+                   "places that are compared with each piece of way, those that look most alike")
+      ->check(CLI::Range(1, 40))
+      ->capture_default_str();
   command->add_flag("--no-loops", options->no_loops, "find loops, but move nothing")
       ->excludes("--map");
   command->callback([command, options, &exit_code] {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "mapping/moved_things.hpp"
+
 namespace surefoot::mapping {
 
 SavedMap saved_map_of(const WalkMapper& mapper) {
@@ -13,7 +15,7 @@ SavedMap saved_map_of(const WalkMapper& mapper) {
   map.edges = mapper.graph().edges;
   for (std::size_t i = 0; i < map.pieces.size(); ++i) {
     map.pieces[i].T_world_piece = mapper.graph().poses[i];
-    map.places.push_back(describe_place(make_submap(mapper.pieces(), i)));
+    map.places.push_back(mapper.places().place(i));
   }
   return map;
 }
@@ -21,8 +23,41 @@ SavedMap saved_map_of(const WalkMapper& mapper) {
 FinishedWalk::FinishedWalk(const WalkMapper& mapper)
     : pieces_(mapper.pieces()),
       poses_(mapper.graph().poses),
+      held_(held_together(mapper.graph())),
       placed_(poses_.size(), true),
-      map_(saved_map_of(mapper)) {}
+      map_(saved_map_of(mapper)),
+      clouds_(mapper.clouds()) {}
+
+void FinishedWalk::drop_moved() {
+  MovedThings moved(map_.pieces, held_);
+  mapping::drop_moved(map_.pieces, moved, clouds_);
+}
+
+std::vector<bool> FinishedWalk::moved(const std::vector<Eigen::Vector3f>& points,
+                                      const std::vector<std::int64_t>& stamps_ns) const {
+  std::vector<Piece> placed = pieces_;
+  for (std::size_t i = 0; i < placed.size(); ++i) placed[i].T_world_piece = poses_[i];
+  MovedThings things(placed, held_);
+  std::vector<bool> result(points.size(), false);
+  std::size_t begin = 0;
+  for (std::size_t piece = 0; piece < placed.size(); ++piece) {
+    const auto last = piece + 1 == placed.size();
+    const auto end =
+        last ? points.size()
+             : static_cast<std::size_t>(std::lower_bound(stamps_ns.begin(), stamps_ns.end(),
+                                                         placed[piece + 1].begin_ns) -
+                                        stamps_ns.begin());
+    const Pose T_piece_world = poses_[piece].inverse();
+    std::vector<Eigen::Vector3f> seen;
+    for (std::size_t i = begin; i < end; ++i) {
+      seen.emplace_back((T_piece_world * points[i].cast<double>()).cast<float>());
+    }
+    const std::vector<bool> gone = things.gone(piece, seen);
+    std::copy(gone.begin(), gone.end(), result.begin() + static_cast<std::ptrdiff_t>(begin));
+    begin = end;
+  }
+  return result;
+}
 
 MapJoin FinishedWalk::join(const SavedMap& map) {
   MapJoin join = join_maps(map, map_);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "mapping/map_merge.hpp"
@@ -21,6 +22,14 @@ class FinishedWalk {
   /// A mapper that has finished.
   explicit FinishedWalk(const WalkMapper& mapper);
 
+  /// Drops what came and went from the map: what was seen from one place, and through from others.
+  /// Before join().
+  void drop_moved();
+  /// Of points that were seen on the walk at these instants, ascending, and stand where they belong
+  /// after all loops [m], those that came and went.
+  [[nodiscard]] std::vector<bool> moved(const std::vector<Eigen::Vector3f>& points,
+                                        const std::vector<std::int64_t>& stamps_ns) const;
+
   /// Joins it to a map: then all that follows is in that map's frame. Else nothing changes.
   MapJoin join(const SavedMap& map);
 
@@ -33,10 +42,12 @@ class FinishedWalk {
   [[nodiscard]] PoseGraph graph() const;
 
  private:
-  std::vector<Piece> pieces_;  // of the walk, by the odometry
-  std::vector<Pose> poses_;    // of them, corrected
-  std::vector<bool> placed_;   // whether anything holds them in the map
+  std::vector<Piece> pieces_;      // of the walk, by the odometry
+  std::vector<Pose> poses_;        // of them, corrected
+  std::vector<std::size_t> held_;  // of them, which are held together
+  std::vector<bool> placed_;       // whether anything holds them in the map
   SavedMap map_;
+  std::shared_ptr<CloudFile> clouds_;
 };
 
 }  // namespace surefoot::mapping

@@ -27,9 +27,10 @@ Frame frame_of(const std::vector<Piece>& pieces, double cell, double range) {
   Eigen::Vector2d high = -low;
   const float range2 = static_cast<float>(range * range);
   for (const Piece& piece : pieces) {
-    for (std::size_t i = 0; i < piece.points.size(); ++i) {
-      if ((piece.points[i] - piece.eyes[piece.seen_from[i]]).squaredNorm() > range2) continue;
-      const Eigen::Vector3d at = piece.T_world_piece * piece.points[i].cast<double>();
+    const auto seen = cloud_of(piece);
+    for (std::size_t i = 0; i < seen->points.size(); ++i) {
+      if ((seen->points[i] - seen->eyes[seen->seen_from[i]]).squaredNorm() > range2) continue;
+      const Eigen::Vector3d at = piece.T_world_piece * seen->points[i].cast<double>();
       low = low.cwiseMin(at.head<2>());
       high = high.cwiseMax(at.head<2>());
     }

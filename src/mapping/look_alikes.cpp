@@ -23,13 +23,15 @@ bool elsewhere(const SubmapAlignment& alignment, const Pose& fit) {
 }
 
 /// Registrations from starts on a grid about where the places fit, those that look best.
-std::vector<SubmapAlignment> slid_about(const Pose& fit, const RegistrationSubmap& place,
+std::vector<SubmapAlignment> slid_about(const Pose& fit, const VerifiableSubmap& place_seen,
                                         const RegistrationSubmap& seen) {
+  const RegistrationSubmap& place = place_seen.registration();
+  const Eigen::Quaterniond from_slope = place_seen.submap().to_slope.conjugate();
   std::vector<SubmapAlignment> found;
   for (int x = -kSteps; x <= kSteps; ++x) {
     for (int y = -kSteps; y <= kSteps; ++y) {
       Pose start = fit;
-      start.translation += kStep * Eigen::Vector3d(x, y, 0.0);
+      start.translation += from_slope * (kStep * Eigen::Vector3d(x, y, 0.0));
       const SubmapAlignment rough = align_roughly(place, seen, start);
       if (elsewhere(rough, fit)) found.push_back(rough);
     }
@@ -62,7 +64,7 @@ double overlap_slid(const LoopCheck& check, const VerifiableSubmap& place,
                     const VerifiableSubmap& seen) {
   const Pose& fit = check.alignment.T_target_source;
   double most = 0.0;
-  for (const SubmapAlignment& slid : slid_about(fit, place.registration(), seen.registration())) {
+  for (const SubmapAlignment& slid : slid_about(fit, place, seen.registration())) {
     if (!elsewhere(slid, fit)) continue;
     most = std::max(
         most, overlap_between(place.registration(), seen.registration(), slid.T_target_source));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "geometry/se3.hpp"
+#include "mapping/place_search.hpp"
 
 namespace surefoot::mapping {
 
@@ -74,6 +75,7 @@ PoseEdge edge_of(const Loop& loop) {
 }
 
 void LoopFinder::add(Piece piece) {
+  put_away(piece, options_.clouds);
   pieces_.push_back(std::move(piece));
   if (pieces_.size() < 2) return;
   odometry_.push_back(odometry_edge(pieces_, pieces_.size() - 2, options_.drift));
@@ -88,7 +90,11 @@ void LoopFinder::look_for(std::size_t query) {
   Submap submap = make_submap(pieces_, query);
   const std::vector<OffsetDescriptor> descriptors = describe_with_offsets(submap);
   const std::vector<Matrix6> drifts = drifts_to(pieces_, odometry_, query, options_.drift);
+  // Where the odometry began anew it says nothing of what lies before.
+  std::size_t stretch = query;
+  while (stretch > 0 && !pieces_[stretch].restarted) --stretch;
   const auto within_reach = [&](std::size_t place) {
+    if (place < stretch) return false;
     if (pieces_[query].way - pieces_[place].way < options_.way_between) return false;
     const double apart =
         (pieces_[query].T_world_piece.translation - pieces_[place].T_world_piece.translation)
@@ -110,8 +116,7 @@ void LoopFinder::look_for(std::size_t query) {
 void LoopFinder::verify(const PlaceIndex::Match& match, const Matrix6& drift, std::size_t query,
                         const VerifiableSubmap& seen) {
   const VerifiableSubmap place(make_submap(pieces_, match.place));
-  Pose by_descriptor = match.T_place_query;
-  by_descriptor.translation.z() = place.submap().ground - seen.submap().ground;
+  const Pose by_descriptor = rough_pose(match, place.submap(), seen.submap());
   const Pose by_odometry =
       pieces_[match.place].T_world_piece.inverse() * pieces_[query].T_world_piece;
   Loop loop;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "mapping/drift_model.hpp"
@@ -19,9 +20,10 @@ inline constexpr double kHalfStorey = 1.2;  // [m]
 struct LoopOptions {
   LoopLimits limits;
   DriftModel drift;
-  double way_between = 25.0;   ///< a place is not its own neighbour [m]
-  double near = 8.0;           ///< pieces so far apart still see the same [m]
-  std::size_t candidates = 3;  ///< of each piece that are verified
+  double way_between = 25.0;          ///< a place is not its own neighbour [m]
+  double near = 8.0;                  ///< pieces so far apart still see the same [m]
+  std::size_t candidates = 3;         ///< of each piece that are verified
+  std::shared_ptr<CloudFile> clouds;  ///< where pieces are put away; none: in memory
 };
 
 /// A candidate, what was asked of it and what came of it.
@@ -52,6 +54,7 @@ class LoopFinder {
   /// All candidates that were verified, taken or not.
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
   [[nodiscard]] const PlaceIndex& index() const { return index_; }
+  [[nodiscard]] const std::shared_ptr<CloudFile>& clouds() const { return options_.clouds; }
 
  private:
   void look_for(std::size_t query);

@@ -45,11 +45,12 @@ Undone loops_to_undo(const PoseGraph& graph, std::size_t known, const RobustSolu
 
 }  // namespace
 
-std::vector<std::size_t> keep_consistent(const PoseGraph& graph, std::vector<Loop>& loops) {
+std::vector<std::size_t> keep_consistent(const PoseGraph& graph, std::vector<Loop>& loops,
+                                         const std::function<bool(const Loop&)>& asked) {
   PoseGraph with_loops = graph;
   std::vector<std::size_t> numbers, edges;
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (loops[i].check.verdict != LoopVerdict::taken) continue;
+    if (loops[i].check.verdict != LoopVerdict::taken || (asked && !asked(loops[i]))) continue;
     numbers.push_back(i);
     edges.push_back(with_loops.edges.size());
     with_loops.edges.push_back(edge_of(loops[i]));

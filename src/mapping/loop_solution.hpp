@@ -4,6 +4,7 @@
 // A graph solved with loops that may still be false.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mapping/loop_finder.hpp"
@@ -12,8 +13,10 @@
 namespace surefoot::mapping {
 
 /// Of the loops that are taken so far, the largest set that all agree with each other over the
-/// graph's steps, two at least, by their numbers, ascending. The others are alone or outvoted.
-std::vector<std::size_t> keep_consistent(const PoseGraph& graph, std::vector<Loop>& loops);
+/// graph's steps, two at least, by their numbers, ascending. The others are alone or outvoted. Only
+/// those that are `asked`; none given: all.
+std::vector<std::size_t> keep_consistent(const PoseGraph& graph, std::vector<Loop>& loops,
+                                         const std::function<bool(const Loop&)>& asked = {});
 
 /// Adds the loops to the graph and moves its poses; undoes loops that are switched off, and those
 /// that bend an edge known to be right beyond its bounds, until none does and two at least are

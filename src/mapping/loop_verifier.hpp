@@ -60,6 +60,10 @@ struct LoopLimits {
   double gap_metres = 0.1;     ///< between registrations
   double gap_degrees = 1.0;
   int agreeing = 3;  ///< registrations, of both directions
+  double bend = kMostBent;
+  /// The query shows a part of the place alone, what was seen in a second: it has to lie on the
+  /// place, and the place need not be all in it. What else would stand there free space tells.
+  bool partial = false;
 };
 
 /// What was asked of two submaps, and the answers.
@@ -69,7 +73,7 @@ struct LoopCheck {
   double overlap = 0.0;       ///< the smaller one of both directions
   double level = 0.0;         ///< the same of what lies
   double contradicted = 0.0;  ///< the larger one
-  double bend = 0.0;          ///< the larger one: standard deviation, kLever away [m]
+  double bend = 0.0;          ///< of both together: standard deviation, kLever away [m]
   int agreeing = 0;           ///< registrations that ended at the same pose
   int started = 0;
 };

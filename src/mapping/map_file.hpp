@@ -6,6 +6,8 @@
 // or changed is refused.
 #pragma once
 
+#include <iosfwd>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,7 +20,7 @@
 namespace surefoot::mapping {
 
 struct SavedMap {
-  /// T_world_piece is the corrected pose. Points are kept to 2 mm.
+  /// T_world_piece is the corrected pose. Points are kept to 2 mm, packed away.
   std::vector<Piece> pieces;
   std::vector<PlaceDescriptor> places;  ///< one a piece
   std::vector<PoseEdge> edges;          ///< odometry and loops
@@ -29,10 +31,15 @@ class MapFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// At the stream's place, which has to be one that can be gone back to.
+void write_map(std::ostream& out, const SavedMap& map);
 [[nodiscard]] std::string format_map(const SavedMap& map);
 /// A map file of this content: with its head, the checksum in it.
 [[nodiscard]] std::string sealed(std::string_view content);
 /// Throws MapFileError that says what was seen and what was expected.
 [[nodiscard]] SavedMap parse_map(std::string_view bytes);
+/// The same of a stream's bytes from its beginning on. `clouds`: the file that it reads, where the
+/// pieces' clouds stay; none: they are kept in memory.
+[[nodiscard]] SavedMap read_map(std::istream& in, const std::shared_ptr<CloudFile>& clouds);
 
 }  // namespace surefoot::mapping

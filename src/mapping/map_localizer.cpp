@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kPieces = 2;  // finished ones that are kept besides the one being walked
 constexpr double kNearest = 8.0;    // a known pose is checked against a place so near [m]
 constexpr double kLeastStep = 0.2;  // smaller steps are no way [m]
+constexpr double kEnoughWay = 2.0;  // of the piece that is being walked, to be looked at alone [m]
+constexpr std::size_t kKept = 12;   // places of the map, some 8 MB each
 
 }  // namespace
 
@@ -68,6 +70,19 @@ bool MapLocalizer::agree(const Pose& one, const Pose& other) const {
          turn < options_.agree_degrees;
 }
 
+/// A place of the map. Those that were asked for last are kept: they are asked for again.
+std::shared_ptr<const VerifiableSubmap> MapLocalizer::submap_of(std::size_t place) {
+  const auto known = std::find_if(places_.begin(), places_.end(),
+                                  [&](const auto& entry) { return entry.first == place; });
+  if (known != places_.end()) {
+    std::rotate(known, known + 1, places_.end());
+    return places_.back().second;
+  }
+  if (places_.size() == kKept) places_.erase(places_.begin());
+  places_.emplace_back(place, std::make_shared<VerifiableSubmap>(make_submap(map_.pieces, place)));
+  return places_.back().second;
+}
+
 /// The one pose that passes every question; none if there is none, or if there are two.
 std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& here) {
   std::optional<Found> best;
@@ -75,8 +90,8 @@ std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& 
   const auto matches =
       distinct_places(index_, map_.pieces, here.seen.submap(), options_.candidates);
   for (const PlaceIndex::Match& match : matches) {
-    const VerifiableSubmap place(make_submap(map_.pieces, match.place));
-    const LoopCheck checked = check_match(match, place, here.seen, options_.limits);
+    const auto place = submap_of(match.place);
+    const LoopCheck checked = check_match(match, *place, here.seen, options_.limits);
     if (checked.verdict != LoopVerdict::taken || checked.alignment.held < 6) continue;
     const Found found{
         map_.pieces[match.place].T_world_piece * checked.alignment.T_target_source * T_here_world,
@@ -109,38 +124,50 @@ void MapLocalizer::search() {
   message_ = "found";
 }
 
-/// Registers what is seen with the map where the robot should be; the odometry's drift is taken
-/// back.
+/// The nearest place within reach; none: the map does not show it.
+std::optional<std::size_t> MapLocalizer::nearest_place(const Eigen::Vector3d& at) const {
+  std::optional<std::size_t> nearest;
+  double distance = kNearest;
+  for (std::size_t i = 0; i < map_.pieces.size(); ++i) {
+    const double apart = (map_.pieces[i].T_world_piece.translation - at).norm();
+    if (apart >= distance) continue;
+    distance = apart;
+    nearest = i;
+  }
+  return nearest;
+}
+
+/// Where the map says that the odometry's world lies, from where it was taken to lie; none if it
+/// does not show what is seen. From one start alone: the odometry has not gone far since.
+std::optional<Pose> MapLocalizer::confirmed() {
+  const auto walked = builder_.unfinished();
+  const bool enough = walked && (recent_.empty() || walked->length > kEnoughWay);
+  const Piece& piece = enough ? *walked : recent_.back();
+  const auto nearest = nearest_place(*T_map_world_ * piece.T_world_piece.translation);
+  if (!nearest) return std::nullopt;
+  // Two pieces alone: while the place is known, little time may be spent on it.
+  const RegistrationSubmap place(make_submap(map_.pieces[*nearest]));
+  const RegistrationSubmap seen(make_submap(piece));
+  const Pose& T_map_place = map_.pieces[*nearest].T_world_piece;
+  const Pose expected = T_map_place.inverse() * *T_map_world_ * piece.T_world_piece;
+  const SubmapAlignment found = align_submaps(place, seen, expected, 1);
+  const Pose T_map_world = T_map_place * found.T_target_source * piece.T_world_piece.inverse();
+  if (found.matched < options_.confirming || !agree(*T_map_world_, T_map_world)) {
+    return std::nullopt;
+  }
+  // What the registration does not hold (the way along a corridor) stays as it was.
+  return found.held == 6 ? T_map_world : *T_map_world_;
+}
+
+/// Looks at the map where the robot should be; the odometry's drift is taken back.
 void MapLocalizer::check() {
   checked_at_ = way_;
-  const Surroundings here = surroundings();
-  const Pose& T_world_here = here.T_world_seen;
-  const Pose T_map_here = *T_map_world_ * T_world_here;
-  std::size_t nearest = 0;
-  double distance = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < map_.pieces.size(); ++i) {
-    const double apart = (map_.pieces[i].T_world_piece.translation - T_map_here.translation).norm();
-    if (apart < distance) {
-      distance = apart;
-      nearest = i;
-    }
+  const std::optional<Pose> T_map_world = confirmed();
+  if (T_map_world) {
+    T_map_world_ = T_map_world;
+    succeeded_at_ = way_;
   }
-  bool succeeded = false;
-  if (distance < kNearest) {
-    const VerifiableSubmap place(make_submap(map_.pieces, nearest));
-    const Pose expected = map_.pieces[nearest].T_world_piece.inverse() * T_map_here;
-    const LoopCheck checked =
-        check_places(place, here.seen, turned_both_ways(expected), options_.limits);
-    if (checked.verdict == LoopVerdict::taken) {
-      const Pose T_map_world = map_.pieces[nearest].T_world_piece *
-                               checked.alignment.T_target_source * T_world_here.inverse();
-      succeeded = agree(*T_map_world_, T_map_world);
-      // What the registration does not hold (the way along a corridor) stays as it was.
-      if (succeeded && checked.alignment.held == 6) T_map_world_ = T_map_world;
-    }
-  }
-  message_ = succeeded ? "found" : "found; the last look at the map did not confirm it";
-  if (succeeded) succeeded_at_ = way_;
+  message_ = T_map_world ? "found" : "found; the last look at the map did not confirm it";
   if (way_ - succeeded_at_ > options_.lost_after) {
     T_map_world_.reset();
     recent_.clear();

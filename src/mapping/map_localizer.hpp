@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mapping/loop_verifier.hpp"
@@ -16,15 +18,31 @@
 
 namespace surefoot::mapping {
 
-struct LocalizerOptions {
-  PieceOptions pieces;
+/// What is asked of what was seen in a second or two.
+[[nodiscard]] inline LoopLimits part_of_a_place() {
   LoopLimits limits;
+  limits.partial = true;
+  limits.overlap = 0.6;
+  return limits;
+}
+
+/// Pieces of which fewer scans are enough.
+[[nodiscard]] inline PieceOptions sparse_pieces() {
+  PieceOptions pieces;
+  pieces.step = 0.5;
+  return pieces;
+}
+
+struct LocalizerOptions {
+  PieceOptions pieces = sparse_pieces();
+  LoopLimits limits = part_of_a_place();
   int agreeing = 3;  ///< searches in a row that must say the same
   double agree_metres = 0.3;
   double agree_degrees = 2.0;
   std::size_t candidates = 6;  ///< places that are verified in a search
   std::size_t every = 3;       ///< scans between two searches
-  double check_every = 2.5;    ///< of way, once the place is known [m]
+  double check_every = 4.0;    ///< of way, once the place is known [m]
+  double confirming = 0.4;     ///< share of what stands that lies on the map, while it is known
   double lost_after = 10.0;    ///< of way on which no check succeeded [m]
 };
 
@@ -56,12 +74,16 @@ class MapLocalizer {
   [[nodiscard]] Surroundings surroundings() const;
   void search();
   void check();
+  [[nodiscard]] std::optional<Pose> confirmed();
+  [[nodiscard]] std::optional<std::size_t> nearest_place(const Eigen::Vector3d& at) const;
+  [[nodiscard]] std::shared_ptr<const VerifiableSubmap> submap_of(std::size_t place);
   [[nodiscard]] std::optional<Found> only_place(const Surroundings& here);
   [[nodiscard]] bool agree(const Pose& one, const Pose& other) const;
 
   SavedMap map_;
   LocalizerOptions options_;
   PlaceIndex index_;
+  std::vector<std::pair<std::size_t, std::shared_ptr<const VerifiableSubmap>>> places_;
   PieceBuilder builder_;
   std::vector<Piece> recent_;  // the last piece of it is being walked
   std::vector<Pose> agreed_;   // what the last searches said

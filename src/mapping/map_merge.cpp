@@ -103,7 +103,10 @@ std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOp
       loop.query = query;
       loop.likeness = match.distance;
       loop.check = check_match(match, *place, *seen, options.limits);
-      if (taken(loop) && looks_alike(loop.check, *place, *seen, options)) {
+      const bool under_roof = place->submap().covered && seen->submap().covered;
+      if (taken(loop) && under_roof && !options.roofed) {
+        loop.check.verdict = LoopVerdict::other_storey;
+      } else if (taken(loop) && looks_alike(loop.check, *place, *seen, options)) {
         loop.check.verdict = LoopVerdict::ambiguous;
       }
       loops.push_back(loop);

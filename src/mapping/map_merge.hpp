@@ -27,6 +27,8 @@ struct MergeOptions {
   /// Over all places that both maps have seen: furniture and doors move, walls do not.
   double contradicted = 0.05;
   double overlap = 0.5;
+  /// Whether places under a roof tell how the maps lie: one storey may look like the next.
+  bool roofed = true;
 };
 
 /// What came of joining two maps.

@@ -5,35 +5,43 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
 namespace surefoot::mapping {
 
+SavedMap open_map(const std::filesystem::path& file) {
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  const std::shared_ptr<CloudFile> clouds = CloudFile::open(file);
+  if (!stream || !clouds) {
+    throw std::runtime_error(std::string("cannot read it: ") + std::strerror(errno));
+  }
+  return read_map(stream, clouds);
+}
+
 SavedMap load_map(const std::filesystem::path& path) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(path, ignored);
   const std::filesystem::path file = folder ? path / kMapFileName : path;
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
   try {
-    return parse_map(bytes);
+    return open_map(file);
   } catch (const MapFileError& error) {
     throw std::runtime_error(file.string() + " " + error.what() +
                              "; expected what surefoot map or Mapper::save() wrote");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
   }
 }
 
 void store_map(const std::filesystem::path& file, const SavedMap& map) {
   std::filesystem::path part = file;
   part += ".part";
-  const std::string bytes = format_map(map);
   std::error_code error;
   std::ofstream stream(part, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  write_map(stream, map);
   stream.close();
   if (stream) std::filesystem::rename(part, file, error);
   if (stream && !error) return;

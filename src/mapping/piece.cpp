@@ -31,6 +31,17 @@ Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& R_axes_frame
   return turn * covariance * turn.transpose();
 }
 
+std::shared_ptr<const PieceCloud> cloud_of(const Piece& piece) {
+  if (piece.stored) return std::make_shared<const PieceCloud>(piece.stored->cloud());
+  return {std::shared_ptr<void>(), &piece};
+}
+
+void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file) {
+  if (piece.stored) return;
+  piece.stored = store(piece, file);
+  static_cast<PieceCloud&>(piece) = PieceCloud{};
+}
+
 std::optional<Piece> PieceBuilder::add(const PlacedScan& scan, const DeskewedScan& points) {
   std::optional<Piece> done;
   if (begun_ && scan.restarted) {

@@ -6,10 +6,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/voxel_table.hpp"
+#include "mapping/cloud_file.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::mapping {
@@ -31,7 +33,7 @@ inline constexpr double kLever = 10.0;
 
 /// A few metres of way: what was seen from it, thinned, in the frame of the pose in its middle,
 /// made level.
-struct Piece {
+struct Piece : PieceCloud {
   std::int64_t begin_ns = 0;             ///< of its first scan
   std::int64_t stamp_ns = 0;             ///< of its middle
   Pose T_world_piece;                    ///< of its middle by the odometry, level
@@ -41,10 +43,14 @@ struct Piece {
   Matrix6 covariance = Matrix6::Zero();  ///< the front-end's, of the least certain pose in it
                                          ///< against its map; [x y z roll pitch yaw], its axes
   bool restarted = false;                ///< where it lies against the piece before is not known
-  std::vector<Eigen::Vector3f> points;   ///< [m]
-  std::vector<std::uint16_t> seen_from;  ///< of each point: which of `eyes`
-  std::vector<Eigen::Vector3f> eyes;     ///< where the LiDAR was [m]
+  /// The cloud, once it was put away; then the piece itself holds none.
+  std::shared_ptr<const StoredCloud> stored;
 };
+
+/// What was seen from a piece, wherever it is. It must not outlive the piece.
+[[nodiscard]] std::shared_ptr<const PieceCloud> cloud_of(const Piece& piece);
+/// Packs a piece's cloud away, into the file if there is one.
+void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file);
 
 struct PieceOptions {
   double length = 5.0;  ///< of way [m]

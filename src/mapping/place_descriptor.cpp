@@ -26,10 +26,12 @@ constexpr double kAside = 2.0;   // [m]
 PlaceDescriptor describe_place(const Submap& submap, const Eigen::Vector2d& centre) {
   std::array<std::uint16_t, static_cast<std::size_t>(kRings) * kSectors> slices{};
   const double rings_per_e = (kRings - 1) / std::log(kOuter / kInner);
-  for (const Eigen::Vector3f& point : submap.points) {
+  const Eigen::Matrix3f to_slope = submap.to_slope.toRotationMatrix().cast<float>();
+  for (const Eigen::Vector3f& from : submap.points) {
+    const Eigen::Vector3f point = to_slope * from;
     const double x = point.x() - centre.x();
     const double y = point.y() - centre.y();
-    const double height = point.z() - submap.ground - kLowest;
+    const double height = point.z() - submap.slope_ground - kLowest;
     const double range = std::hypot(x, y);
     if (height < 0.0 || range >= kOuter) continue;
     const int ring =

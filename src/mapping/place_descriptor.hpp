@@ -23,7 +23,7 @@ struct PlaceDescriptor {
   Eigen::Matrix<float, kRings, 1> key;
 };
 
-/// Seen from `centre` [m, the submap's frame].
+/// Seen from `centre` [m, the submap's axes on its slope].
 [[nodiscard]] PlaceDescriptor describe_place(const Submap& submap,
                                              const Eigen::Vector2d& centre = {0.0, 0.0});
 

@@ -18,11 +18,12 @@ class PlaceIndex {
   struct Match {
     std::size_t place = 0;
     double distance = 1.0;
-    Pose T_place_query;  ///< roughly; without the height
+    Pose T_place_query;  ///< roughly, of the axes on their slopes; without the height
   };
 
   /// Places are numbered in the order in which they come.
   void add(const PlaceDescriptor& descriptor) { places_.push_back(descriptor); }
+  [[nodiscard]] const PlaceDescriptor& place(std::size_t number) const { return places_[number]; }
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
   /// The `most` places that look most alike, the best first; `allowed` says which may be.

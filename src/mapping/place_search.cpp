@@ -30,6 +30,14 @@ std::vector<PlaceIndex::Match> distinct_places(const PlaceIndex& index,
   return result;
 }
 
+Pose rough_pose(const PlaceIndex::Match& match, const Submap& place, const Submap& seen) {
+  Pose on_slopes = match.T_place_query;
+  on_slopes.translation.z() = place.slope_ground - seen.slope_ground;
+  const Pose T_slope_place{place.to_slope, Eigen::Vector3d::Zero()};
+  const Pose T_slope_seen{seen.to_slope, Eigen::Vector3d::Zero()};
+  return T_slope_place.inverse() * on_slopes * T_slope_seen;
+}
+
 std::vector<Pose> turned_both_ways(const Pose& pose) {
   constexpr double kTurn = 6.0 * std::numbers::pi / 180.0;  // a sector of the descriptors
   std::vector<Pose> result;
@@ -43,8 +51,7 @@ std::vector<Pose> turned_both_ways(const Pose& pose) {
 
 LoopCheck check_match(const PlaceIndex::Match& match, const VerifiableSubmap& place,
                       const VerifiableSubmap& seen, const LoopLimits& limits) {
-  Pose rough = match.T_place_query;
-  rough.translation.z() = place.submap().ground - seen.submap().ground;
+  const Pose rough = rough_pose(match, place.submap(), seen.submap());
   return check_places(place, seen, turned_both_ways(rough), limits);
 }
 

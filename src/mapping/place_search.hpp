@@ -19,6 +19,10 @@ namespace surefoot::mapping {
                                                              const std::vector<Piece>& pieces,
                                                              const Submap& seen, std::size_t most);
 
+/// T_place_query as the descriptors say it, on the ground that both stand on.
+[[nodiscard]] Pose rough_pose(const PlaceIndex::Match& match, const Submap& place,
+                              const Submap& seen);
+
 /// From where registration starts about a rough pose: there, and turned a little both ways.
 [[nodiscard]] std::vector<Pose> turned_both_ways(const Pose& pose);
 

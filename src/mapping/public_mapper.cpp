@@ -43,6 +43,7 @@ void Mapper::finish() {
   if (state_->finished) throw std::logic_error("Mapper: finish() was called before");
   state_->mapper.finish();
   state_->finished.emplace(state_->mapper);
+  state_->finished->drop_moved();
 }
 
 JoinReport Mapper::join(const std::filesystem::path& map) {

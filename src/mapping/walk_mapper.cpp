@@ -5,8 +5,23 @@
 #include <algorithm>
 
 #include "mapping/loop_solution.hpp"
+#include "mapping/stretches.hpp"
 
 namespace surefoot::mapping {
+
+namespace {
+
+LoopOptions with_file(LoopOptions options, const std::filesystem::path& folder) {
+  if (!options.clouds) options.clouds = CloudFile::make(folder);
+  return options;
+}
+
+}  // namespace
+
+WalkMapper::WalkMapper(const MapperOptions& options)
+    : options_(options),
+      builder_(options.pieces),
+      finder_(with_file(options.loops, options.folder)) {}
 
 void WalkMapper::add(const PlacedScan& scan, const DeskewedScan& points) {
   if (auto piece = builder_.add(scan, points)) finder_.add(std::move(*piece));
@@ -20,7 +35,27 @@ void WalkMapper::finish() {
   for (const Piece& piece : pieces()) graph_.poses.push_back(piece.T_world_piece);
   graph_.edges = finder_.odometry();
   graph_.systematic = systematic_drift(options_.loops.drift);
-  if (options_.close_loops) take_loops(graph_, loops_, keep_consistent(graph_, loops_));
+  if (options_.close_loops) close_loops();
+}
+
+/// Within stretches that the odometry knows whole, then between them. Where it began anew nothing
+/// limits where the robot can be: there as much is asked as of maps of different days, and under a
+/// roof no storey is told from the next.
+void WalkMapper::close_loops() {
+  std::vector<std::size_t> chosen;
+  const std::vector<std::size_t> stretches = stretches_of(pieces());
+  for (std::size_t stretch = 0; !stretches.empty() && stretch <= stretches.back(); ++stretch) {
+    const std::vector<std::size_t> agreeing = keep_consistent(
+        graph_, loops_, [&](const Loop& loop) { return stretches[loop.query] == stretch; });
+    chosen.insert(chosen.end(), agreeing.begin(), agreeing.end());
+  }
+  take_loops(graph_, loops_, chosen);
+  MergeOptions joining;
+  joining.limits = options_.loops.limits;
+  joining.drift = options_.loops.drift;
+  joining.roofed = false;
+  const std::vector<Loop> between = join_stretches(pieces(), finder_.index(), graph_, joining);
+  loops_.insert(loops_.end(), between.begin(), between.end());
 }
 
 std::size_t WalkMapper::taken() const {

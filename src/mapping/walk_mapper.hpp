@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "mapping/loop_finder.hpp"
@@ -18,6 +19,9 @@ struct MapperOptions {
   PieceOptions pieces;
   LoopOptions loops;
   bool close_loops = true;
+  /// Where the file without a name is made in which what was seen is put away; empty: where
+  /// temporary files go.
+  std::filesystem::path folder;
 };
 
 /// Corrected from odometry, T_world_odometry, at an instant: smooth between the pieces, whose
@@ -27,8 +31,7 @@ struct MapperOptions {
 
 class WalkMapper {
  public:
-  explicit WalkMapper(const MapperOptions& options)
-      : options_(options), builder_(options.pieces), finder_(options.loops) {}
+  explicit WalkMapper(const MapperOptions& options);
 
   /// A scan that was registered, in the order in which they came.
   void add(const PlacedScan& scan, const DeskewedScan& points);
@@ -38,6 +41,10 @@ class WalkMapper {
   void finish();
 
   [[nodiscard]] const std::vector<Piece>& pieces() const { return finder_.pieces(); }
+  /// Where what was seen is put away; none: in memory.
+  [[nodiscard]] const std::shared_ptr<CloudFile>& clouds() const { return finder_.clouds(); }
+  /// What they look like, each; after finish().
+  [[nodiscard]] const PlaceIndex& places() const { return finder_.index(); }
   /// Every candidate; after finish() with its final verdict.
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
   [[nodiscard]] std::size_t taken() const;
@@ -47,6 +54,8 @@ class WalkMapper {
   [[nodiscard]] Pose correction(std::int64_t stamp_ns) const;
 
  private:
+  void close_loops();
+
   MapperOptions options_;
   PieceBuilder builder_;
   LoopFinder finder_;

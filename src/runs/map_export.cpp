@@ -23,7 +23,8 @@ template <typename T>
 std::vector<Eigen::Vector3<T>> points_of(const mapping::SavedMap& map) {
   std::vector<Eigen::Vector3<T>> points;
   for (const mapping::Piece& piece : map.pieces) {
-    for (const Eigen::Vector3f& point : piece.points) {
+    const auto cloud = mapping::cloud_of(piece);
+    for (const Eigen::Vector3f& point : cloud->points) {
       points.emplace_back((piece.T_world_piece * point.cast<double>()).cast<T>());
     }
   }
@@ -39,7 +40,8 @@ io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wante
   origin = origin.array().round();
   std::vector<Eigen::Vector3f> points;
   for (const mapping::Piece& piece : map.pieces) {
-    for (const Eigen::Vector3f& point : piece.points) {
+    const auto cloud = mapping::cloud_of(piece);
+    for (const Eigen::Vector3f& point : cloud->points) {
       points.emplace_back((piece.T_world_piece * point.cast<double>() - origin).cast<float>());
     }
   }

@@ -43,6 +43,7 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
   }
   io::write_whole_file(folder / kLoopsFile, loops_csv(mapper_, truth ? &*truth : nullptr));
   mapping::FinishedWalk walk(mapper_);
+  walk.drop_moved();
   if (continued_) join(folder, walk, outcome);
   const bool apart = outcome.join && !outcome.join->joined;
   if (save) write_saved_map(folder / (apart ? kApartMapFile : kSavedMapFile), walk.map());
@@ -81,9 +82,22 @@ void MapRun::write_points(const std::filesystem::path& folder, const mapping::Fi
   const mapping::MapBuilder moved = map.corrected([&](double time) {
     return walk.correction(first_stamp_ns_.value_or(0) + std::llround(1e9 * time));
   });
-  const std::vector<io::PlyColumn> columns = {{"intensity", moved.intensities()},
-                                              {"first_seen", moved.first_seen()}};
-  io::write_ply(folder / kOptimizedMapFile, moved.points(), columns);
+  std::vector<std::int64_t> stamps;
+  for (const float time : moved.first_seen()) {
+    stamps.push_back(first_stamp_ns_.value_or(0) + std::llround(1e9 * static_cast<double>(time)));
+  }
+  const std::vector<bool> gone = walk.moved(moved.points(), stamps);
+  std::vector<float> intensities, first_seen;
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    if (gone[i]) continue;
+    points.push_back(moved.points()[i]);
+    first_seen.push_back(moved.first_seen()[i]);
+    if (!moved.intensities().empty()) intensities.push_back(moved.intensities()[i]);
+  }
+  const std::vector<io::PlyColumn> columns = {{"intensity", intensities},
+                                              {"first_seen", first_seen}};
+  io::write_ply(folder / kOptimizedMapFile, points, columns);
 }
 
 }  // namespace surefoot::runs

@@ -52,6 +52,21 @@ struct Shares {
   [[nodiscard]] double of(double part) const { return from + part * (to - from); }
 };
 
+constexpr std::int64_t kTruthStep = 10'000'000;  // [ns] between these a robot moves evenly
+
+/// Poses so far apart, at least: a truth may be finer than what it is asked for, and as large as
+/// all else that is kept.
+Trajectory every(std::int64_t step_ns, const Trajectory& trajectory) {
+  Trajectory result;
+  for (const StampedPose& pose : trajectory) {
+    const bool last = &pose == &trajectory.back();
+    if (result.empty() || last || pose.stamp_ns - result.back().stamp_ns >= step_ns) {
+      result.push_back(pose);
+    }
+  }
+  return result;
+}
+
 // A reference's: the odometry takes about half the time, and the passes most of the rest.
 constexpr Shares kOdometry{0.0, 0.5}, kPasses{0.5, 0.85}, kWriting{0.85, 1.0};
 
@@ -381,12 +396,14 @@ void OdometryRun::begin_map() {
   const std::filesystem::path file = truth_beside(options_.input);
   Trajectory truth;
   try {
-    if (!file.empty()) truth = io::read_tum(file);
+    if (!file.empty()) truth = every(kTruthStep, io::read_tum(file));
   } catch (const io::ReadError& error) {
     listener_.say(fmt::format("loops are not judged: {}", error.what()));
   }
   mapping::MapperOptions options;
   options.close_loops = !options_.no_loops;
+  options.loops.candidates = options_.loop_candidates;
+  options.folder = outcome_.folder;
   map_run_.emplace(options, std::move(truth), std::move(continued_));
 }
 

@@ -48,6 +48,7 @@ struct RunOptions {
   bool reference = false;           ///< of all scans at once; the recording is read twice
   bool loop_closure = false;        ///< also find loops, and write what they correct
   bool no_loops = false;            ///< they are found, but move nothing
+  std::size_t loop_candidates = 3;  ///< places that are compared with each piece of way
   bool save_map = false;            ///< also the map to come back to
   std::filesystem::path localize;   ///< a saved map (file or folder) to say poses in; empty: none
   std::filesystem::path continued;  ///< a saved map (file or folder) to go on with; empty: none

@@ -2,19 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include "runs/saved_map.hpp"
 
-#include <cstddef>
-#include <string_view>
-#include <vector>
+#include <stdexcept>
 
 #include "io/file_reader.hpp"
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
+#include "mapping/map_on_disk.hpp"
 #include "runs/run_files.hpp"
 
 namespace surefoot::runs {
 
 void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap& map) {
-  io::write_whole_file(file, mapping::format_map(map));
+  try {
+    mapping::store_map(file, map);
+  } catch (const std::runtime_error& error) {
+    throw io::WriteError(error.what());
+  }
 }
 
 std::filesystem::path saved_map_file(const std::filesystem::path& path) {
@@ -23,15 +26,15 @@ std::filesystem::path saved_map_file(const std::filesystem::path& path) {
 
 mapping::SavedMap read_saved_map(const std::filesystem::path& path) {
   const std::filesystem::path file = saved_map_file(path);
-  std::vector<std::byte> bytes;
   try {
-    io::read_whole_file(file, bytes);
-    return mapping::parse_map(
-        std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    io::require_regular_file(file);
+    return mapping::open_map(file);
   } catch (const io::ReadError& error) {
     throw io::ReadError(file.string() + ": " + error.what());
   } catch (const mapping::MapFileError& error) {
     throw io::ReadError(file.string() + " " + error.what() + "; expected what surefoot map wrote");
+  } catch (const std::runtime_error& error) {
+    throw io::ReadError(file.string() + ": " + error.what());
   }
 }
 

@@ -67,6 +67,7 @@ class KnotFrontEnd : public FrontEnd {
     int agreed = 0;                // scans that say so
   };
 
+  [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);
   Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] KnotProblem problem(const KnotEnd& begin) const;
   [[nodiscard]] Registered register_next(const PreparedScan& scan,

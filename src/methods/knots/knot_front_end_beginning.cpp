@@ -8,6 +8,7 @@
 
 #include "core/health.hpp"
 #include "core/level.hpp"
+#include "geometry/se3.hpp"
 #include "methods/knots/knot_front_end.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -30,14 +31,25 @@ double speed(const Twist& velocity) { return velocity.head<3>().norm(); }
 
 }  // namespace
 
+/// Where a map begins. After a search in vain its tilt is anyone's guess, and it is made level
+/// again.
+Pose KnotFrontEnd::beginning_pose(const PreparedScan& scan) {
+  if (!last_pose_) return level_pose(scan.points, config_.level, level_);
+  const Pose& predicted = end_.prior.means[1];
+  if (!search_ || config_.level.mode == LevelMode::none) return predicted;
+  LevelReport again;
+  const Pose level = level_pose(scan.points, config_.level, again);
+  return {upright(predicted).rotation * upright(level).rotation.inverse() * level.rotation,
+          predicted.translation};
+}
+
 /// The first scan, or the first after too many lost ones: the map begins with it.
 Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned) {
   session_.begin_step(Step::map);
   Estimate estimate;
   estimate.status = Status::first_scan;
-  const Pose T_map_lidar =
-      last_pose_ ? end_.prior.means[1] : level_pose(scan.points, config_.level, level_);
+  const Pose T_map_lidar = beginning_pose(scan);
   estimate.message = last_pose_ ? "the map begins anew at the predicted pose" : level_.message;
   if (last_pose_) ++segment_;
   if (last_pose_) estimate.covariance = unregistered_covariance(config_.health);

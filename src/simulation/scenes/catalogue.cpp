@@ -23,6 +23,9 @@ const std::vector<SceneEntry>& scene_catalogue() {
       {"storeys", "four storeys that look alike, round each up and down", &storeys},
       {"bays", "hall of equal bays, up and down its aisles", &bays},
       {"street", "two blocks of equal houses, a figure eight round them", &street},
+      {"town", "four streets round a block, 1.3 km a lap", &town},
+      {"quarter", "seven streets, a figure eight round their two blocks", &quarter},
+      {"avenue", "a bent street, out and back on its other side, 1 km", &avenue},
   };
   return entries;
 }

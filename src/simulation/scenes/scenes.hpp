@@ -25,5 +25,9 @@ namespace surefoot::simulation {
 [[nodiscard]] Scene storeys(const SceneSeeds& seeds);
 [[nodiscard]] Scene bays(const SceneSeeds& seeds);
 [[nodiscard]] Scene street(const SceneSeeds& seeds);
+// Longer than any local map is wide.
+[[nodiscard]] Scene town(const SceneSeeds& seeds);
+[[nodiscard]] Scene quarter(const SceneSeeds& seeds);
+[[nodiscard]] Scene avenue(const SceneSeeds& seeds);
 
 }  // namespace surefoot::simulation

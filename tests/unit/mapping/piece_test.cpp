@@ -21,24 +21,51 @@ PlacedScan scan_at(double x, double sigma_pitch) {
   return scan;
 }
 
-/// One scan that may be placed badly bends the piece, and every submap with that piece in it.
-TEST(Piece, IsAsUncertainAsItsLeastCertainScan) {
+/// Pieces of a straight way; one scan in the first is as uncertain as told.
+std::vector<Piece> pieces_with(double sigma_pitch) {
   PieceBuilder builder{PieceOptions{}};
   DeskewedScan points;
   points.points = {{1.0F, 0.0F, 0.0F}};
   std::vector<Piece> pieces;
   for (int i = 0; i <= 60; ++i) {
-    const double x = 0.25 * i;
-    if (auto piece = builder.add(scan_at(x, i == 7 ? 0.03 : 0.001), points)) {
+    if (auto piece = builder.add(scan_at(0.25 * i, i == 7 ? sigma_pitch : 0.001), points)) {
       pieces.push_back(*piece);
     }
   }
+  return pieces;
+}
+
+/// One scan that may be placed badly bends the piece, and every submap with that piece in it.
+TEST(Piece, IsAsUncertainAsItsLeastCertainScan) {
+  const std::vector<Piece> pieces = pieces_with(0.005);
   ASSERT_GE(pieces.size(), 3U);
   // The world's y axis is the piece's x axis: it is turned by 90 degrees.
-  EXPECT_NEAR(pieces[0].covariance(3, 3), 0.03 * 0.03, 1e-9);
+  EXPECT_NEAR(pieces[0].covariance(3, 3), 0.005 * 0.005, 1e-9);
   EXPECT_NEAR(pieces[1].covariance(3, 3), 1e-6, 1e-9);
-  EXPECT_NEAR(make_submap(pieces, 1).covariance(3, 3), 0.03 * 0.03, 1e-9);
+  EXPECT_NEAR(make_submap(pieces, 1).covariance(3, 3), 0.005 * 0.005, 1e-9);
   EXPECT_NEAR(make_submap(pieces, 2).covariance(3, 3), 1e-6, 1e-9);
+}
+
+/// Three degrees would bend the submap beyond what a loop may be off: it ends before.
+TEST(Piece, ThatIsBentEndsASubmap) {
+  const std::vector<Piece> pieces = pieces_with(0.05);
+  EXPECT_NEAR(make_submap(pieces, 1).covariance(3, 3), 1e-6, 1e-9);
+  EXPECT_LT(make_submap(pieces, 1).points.size(), make_submap(pieces_with(0.005), 1).points.size());
+  EXPECT_NEAR(make_submap(pieces, 0).covariance(3, 3), 0.05 * 0.05, 1e-9) << "its own stays";
+}
+
+/// Put away, it is the same but for the last millimetres.
+TEST(Piece, ThatIsPutAwayIsStillThere) {
+  std::vector<Piece> pieces = pieces_with(0.001);
+  const std::size_t points = make_submap(pieces, 1).points.size();
+  for (const auto& file : {CloudFile::make({}), std::shared_ptr<CloudFile>()}) {
+    std::vector<Piece> away = pieces;
+    for (Piece& piece : away) put_away(piece, file);
+    EXPECT_TRUE(away[1].points.empty());
+    const auto cloud = cloud_of(away[1]);
+    ASSERT_EQ(cloud->points.size(), pieces[1].points.size());
+    EXPECT_EQ(make_submap(away, 1).points.size(), points);
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "mapping/finished_walk.hpp"
 #include "mapping/map_localizer.hpp"
 #include "mapping/pose_graph_solver.hpp"
+#include "mapping/stretches.hpp"
 #include "unit/mapping/scene_walk.hpp"
 
 namespace surefoot::mapping {
@@ -173,6 +174,33 @@ TEST(WalkMapperTest, BaysThatLookAlikeAreNotTakenForEachOther) {
   const WalkMapper mapper = mapped(walk);
   EXPECT_FALSE(mapper.loops().empty());
   expect_no_false_loop(walk, mapper);
+}
+
+/// What agrees before a beginning anew does not outvote what agrees after it.
+TEST(WalkMapperTest, StretchesKeepLoopsOfTheirOwn) {
+  if (!has_solver()) GTEST_SKIP() << "built without Ceres";
+  WalkOptions options;
+  options.length = 150.0;
+  SceneWalk walk = test::walk_through("plaza", 47, options);
+  const SceneWalk campus = test::walk_through("campus", 46, options);
+  const std::size_t first = walk.scans.size();
+  for (std::size_t i = 0; i < campus.scans.size(); ++i) {
+    walk.scans.push_back(campus.scans[i]);
+    walk.scans.back().stamp_ns += static_cast<std::int64_t>(first) * 500'000'000;
+    walk.scans.back().restarted = i == 0;
+    walk.points.push_back(campus.points[i]);
+    walk.truth.push_back(campus.truth[i]);
+  }
+  const WalkMapper mapper = mapped(walk);
+  const std::vector<std::size_t> stretches = stretches_of(mapper.pieces());
+  std::vector<std::size_t> taken(2, 0);
+  for (const Loop& loop : mapper.loops()) {
+    if (loop.check.verdict != LoopVerdict::taken) continue;
+    EXPECT_EQ(stretches[loop.place], stretches[loop.query]);
+    ++taken[stretches[loop.query]];
+  }
+  EXPECT_GE(taken[0], 2U);
+  EXPECT_GE(taken[1], 2U);
 }
 
 TEST(WalkMapperTest, TheSameWalkGivesTheSameBits) {

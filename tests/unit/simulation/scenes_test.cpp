@@ -126,7 +126,7 @@ TEST(LayoutTest, EveryLayoutCanBeWalked) {
                            "rubble", "plaza", "foyer", "storeys", "bays", "street"}) {
     for (std::uint64_t layout = 1; layout <= 12; ++layout) expect_walkable(name, layout);
   }
-  for (const char* name : {"hillside", "hilltop", "forest-path"}) {
+  for (const char* name : {"hillside", "hilltop", "forest-path", "town", "quarter", "avenue"}) {
     for (std::uint64_t layout = 1; layout <= 3; ++layout) expect_walkable(name, layout);
   }
 }

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/cloud_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+namespace surefoot::mapping {
+
+namespace {
+
+/// Where temporary files go that may be large: /tmp may be memory.
+std::filesystem::path temporary_folder() {
+  if (const char* wanted = std::getenv("TMPDIR"); wanted != nullptr && *wanted != '\0') {
+    return wanted;
+  }
+  std::error_code ignored;
+  return std::filesystem::is_directory("/var/tmp", ignored) ? "/var/tmp" : "/tmp";
+}
+
+}  // namespace
+
+std::shared_ptr<CloudFile> CloudFile::make(const std::filesystem::path& folder) {
+  std::string name = ((folder.empty() ? temporary_folder() : folder) / "surefoot-XXXXXX").string();
+  const int handle = ::mkostemp(name.data(), O_CLOEXEC);
+  if (handle < 0) return nullptr;
+  ::unlink(name.c_str());
+  return std::shared_ptr<CloudFile>(new CloudFile(handle));
+}
+
+std::shared_ptr<CloudFile> CloudFile::open(const std::filesystem::path& file) {
+  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return nullptr;
+  return std::shared_ptr<CloudFile>(new CloudFile(handle));
+}
+
+CloudFile::~CloudFile() { ::close(handle_); }
+
+bool CloudFile::append(std::string_view bytes, std::uint64_t& at) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t written = ::pwrite(handle_, bytes.data() + done, bytes.size() - done,
+                                     static_cast<off_t>(end_ + done));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    done += static_cast<std::size_t>(written);
+  }
+  at = end_;
+  end_ += bytes.size();
+  return true;
+}
+
+std::string CloudFile::read(std::uint64_t at, std::size_t size) const {
+  std::string bytes(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t got =
+        ::pread(handle_, bytes.data() + done, size - done, static_cast<off_t>(at + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) {
+      throw std::runtime_error(std::string("a map's points cannot be read any more: ") +
+                               (got < 0 ? std::strerror(errno) : "the file has become shorter"));
+    }
+    done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+std::shared_ptr<const StoredCloud> store(const PieceCloud& cloud,
+                                         const std::shared_ptr<CloudFile>& file) {
+  std::string bytes = pack(cloud);
+  std::uint64_t at = 0;
+  if (file && file->append(bytes, at)) {
+    return std::make_shared<const StoredCloud>(file, at, bytes.size());
+  }
+  return std::make_shared<const StoredCloud>(std::move(bytes));
+}
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What was seen from one piece of way, and through from others: it came, or went. Asked over a
+// whole map, of what was seen before and after, on the same visit or another.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/voxel_table.hpp"
+#include "mapping/piece.hpp"
+#include "mapping/pose_graph.hpp"
+
+namespace surefoot::mapping {
+
+/// Where something stood above the ground when a piece was walked, and what beams went through.
+class PieceSight {
+ public:
+  explicit PieceSight(const Piece& piece);
+
+  enum class Saw { nothing, empty, something };
+  /// [m] the piece's frame.
+  [[nodiscard]] Saw at(const Eigen::Vector3d& place) const;
+
+ private:
+  [[nodiscard]] bool stands_about(const Eigen::Vector3i& cube) const;
+
+  VoxelTable standing_;
+  VoxelTable passed_;  // index into passes_
+  std::vector<std::uint8_t> passes_;
+};
+
+class MovedThings {
+ public:
+  /// The pieces stand where they belong, those of the same `held` against each other, and outlive
+  /// this.
+  MovedThings(const std::vector<Piece>& pieces, std::vector<std::size_t> held)
+      : pieces_(pieces), held_(std::move(held)) {}
+
+  /// Of points that were seen from a piece, in its frame [m], those that have moved away: two
+  /// others at least saw through where they are, later than anybody saw something there; or at any
+  /// time, where no other saw anything there at all. The ground never does. Pieces stand in the
+  /// order in which they were walked.
+  [[nodiscard]] std::vector<bool> gone(std::size_t piece,
+                                       const std::vector<Eigen::Vector3f>& points);
+
+ private:
+  [[nodiscard]] std::shared_ptr<const PieceSight> sight(std::size_t piece);
+  [[nodiscard]] std::vector<std::size_t> witnesses(std::size_t piece) const;
+
+  const std::vector<Piece>& pieces_;
+  std::vector<std::size_t> held_;
+  std::vector<std::pair<std::size_t, std::shared_ptr<const PieceSight>>> kept_;
+};
+
+/// Of each piece of a graph, which are held together: the same number.
+[[nodiscard]] std::vector<std::size_t> held_together(const PoseGraph& graph);
+
+/// Drops what has moved away from the pieces' clouds.
+void drop_moved(std::vector<Piece>& pieces, MovedThings& moved,
+                const std::shared_ptr<CloudFile>& file);
+
+}  // namespace surefoot::mapping

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A wall that is always there, and a post in front of it that is not.
+#include "mapping/moved_things.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace surefoot::mapping {
+namespace {
+
+constexpr float kEye = 0.5F;
+
+/// Seen from a place on the way along x: ground, a wall at y = 6, and the post at (3, 3) or not.
+Piece look(int number, bool post) {
+  Piece piece;
+  piece.stamp_ns = number * std::int64_t{2'000'000'000};
+  piece.begin_ns = piece.stamp_ns - 1'000'000'000;
+  piece.T_world_piece.translation = {static_cast<double>(number), 0.0, 0.0};
+  piece.eyes = {{0.0F, 0.0F, kEye}};
+  const auto see = [&](float x, float y, float z) {
+    piece.points.emplace_back(x - static_cast<float>(number), y, z);
+    piece.seen_from.push_back(0);
+  };
+  for (float x = -6.0F; x < 12.0F; x += 0.1F) {
+    for (float y = -5.0F; y < 6.0F; y += 0.5F) see(x, y, 0.0F);
+    for (float z = 0.1F; z < 3.0F; z += 0.1F) see(x, 6.0F, z);
+  }
+  for (float side = 2.8F; post && side < 3.3F; side += 0.1F) {
+    for (float z = 0.1F; z < 1.8F; z += 0.1F) see(side, 3.0F, z);
+  }
+  return piece;
+}
+
+std::vector<Piece> walk(const std::vector<bool>& post) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < post.size(); ++i) {
+    pieces.push_back(look(static_cast<int>(i), post[i]));
+  }
+  return pieces;
+}
+
+/// How many points of the post, and of all else, are gone from a piece.
+struct Gone {
+  std::size_t post = 0, rest = 0;
+};
+Gone gone_from(const std::vector<Piece>& pieces, std::size_t piece,
+               std::vector<std::size_t> held = {}) {
+  if (held.empty()) held.assign(pieces.size(), 0);
+  MovedThings moved(pieces, held);
+  const std::vector<bool> gone = moved.gone(piece, pieces[piece].points);
+  Gone result;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    const bool of_post = pieces[piece].points[i].y() == 3.0F && pieces[piece].points[i].z() > 0.05F;
+    (of_post ? result.post : result.rest) += gone[i] ? 1 : 0;
+  }
+  return result;
+}
+
+TEST(MovedThings, WhatWentLaterIsGone) {
+  const std::vector<Piece> pieces = walk({true, true, false, false, false});
+  EXPECT_GT(gone_from(pieces, 0).post, 60U);
+  EXPECT_GT(gone_from(pieces, 1).post, 60U);
+  EXPECT_EQ(gone_from(pieces, 1).rest, 0U);
+}
+
+TEST(MovedThings, WhatWasThereForAMomentIsGoneThoughNobodyLookedAgain) {
+  const std::vector<Piece> pieces = walk({false, false, false, true});
+  EXPECT_GT(gone_from(pieces, 3).post, 60U);
+  EXPECT_EQ(gone_from(pieces, 3).rest, 0U);
+}
+
+TEST(MovedThings, WhatCameAndStayedIsThere) {
+  const std::vector<Piece> pieces = walk({false, false, true, true, true});
+  for (std::size_t piece = 2; piece < 5; ++piece) EXPECT_EQ(gone_from(pieces, piece).post, 0U);
+}
+
+TEST(MovedThings, WhatAlwaysStandsIsThereAndOneWitnessIsNotEnough) {
+  const std::vector<Piece> always = walk({true, true, true, true});
+  for (std::size_t piece = 0; piece < 4; ++piece) {
+    EXPECT_EQ(gone_from(always, piece).post, 0U);
+    EXPECT_EQ(gone_from(always, piece).rest, 0U);
+  }
+  EXPECT_EQ(gone_from(walk({true, false}), 0).post, 0U);
+}
+
+/// Where a piece lies against another is not known: what it saw tells nothing.
+TEST(MovedThings, OnlyPiecesThatAreHeldTogetherTell) {
+  const std::vector<Piece> pieces = walk({true, false, false, false});
+  EXPECT_GT(gone_from(pieces, 0, {0, 0, 0, 0}).post, 60U);
+  EXPECT_EQ(gone_from(pieces, 0, {0, 1, 1, 1}).post, 0U);
+  PoseGraph graph;
+  graph.poses.resize(3);
+  PoseEdge edge;
+  edge.to = 1;
+  graph.edges = {edge};
+  EXPECT_EQ(held_together(graph), (std::vector<std::size_t>{0, 0, 2}));
+}
+
+TEST(MovedThings, AreDroppedFromTheClouds) {
+  std::vector<Piece> pieces = walk({true, false, false, false});
+  const std::size_t before = pieces[0].points.size();
+  const std::vector<Piece> as_seen = pieces;
+  MovedThings moved(as_seen, {0, 0, 0, 0});
+  drop_moved(pieces, moved, nullptr);
+  EXPECT_LT(cloud_of(pieces[0])->points.size(), before - 60);
+  EXPECT_EQ(cloud_of(pieces[2])->points.size(), as_seen[2].points.size());
+}
+
+}  // namespace
+}  // namespace surefoot::mapping
