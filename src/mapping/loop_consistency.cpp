@@ -112,8 +112,16 @@ class CliqueSearch {
   std::vector<std::size_t> find() {
     std::vector<std::size_t> all(agree_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<std::ptrdiff_t> degrees;
+    for (const std::size_t vertex : all) degrees.push_back(degree(vertex));
     std::stable_sort(all.begin(), all.end(),
-                     [this](std::size_t a, std::size_t b) { return degree(a) > degree(b); });
+                     [&](std::size_t a, std::size_t b) { return degrees[a] > degrees[b]; });
+    // Mostly they all agree: then there is nothing to search for.
+    for (const std::size_t vertex : all) {
+      const bool joins = std::all_of(best_.begin(), best_.end(),
+                                     [&](std::size_t other) { return agree_[vertex][other]; });
+      if (joins) best_.push_back(vertex);
+    }
     expand(all);
     std::sort(best_.begin(), best_.end());
     return best_;
@@ -212,6 +220,19 @@ std::vector<std::vector<bool>> pairwise_agreement(const PoseGraph& graph,
       result[i][k] = result[k][i] = agree(chain, graph.edges[loops[i]], covariances[i],
                                           graph.edges[loops[k]], covariances[k]);
     }
+  }
+  return result;
+}
+
+std::vector<bool> agreement_of(const PoseGraph& graph,
+                               const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+  const Chain chain(graph);
+  std::vector<bool> result;
+  for (const auto& [one, other] : pairs) {
+    const PoseEdge& a = graph.edges[one];
+    const PoseEdge& b = graph.edges[other];
+    result.push_back(
+        agree(chain, a, covariance_of(a.information), b, covariance_of(b.information)));
   }
   return result;
 }

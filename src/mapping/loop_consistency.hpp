@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "mapping/pose_graph.hpp"
@@ -22,6 +23,10 @@ namespace surefoot::mapping {
 /// Which of the edges `loops` agree with each other, asked of all pairs.
 [[nodiscard]] std::vector<std::vector<bool>> pairwise_agreement(
     const PoseGraph& graph, const std::vector<std::size_t>& loops);
+
+/// The same of the pairs asked, by their numbers among the graph's edges.
+[[nodiscard]] std::vector<bool> agreement_of(
+    const PoseGraph& graph, const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
 
 /// The largest set of vertices that all agree with each other, ascending. `agree` is symmetric.
 /// Exact up to some millions of steps, else the best set found by then.

@@ -41,6 +41,12 @@ RobustSolution solve_robustly(PoseGraph& graph, double bound) {
     solve(graph);
     if (largest() <= bound) return result;
   }
+  // Where all of them can be met at once none is false, and the rounds below would say the same.
+  PoseGraph met = graph;
+  solve(met);
+  std::swap(met.poses, graph.poses);
+  if (largest() <= bound) return result;
+  std::swap(met.poses, graph.poses);
   double mu = bound / std::max(2.0 * worst - bound, bound);
   for (; result.rounds < kMostRounds; ++result.rounds, mu *= kSharpen) {
     bool decided = true;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
+#include "mapping/loop_solution.hpp"
 #include "support/random.hpp"
 
 namespace surefoot::mapping {
@@ -124,6 +126,44 @@ TEST(LoopConsistency, LoopsBetweenPlacesApartAgreeAsTheirMotionsSay) {
 }
 
 /// Against all subsets.
+/// More loops than are asked in pairs: the others are judged by those that agree.
+TEST(KeepConsistent, OfManyLoopsKeepsTheRightOnes) {
+  constexpr std::size_t kLap = 900;
+  const Pose step{Eigen::Quaterniond(
+                      Eigen::AngleAxisd(2.0 * 3.14159265358979 / kLap, Eigen::Vector3d::UnitZ())),
+                  {5.0, 0.0, 0.0}};
+  PoseGraph graph;
+  graph.poses.emplace_back();
+  for (std::size_t i = 0; i + 1 < 2 * kLap; ++i) {
+    graph.poses.push_back(graph.poses.back() * step);
+    PoseEdge edge;
+    edge.from = i;
+    edge.to = i + 1;
+    edge.T_from_to = step;
+    edge.information = 1e6 * Matrix6::Identity();
+    graph.edges.push_back(edge);
+  }
+  std::vector<Loop> loops(kLap);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < kLap; ++i) {
+    loops[i].place = i;
+    loops[i].query = i + kLap;
+    loops[i].check.verdict = LoopVerdict::taken;
+    loops[i].check.overlap = 0.5 + 0.0001 * static_cast<double>(i % 7);
+    loops[i].check.alignment.information = 400.0 * Matrix6::Identity();
+    if (i % 9 != 4) continue;
+    loops[i].check.alignment.T_target_source.translation = {3.0 + 0.01 * static_cast<double>(i),
+                                                            -1.0, 0.0};
+    ++wrong;
+  }
+  const std::vector<std::size_t> kept = keep_consistent(graph, loops);
+  EXPECT_EQ(kept.size(), kLap - wrong);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  for (std::size_t i = 0; i < kLap; ++i) {
+    EXPECT_EQ(loops[i].check.verdict, i % 9 == 4 ? LoopVerdict::outvoted : LoopVerdict::taken) << i;
+  }
+}
+
 TEST(LargestClique, IsTheLargest) {
   std::mt19937 random(4);
   for (int round = 0; round < 30; ++round) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mapping/place_index.hpp"
+#include "mapping/place_search.hpp"
 #include "support/random.hpp"
 
 namespace surefoot::mapping {
@@ -30,7 +31,7 @@ Submap place(unsigned seed) {
     }
   }
   submap.eyes.assign(submap.points.size(), Eigen::Vector3f::Zero());
-  submap.ground = -0.4;
+  submap.ground = submap.slope_ground = -0.4;
   return submap;
 }
 
@@ -97,6 +98,45 @@ TEST(PlaceIndexTest, AsksOnlyWhereItMay) {
       describe_with_offsets(place(3)), [](std::size_t i) { return i != 3; }, 9);
   EXPECT_EQ(matches.size(), 4U);
   for (const auto& match : matches) EXPECT_NE(match.place, 3U);
+}
+
+/// The world is tilted as the odometry began; the place is the same on its ground.
+TEST(PlaceSearchTest, APlaceInATiltedWorldIsTheSameOnItsGround) {
+  Piece level;
+  level.points = place(6).points;
+  level.seen_from.assign(level.points.size(), 0);
+  level.eyes = {Eigen::Vector3f::Zero()};
+  const Eigen::Quaterniond tilt = from_roll_pitch_yaw({0.2, -0.15, 0.0});
+  Piece tilted = level;
+  for (Eigen::Vector3f& point : tilted.points) point = tilt.cast<float>() * point;
+  const Submap one = make_submap(level);
+  const Submap other = make_submap(tilted);
+  EXPECT_LT(one.to_slope.angularDistance(Eigen::Quaterniond::Identity()), 0.01);
+  EXPECT_NEAR(other.slope_ground, -0.4, 0.05);
+  const DescriptorDistance found = distance_between(describe_place(one), describe_place(other));
+  EXPECT_LT(found.distance, 0.4);
+  PlaceIndex index;
+  index.add(describe_place(one));
+  const auto matches = index.search(
+      describe_with_offsets(other), [](std::size_t) { return true; }, 1);
+  ASSERT_EQ(matches.size(), 1U);
+  const Pose rough = rough_pose(matches.front(), one, other);
+  EXPECT_LT(rough.rotation.angularDistance(tilt.conjugate()), 0.12);
+  EXPECT_LT(rough.translation.norm(), 2.1);
+}
+
+/// Stairs and heaps are no plane that a place could stand on.
+TEST(PlaceSearchTest, WhereNoGroundLiesInAPlaneItStaysAsItIs) {
+  Random random(8);
+  Piece piece;
+  for (int i = 0; i < 4000; ++i) {
+    piece.points.push_back(
+        random.vector(1.0).cwiseProduct(Eigen::Vector3d(8.0, 8.0, 3.0)).cast<float>());
+  }
+  piece.seen_from.assign(piece.points.size(), 0);
+  piece.eyes = {Eigen::Vector3f::Zero()};
+  const Submap submap = make_submap(piece);
+  EXPECT_LT(submap.to_slope.angularDistance(Eigen::Quaterniond::Identity()), 0.35);
 }
 
 }  // namespace

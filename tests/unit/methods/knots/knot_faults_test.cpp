@@ -244,5 +244,23 @@ TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {
   }
 }
 
+/// Which way is up was lost, too: the ground tells.
+TEST(KnotFaults, ASegmentThatBeginsAfterASearchIsLevelAgain) {
+  Config config;
+  config.knots.search_scans = 5;
+  Odometry odometry(config);
+  std::vector<Scan> scans = walk_scans();
+  const Eigen::Quaternionf tilt(Eigen::AngleAxisf(0.3F, Eigen::Vector3f::UnitX()));
+  for (int i = kEvent; i < kFaultScans; ++i) {
+    for (Eigen::Vector3f& point : scans[static_cast<std::size_t>(i)].points) {
+      point = tilt.conjugate() * Eigen::Vector3f(2.5F * point.x(), 0.4F * point.y(), point.z());
+    }
+  }
+  const auto all = add_scans(odometry, scans);
+  ASSERT_EQ(all.back().segment, 1) << statuses(all);
+  const Eigen::Vector3d ground = tilt.cast<double>().conjugate() * Eigen::Vector3d::UnitZ();
+  EXPECT_GT((all.back().T_world_lidar.rotation * ground).z(), std::cos(0.05)) << statuses(all);
+}
+
 }  // namespace
 }  // namespace surefoot
