@@ -98,7 +98,6 @@ std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& 
         checked.overlap};
     if (best && !agree(best->T_map_world, found.T_map_world)) {
       message_ = "not found yet: several places fit";
-      agreed_.clear();
       return std::nullopt;
     }
     if (!best || found.overlap > best->overlap) best = found;
@@ -109,7 +108,10 @@ std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& 
 
 void MapLocalizer::search() {
   const auto found = only_place(surroundings());
-  if (!found) return;  // where several fit, they were forgotten; where none does, nothing is denied
+  if (!found) {
+    agreed_.clear();
+    return;
+  }
   if (!agreed_.empty() && !agree(agreed_.back(), found->T_map_world)) agreed_.clear();
   agreed_.push_back(found->T_map_world);
   if (static_cast<int>(agreed_.size()) < options_.agreeing) {

@@ -22,7 +22,7 @@ namespace surefoot::mapping {
 [[nodiscard]] inline LoopLimits part_of_a_place() {
   LoopLimits limits;
   limits.partial = true;
-  limits.overlap = 0.6;
+  limits.overlap = 0.65;
   return limits;
 }
 
@@ -36,7 +36,7 @@ namespace surefoot::mapping {
 struct LocalizerOptions {
   PieceOptions pieces = sparse_pieces();
   LoopLimits limits = part_of_a_place();
-  int agreeing = 3;  ///< searches that must say the same, none another between them
+  int agreeing = 4;  ///< searches in a row that must say the same
   double agree_metres = 0.3;
   double agree_degrees = 2.0;
   std::size_t candidates = 6;  ///< places that are verified in a search
