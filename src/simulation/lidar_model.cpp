@@ -117,6 +117,28 @@ LidarModel os1_64_model() {
   return model;
 }
 
+/// Ouster OS1-128 at 1024 columns and 10 Hz: 128 beams evenly over 42.4 degrees, as its data sheet
+/// has it, and the azimuths and the distance of the beams' origin as one says of itself (the
+/// OS1-128 of ../shared/data/ouster_os1, whose own elevations are within a degree of these). Else
+/// as the one of 64 beams.
+LidarModel os1_128_model() {
+  constexpr int kBeams = 128;
+  constexpr double kHighestDeg = 21.2;
+  constexpr std::array<double, 4> kAzimuthDeg = {4.2, 1.4, -1.4, -4.2};
+  LidarModel model = os1_64_model();
+  model.name = "os1-128";
+  model.lasers.clear();
+  for (int beam = 0; beam < kBeams; ++beam) {
+    const double elevation_deg = kHighestDeg * (1.0 - 2.0 * beam / (kBeams - 1));
+    model.lasers.push_back(
+        {.elevation = elevation_deg * kDegree,
+         .azimuth_offset = kAzimuthDeg[static_cast<std::size_t>(beam % 4)] * kDegree});
+  }
+  model.radial_origin = 0.015806;
+  model.min_range = 0.5;
+  return model;
+}
+
 /// Hesai PandarXT-16 at 600 rpm: a column every 50 us (0.18 deg), channels 3.024 us apart, the
 /// first 6 us after the column begins ("PandarXT-16_Firetime Correction File.csv" of
 /// github.com/HesaiTechnology/HesaiLidar_SDK_2.0), topmost first, every second elevation of the
@@ -155,7 +177,8 @@ LidarModel with_rings(LidarModel model) {
 }  // namespace
 
 const std::vector<std::string>& lidar_names() {
-  static const std::vector<std::string> names = {"vlp16", "vlp32", "os1-64", "hesai-xt16"};
+  static const std::vector<std::string> names = {"vlp16", "vlp32", "os1-64", "os1-128",
+                                                 "hesai-xt16"};
   return names;
 }
 
@@ -163,6 +186,7 @@ LidarModel lidar_model(const std::string& name) {
   if (name == "vlp16") return with_rings(vlp16_model());
   if (name == "vlp32") return with_rings(vlp32_model());
   if (name == "os1-64") return with_rings(os1_64_model());
+  if (name == "os1-128") return with_rings(os1_128_model());
   if (name == "hesai-xt16") return with_rings(hesai_xt16_model());
   std::string known;
   for (const std::string& other : lidar_names()) known += (known.empty() ? "" : ", ") + other;

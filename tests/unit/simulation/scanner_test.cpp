@@ -60,18 +60,21 @@ struct PublishedLaser {
 
 TEST(LidarModelTest, LasersAreTheMakersToTheDigit) {
   // VeloView-VLP-32C.yaml (azimuth: rot_correction with the other sign); ouster-sdk, design values
-  // of the first generation; "PandarXT-16_Firetime Correction File.csv" and pandarXT.h.
-  const std::array<PublishedLaser, 20> published = {
-      {{"vlp32", 0, -25.0, 1.4, 0.0},        {"vlp32", 1, -1.0, -4.2, 0.0},
-       {"vlp32", 3, -15.639, -1.4, 2.304},   {"vlp32", 6, -0.667, 4.2, 6.912},
-       {"vlp32", 13, 1.333, -1.4, 13.824},   {"vlp32", 20, -3.333, 4.2, 23.04},
-       {"vlp32", 29, 15.0, -1.4, 32.256},    {"vlp32", 31, -1.333, -1.4, 34.56},
-       {"os1-64", 0, 16.611, 3.164, 0.0},    {"os1-64", 2, 15.557, -1.055, 0.0},
-       {"os1-64", 19, 6.592, -3.164, 0.0},   {"os1-64", 31, 0.264, -3.164, 0.0},
-       {"os1-64", 32, -0.264, 3.164, 0.0},   {"os1-64", 45, -7.119, 1.055, 0.0},
-       {"os1-64", 63, -16.611, -3.164, 0.0}, {"hesai-xt16", 0, 15.0, 0.0, 6.0},
-       {"hesai-xt16", 1, 13.0, 0.0, 9.024},  {"hesai-xt16", 7, 1.0, 0.0, 27.168},
-       {"hesai-xt16", 8, -1.0, 0.0, 30.192}, {"hesai-xt16", 15, -15.0, 0.0, 51.36}}};
+  // of the first generation; "PandarXT-16_Firetime Correction File.csv" and pandarXT.h;
+  // the OS1-128's elevations are even.
+  const std::array<PublishedLaser, 23> published = {
+      {{"os1-128", 0, 21.2, 4.2, 0.0},       {"os1-128", 63, 0.1669291338582, -4.2, 0.0},
+       {"os1-128", 127, -21.2, -4.2, 0.0},   {"vlp32", 0, -25.0, 1.4, 0.0},
+       {"vlp32", 1, -1.0, -4.2, 0.0},        {"vlp32", 3, -15.639, -1.4, 2.304},
+       {"vlp32", 6, -0.667, 4.2, 6.912},     {"vlp32", 13, 1.333, -1.4, 13.824},
+       {"vlp32", 20, -3.333, 4.2, 23.04},    {"vlp32", 29, 15.0, -1.4, 32.256},
+       {"vlp32", 31, -1.333, -1.4, 34.56},   {"os1-64", 0, 16.611, 3.164, 0.0},
+       {"os1-64", 2, 15.557, -1.055, 0.0},   {"os1-64", 19, 6.592, -3.164, 0.0},
+       {"os1-64", 31, 0.264, -3.164, 0.0},   {"os1-64", 32, -0.264, 3.164, 0.0},
+       {"os1-64", 45, -7.119, 1.055, 0.0},   {"os1-64", 63, -16.611, -3.164, 0.0},
+       {"hesai-xt16", 0, 15.0, 0.0, 6.0},    {"hesai-xt16", 1, 13.0, 0.0, 9.024},
+       {"hesai-xt16", 7, 1.0, 0.0, 27.168},  {"hesai-xt16", 8, -1.0, 0.0, 30.192},
+       {"hesai-xt16", 15, -15.0, 0.0, 51.36}}};
   for (const PublishedLaser& expected : published) {
     const LidarModel model = lidar_model(expected.lidar);
     const Laser& laser = model.lasers.at(expected.laser);
@@ -83,6 +86,8 @@ TEST(LidarModelTest, LasersAreTheMakersToTheDigit) {
   EXPECT_EQ(lidar_model("vlp32").lasers.size(), 32U);
   EXPECT_EQ(lidar_model("os1-64").lasers.size(), 64U);
   EXPECT_EQ(lidar_model("hesai-xt16").lasers.size(), 16U);
+  EXPECT_EQ(lidar_model("os1-128").lasers.size(), 128U);
+  EXPECT_DOUBLE_EQ(lidar_model("os1-128").radial_origin, 0.015806);
   EXPECT_DOUBLE_EQ(lidar_model("vlp32").range_unit, 0.004);
   EXPECT_NEAR(lidar_model("vlp32").lasers[0].vertical_origin, 0.019771, 1e-6);  // 42.4 mm, -25 deg
   EXPECT_DOUBLE_EQ(lidar_model("hesai-xt16").range_unit, 0.004);
