@@ -67,6 +67,7 @@ class PacketStream final : public ScanStream {
 
   void end() {
     ended_ = true;
+    last_ = Clock::now();  // only now is it known that the last scan is complete
     intake_.scans().finish();
     if (writer_) writer_->flush();
     if (intake_.scans().lost() > 0) {

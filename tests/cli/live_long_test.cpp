@@ -110,6 +110,25 @@ TEST(LiveUnderLoad, KeepsUpOrSaysWhatItDropped) {
   }
 }
 
+#ifdef SUREFOOT_HAS_SIMULATION
+/// Ten scans a second of 128 beams on one core.
+TEST(LiveUnderLoad, ADenseSensorsScansAreAllUsedOnOneCore) {
+  const ScratchFolder scratch;
+  const ProcessResult made =
+      run_surefoot({"simulate", "campus", "--lidar", "os1-128", "--scans", "60", "--seed", "7",
+                    "--format", "mcap", "-q", "-o", "walk"},
+                   scratch.path());
+  ASSERT_EQ(made.exit_code, 0) << made;
+  const OneCore one_core;
+  const ProcessResult live = run_surefoot({"live", "--replay", "walk/recording.mcap", "--threads",
+                                           "1", "-o", "live", "--no-report", "--no-picture"},
+                                          scratch.path());
+  ASSERT_EQ(live.exit_code, 0) << live;
+  std::cout << live.output;
+  EXPECT_NE(live.output.find("60 scans, 0 dropped"), std::string::npos) << live;
+}
+#endif
+
 /// Packets between malformed datagrams, as fast as they are used.
 class Soak : public testing::Test {
  protected:
