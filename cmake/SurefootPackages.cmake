@@ -7,11 +7,11 @@
 # python3-surefoot  the Python module
 set(doc ${CMAKE_INSTALL_DATADIR}/doc)
 
-# Pages are made by the program itself, which has to run on this machine.
-if(SUREFOOT_APP AND NOT CMAKE_CROSSCOMPILING)
+# Pages are made by the program itself, which has to run on this machine, be it under an emulator.
+if(SUREFOOT_APP AND (NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR))
   set(manual ${PROJECT_BINARY_DIR}/manual)
   add_custom_command(OUTPUT ${manual}/surefoot.1.gz
-    COMMAND ${CMAKE_COMMAND} -D program=$<TARGET_FILE:surefoot_app> -D folder=${manual}
+    COMMAND ${CMAKE_COMMAND} "-D program=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:surefoot_app>" -D folder=${manual}
             -P ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake
     DEPENDS surefoot_app ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake VERBATIM)
   add_custom_target(surefoot_manual ALL DEPENDS ${manual}/surefoot.1.gz)
@@ -19,6 +19,15 @@ if(SUREFOOT_APP AND NOT CMAKE_CROSSCOMPILING)
     FILES_MATCHING PATTERN "*.1.gz")
   install(FILES ${manual}/surefoot.bash RENAME surefoot COMPONENT tools
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endif()
+# Of a live run as a service, which nothing starts by itself; and examples of Python.
+if(SUREFOOT_APP)
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/surefoot-live.service DESTINATION lib/systemd/system COMPONENT tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/live.env DESTINATION ${doc}/surefoot/examples COMPONENT tools)
+endif()
+if(TARGET surefoot_python)
+  file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/python/*.py)
+  install(FILES ${examples} DESTINATION ${doc}/python3-surefoot/examples COMPONENT python)
 endif()
 
 set(CPACK_COMPONENTS_ALL dev)
@@ -42,6 +51,10 @@ set(CPACK_PACKAGE_CONTACT "The Surefoot authors <maintainers@users.noreply.h-see
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(CMAKE_CROSSCOMPILING)  # it looks at this machine's: packaging/cross_arm64 says what is needed
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
+  string(REPLACE aarch64 arm64 CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${CMAKE_SYSTEM_PROCESSOR})
+endif()
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

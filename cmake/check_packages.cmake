@@ -36,6 +36,23 @@ foreach(package ${packages})
     endif()
   endforeach()
 endforeach()
+# What comes with the program and the module.
+function(expect_content name)
+  file(GLOB package ${folder}/1/${name}_*.deb)
+  if(package)
+    execute_process(COMMAND ${dpkg_deb} --contents ${package} OUTPUT_VARIABLE content)
+    foreach(wanted ${ARGN})
+      if(NOT content MATCHES "${wanted}")
+        message(SEND_ERROR "${name} has no ${wanted}:\n${content}")
+      endif()
+    endforeach()
+  endif()
+endfunction()
+expect_content(surefoot /usr/bin/surefoot /usr/lib/systemd/system/surefoot-live.service
+  /usr/share/doc/surefoot/examples/live.env /usr/share/man/man1/surefoot-live.1.gz
+  /usr/share/bash-completion/completions/surefoot)
+expect_content(python3-surefoot /surefoot/evalio_datasets.py /surefoot/_core.pyi
+  /usr/share/doc/python3-surefoot/examples/odometry.py)
 list(SORT names)
 list(SORT expected)
 if(NOT "${names}" STREQUAL "${expected}")
