@@ -9,6 +9,10 @@ function(surefoot_common target)
   if(SUREFOOT_HARDENED)
     surefoot_harden(${target})
   endif()
+  if(SUREFOOT_SAME_BITS AND CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64|ARM64")
+    # By the compiler, and by what Eigen looks at.
+    target_compile_options(${target} PRIVATE -ffp-contract=off -U__ARM_FEATURE_FMA)
+  endif()
 endfunction()
 
 # As dpkg-buildflags has it with hardening=+all; a position-independent program is the rule anyway.

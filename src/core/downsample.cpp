@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/voxel_key.hpp"
+#include "geometry/float_sums.hpp"
 
 namespace surefoot {
 
@@ -26,7 +27,7 @@ Candidate make_candidate(const Eigen::Vector3f& point, std::uint32_t at, double 
                          double inverse_voxel) {
   const VoxelIndex index = voxel_index(point.cast<double>(), inverse_voxel);
   const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * voxel;
-  return {hash_key(voxel_key(index)), at, (point - centre.cast<float>()).squaredNorm()};
+  return {hash_key(voxel_key(index)), at, squared_norm(point - centre.cast<float>())};
 }
 
 /// The best candidate of each voxel whose key begins with some bits: an open-addressing hash table.

@@ -9,6 +9,7 @@
 #include "core/downsample.hpp"
 #include "core/voxel_key.hpp"
 #include "geometry/decompositions.hpp"
+#include "geometry/float_sums.hpp"
 #include "geometry/so3.hpp"
 
 namespace surefoot {
@@ -42,7 +43,7 @@ struct Plane {
 std::vector<Eigen::Vector3d> thin_nearby(const std::vector<Eigen::Vector3f>& points) {
   std::vector<Eigen::Vector3d> nearby;
   for (const Eigen::Vector3f& point : downsample(points, kThinning)) {
-    if (static_cast<double>(point.norm()) < kReach) nearby.push_back(point.cast<double>());
+    if (static_cast<double>(norm(point)) < kReach) nearby.push_back(point.cast<double>());
   }
   return nearby;
 }
@@ -102,7 +103,7 @@ std::vector<Eigen::Vector3f> turned(const std::vector<Eigen::Vector3f>& points,
   const Eigen::Matrix3f R = rotation.toRotationMatrix().cast<float>();
   std::vector<Eigen::Vector3f> result;
   result.reserve(points.size());
-  for (const Eigen::Vector3f& point : points) result.emplace_back(R * point);
+  for (const Eigen::Vector3f& point : points) result.push_back(product(R, point));
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include "core/preprocess.hpp"
+#include "geometry/float_sums.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -67,7 +68,7 @@ std::vector<T> chosen(const std::vector<T>& values, const std::vector<std::uint3
 std::string check_extent(const PreparedScan& prepared, double min_extent) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& point : prepared.points) box.extend(point);
-  const double diagonal = static_cast<double>(box.diagonal().norm());
+  const double diagonal = static_cast<double>(norm(box.diagonal()));
   if (diagonal >= min_extent) return {};
   return "scan's points lie within " + std::to_string(diagonal) +
          " m; expected an extent of at least " + std::to_string(min_extent) + " m";

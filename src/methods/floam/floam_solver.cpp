@@ -21,10 +21,10 @@ constexpr double kLineRatio = 3.0;       // largest eigenvalue against the secon
 constexpr double kPlaneTolerance = 0.2;  // [m] of a plane's neighbours
 
 /// Ceres' Huber loss rho(r^2) and its derivative.
-struct Loss {
+struct HuberLoss {
   double value, slope;
 };
-Loss huber(double squared) {
+HuberLoss huber(double squared) {
   if (squared <= kHuber * kHuber) return {squared, 1.0};
   const double norm = std::sqrt(squared);
   return {2.0 * kHuber * norm - kHuber * kHuber, kHuber / norm};
@@ -38,7 +38,7 @@ Linearisation<6> linearise(const std::vector<FloamResidual>& residuals, const Po
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d placed = R * residuals[i].point + T.translation;
       const Eigen::Matrix<double, 1, 1> r(floam_residual(residuals[i], placed));
-      const Loss loss = huber(r.squaredNorm());
+      const HuberLoss loss = huber(r.squaredNorm());
       sum.equations.add<1>(floam_jacobian(residuals[i], placed), r, loss.slope);
       sum.cost += 0.5 * loss.value;
     }
@@ -62,7 +62,7 @@ Scatter scatter_of(std::span<const Eigen::Vector3d, 5> neighbours) {
 }
 
 /// Norm of the seven parameters: unit quaternion and translation.
-double parameter_norm(const Pose& T) { return std::sqrt(1.0 + T.translation.squaredNorm()); }
+double pose_norm(const Pose& T) { return std::sqrt(1.0 + T.translation.squaredNorm()); }
 
 }  // namespace
 
@@ -123,7 +123,7 @@ FloamSolution solve_floam(const std::vector<FloamResidual>& residuals, const Pos
                           const Workers& workers) {
   const auto minimum = minimise<6>(
       T_map_lidar, kMaxSteps, [&](const Pose& T) { return linearise(residuals, T, workers); },
-      [](const Pose& T, const Twist& delta) { return se3_exp(delta) * T; }, parameter_norm);
+      [](const Pose& T, const Twist& delta) { return se3_exp(delta) * T; }, pose_norm);
   return {minimum.state, minimum.here.equations, minimum.steps, minimum.converged};
 }
 

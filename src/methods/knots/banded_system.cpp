@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geometry/triangular_solves.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -52,7 +54,7 @@ bool BandedSystem::factorise() {
     blocks_[i][0] = llt.matrixL();
     const std::size_t below = std::min(kBand, n - 1 - i);
     for (std::size_t d = 1; d <= below; ++d) {  // L_ji = H_ji L_ii^-T
-      llt.matrixU().solveInPlace<Eigen::OnTheRight>(blocks_[i][d]);
+      solve_from_right(blocks_[i][0], blocks_[i][d]);
     }
     for (std::size_t a = 1; a <= below; ++a) {
       for (std::size_t b = a; b <= below; ++b) {
@@ -87,7 +89,8 @@ Eigen::Matrix<double, 12, 12> BandedSystem::last_two_information() const {
   L.topLeftCorner<6, 6>() = before[0].triangularView<Eigen::Lower>();
   L.bottomLeftCorner<6, 6>() = before[1];
   L.bottomRightCorner<6, 6>() = blocks_.back()[0].triangularView<Eigen::Lower>();
-  return L * L.transpose();
+  return L.lazyProduct(
+      L.transpose());  // in one order on every machine, as a product by blocks is not
 }
 
 BandedSystem::Covariance BandedSystem::covariance() const {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include "methods/knots/beams.hpp"
+#include "geometry/float_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -158,14 +159,14 @@ void Beams::find_clear() {
 
 bool Beams::may_pass(const Eigen::Vector3f& place) const {
   const Eigen::Vector3f d = place - sensor_.cast<float>();
-  const float squared = d.squaredNorm();
+  const float squared = squared_norm(d);
   if (squared < kNear * kNear || squared > kFar * kFar) return false;
   return clear2_[cell_of(direction_of(d))] > squared;
 }
 
 Beams::Answer Beams::at(const Eigen::Vector3d& place) const {
   const Eigen::Vector3f d = (place - sensor_).cast<float>();
-  const float squared = d.squaredNorm();
+  const float squared = squared_norm(d);
   if (squared < kNear * kNear || squared > kFar * kFar) return Answer::none;
   const int cell = cell_of(direction_of(d));
   if (squared < free2_[cell]) return Answer::free;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/triangular_solves.hpp"
 #include "methods/knots/segment_sum.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -71,7 +72,7 @@ double dependence_of(const std::vector<SegmentSum>& sums, const NormalEquations<
   // What six degrees of freedom have been fitted to varies less than it would have.
   const double clusters = 3.0 * static_cast<double>(sums.size());
   const double freedom = clusters / std::max(clusters - 6.0, 1.0);
-  const double ratio = freedom * solver.solve(B).trace() / (6.0 * variance);  // [K21]
+  const double ratio = freedom * solve(solver, B).trace() / (6.0 * variance);  // [K21]
   return std::isfinite(ratio) ? ratio : 1.0 / independence;
 }
 

@@ -83,7 +83,7 @@ std::vector<PlaceFit> grid_of(const SearchRegion& region, const Grain& grain) {
   const int turns = static_cast<int>(std::min(region.turn, std::numbers::pi) / grain.turn);
   for (int x = -reach; x <= reach; ++x) {
     for (int y = -reach; y <= reach; ++y) {
-      if (std::hypot(x, y) * grain.step > region.radius) continue;
+      if (std::sqrt(x * x + y * y) * grain.step > region.radius) continue;
       for (int turn = -turns; turn <= turns; ++turn) {
         places.push_back({moved(region.centre, x * grain.step, y * grain.step, turn * grain.turn)});
       }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
+#include "geometry/float_sums.hpp"
 
 namespace surefoot {
 
@@ -35,7 +36,8 @@ SurfelMoments::RaySpread SurfelMoments::ray_spread(double size, double ring_gap)
   spread.across[0] = spread.mean.cross(spread.across[1]);
   const double reach = std::min(ring_gap, size / std::sqrt(squared_ranges_ / count_));
   const double evenly = std::max(reach * reach / 12.0, 1e-12);
-  const double middle = 0.5 * (uu + vv), wide = std::hypot(0.5 * (uu - vv), uv);
+  // libm's hypot is another one on other machines.
+  const double middle = 0.5 * (uu + vv), wide = std::sqrt(0.25 * (uu - vv) * (uu - vv) + uv * uv);
   spread.left_out[0] = std::clamp(1.0 - (middle - wide) / evenly, 0.0, 1.0);
   spread.left_out[1] = std::clamp(1.0 - (middle + wide) / evenly, 0.0, 1.0);
   return spread;
@@ -97,7 +99,7 @@ Surfel SurfelMoments::fit(const Eigen::Vector3d& middle, double size,
     surfel.along[i].variance = static_cast<float>(std::max(eigen.values[i], 0.0));
   }
   if (surfel.cloud()) weigh(surfel, rays, next_ring, size, config);
-  if (surfel.along[0].across.dot(ray_sum_) > 0.0F) surfel.along[0].across *= -1.0F;
+  if (dot(surfel.along[0].across, ray_sum_) > 0.0F) surfel.along[0].across *= -1.0F;
   return surfel;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/information.hpp"
+#include "geometry/triangular_solves.hpp"
 #include "methods/paper/robust_weight.hpp"
 
 namespace surefoot {
@@ -69,10 +70,11 @@ PlaneSum sum_planes(Source& source, const LocalMap& map, const Pose& T_map_lidar
 Matrix6 pose_covariance(const PlaneSum& sum, const Config::Health& config) {
   const double variance = std::max(sum.equations.rms() * sum.equations.rms(), 1e-8);
   const Matrix6 prior = unregistered_covariance(config).inverse();
-  const Matrix6 independent = (sum.equations.H / variance + prior).llt().solve(Matrix6::Identity());
+  const Matrix6 independent = inverse(Eigen::LLT<Matrix6>(sum.equations.H / variance + prior));
   const Eigen::Matrix<double, 6, kSectors> sectors = independent * sum.sector_g / variance;
   const Twist disagreement = sectors.rowwise().sum();
-  return independent + sectors * sectors.transpose() + disagreement * disagreement.transpose();
+  return independent + Matrix6(sectors.lazyProduct(sectors.transpose())) +
+         disagreement * disagreement.transpose();
 }
 
 }  // namespace

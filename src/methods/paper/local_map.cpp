@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "geometry/decompositions.hpp"
+#include "geometry/float_sums.hpp"
 
 namespace surefoot {
 
@@ -106,7 +107,7 @@ bool LocalMap::crowded(std::uint32_t voxel, const Eigen::Vector3f& local) const 
   const float* const x = block(voxel);
   for (std::size_t i = 0; i < counts_[voxel]; ++i) {
     const Eigen::Vector3f other(x[i], x[stride_ + i], x[2 * stride_ + i]);
-    if ((other - local).squaredNorm() < min_spacing2_) return true;
+    if (squared_norm(other - local) < min_spacing2_) return true;
   }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/float_sums.hpp"
 #include "methods/paper/coupled.hpp"
 #include "methods/paper/horizontal.hpp"
 #include "methods/paper/vertical.hpp"
@@ -31,7 +32,7 @@ struct KnownNearest {
 KnownNearest nearest_known(const Nearby& nearby, const Eigen::Vector3f& moved) {
   KnownNearest best;
   for (int i = 0; i < nearby.count; ++i) {
-    const float squared = (nearby.offsets[i] - moved).squaredNorm();
+    const float squared = squared_norm(nearby.offsets[i] - moved);
     if (squared < best.distance) best = {&nearby.offsets[i], squared};
   }
   best.distance = std::sqrt(best.distance);
@@ -47,7 +48,7 @@ Match find_match(const LocalMap& map, const Eigen::Vector3d& place, double max_d
   Eigen::Vector3f moved = (place - search.place).cast<float>();
   KnownNearest nearest = nearest_known(search.nearby, moved);
   const float wanted = std::min(nearest.distance, limit);
-  if (!(wanted <= search.nearby.clearance - moved.norm())) {
+  if (!(wanted <= search.nearby.clearance - norm(moved))) {
     search = {place, map.nearby(place, static_cast<double>(wanted) + kSearchMargin)};
     moved.setZero();
     nearest = nearest_known(search.nearby, moved);

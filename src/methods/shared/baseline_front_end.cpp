@@ -9,6 +9,7 @@
 #include "core/information.hpp"
 #include "core/level.hpp"
 #include "geometry/so3.hpp"
+#include "geometry/triangular_solves.hpp"
 
 namespace surefoot {
 
@@ -82,7 +83,7 @@ Matrix6 BaselineFrontEnd::covariance(const Alignment& alignment, const Pose& T_m
   const Matrix6 H = B.transpose() * equations.H * B;
   const double variance = std::max(equations.rms() * equations.rms(), 1e-8);
   const Matrix6 prior = unregistered_covariance(config().health).inverse();
-  return (H / variance + prior).llt().solve(Matrix6::Identity());
+  return inverse(Eigen::LLT<Matrix6>(H / variance + prior));
 }
 
 Estimate BaselineFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) {
