@@ -4,6 +4,7 @@
 // surefoot live for long, and under load.
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -111,21 +112,35 @@ TEST(LiveUnderLoad, KeepsUpOrSaysWhatItDropped) {
 }
 
 #ifdef SUREFOOT_HAS_SIMULATION
-/// Ten scans a second of 128 beams on one core.
-TEST(LiveUnderLoad, ADenseSensorsScansAreAllUsedOnOneCore) {
+/// Of the programs that were started and have ended [s].
+double processor_time() {
+  rusage used{};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
+/// Ten scans a second of 128 beams on one core: that it drops none where nothing else is at work
+/// there is measured (docs/results/measure_live); here, that it needs much less than the core has.
+TEST(LiveUnderLoad, ADenseSensorsScansNeedLessThanOneCoreHas) {
   const ScratchFolder scratch;
+  constexpr double kScans = 60.0, kPeriod = 0.1;
   const ProcessResult made =
       run_surefoot({"simulate", "campus", "--lidar", "os1-128", "--scans", "60", "--seed", "7",
                     "--format", "mcap", "-q", "-o", "walk"},
                    scratch.path());
   ASSERT_EQ(made.exit_code, 0) << made;
   const OneCore one_core;
-  const ProcessResult live = run_surefoot({"live", "--replay", "walk/recording.mcap", "--threads",
-                                           "1", "-o", "live", "--no-report", "--no-picture"},
-                                          scratch.path());
+  const double before = processor_time();
+  const ProcessResult live =
+      run_surefoot({"live", "--replay", "walk/recording.mcap", "--threads", "1", "--queue", "100",
+                    "-o", "live", "--no-report", "--no-picture"},
+                   scratch.path());
+  const double taken = processor_time() - before;
   ASSERT_EQ(live.exit_code, 0) << live;
-  std::cout << live.output;
+  std::cout << live.output << taken << " s of the processor\n";
   EXPECT_NE(live.output.find("60 scans, 0 dropped"), std::string::npos) << live;
+  EXPECT_LT(taken, 0.7 * kScans * kPeriod);
 }
 #endif
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 from pathlib import Path
 from typing import Any, Callable, Optional, Union
@@ -33,6 +34,23 @@ class Run:
 
     def __repr__(self) -> str:
         return f"<Run of method {self.method}: {len(self.scans['stamp_ns'])} scans in {self.folder}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: what was run, and how it went."""
+        statuses = [str(status) for status in self.scans["status"]]
+        rows = {
+            "recording": str(self.input),
+            "method": self.method,
+            "scans": str(len(statuses)),
+            **{status: str(statuses.count(status)) for status in dict.fromkeys(statuses)},
+            "poses": str(len(self.trajectory)),
+            "map": f"{len(self.map_points):,} points",
+            "folder": str(self.folder),
+        }
+        cells = "".join(
+            f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows.items()
+        )
+        return f"<table>{cells}</table>"
 
     def plot(self, truth: Optional[_core.Trajectory] = None, map_points: int = 50_000) -> Any:
         """Draws map and path from above and height over time; returns matplotlib's figure.

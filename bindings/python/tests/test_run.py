@@ -94,6 +94,21 @@ class RunTest(unittest.TestCase):
         run = surefoot.read_run(out)
         self.assertEqual(len(run.scans["stamp_ns"]), 3)
 
+    def test_scans_are_a_table_of_pandas(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("no pandas here")
+        table = pandas.DataFrame(self.run_made.scans)
+        self.assertEqual(len(table), 10)
+        self.assertEqual(set(table.status), {"first_scan", "ok"})
+        self.assertGreater(table.points.min(), 1000)
+
+    def test_a_notebook_shows_what_came_of_it(self):
+        shown = self.run_made._repr_html_()
+        for row in ("<th>scans</th><td>10</td>", "<th>first_scan</th><td>1</td>", "<th>method</th><td>surefoot</td>"):
+            self.assertIn(row, shown)
+
     def test_a_plot_is_drawn(self):
         try:
             import matplotlib
