@@ -23,6 +23,13 @@ namespace surefoot::io {
                : std::numeric_limits<std::int64_t>::min();
 }
 
+[[nodiscard]] inline std::int64_t times(std::int64_t a, std::int64_t b) {
+  std::int64_t result = 0;
+  if (!__builtin_mul_overflow(a, b, &result)) return result;
+  return (a > 0) == (b > 0) ? std::numeric_limits<std::int64_t>::max()
+                            : std::numeric_limits<std::int64_t>::min();
+}
+
 /// How far apart two are, whichever is the later.
 [[nodiscard]] inline std::int64_t distance(std::int64_t a, std::int64_t b) {
   return a > b ? difference(a, b) : difference(b, a);

@@ -121,18 +121,18 @@ class RepairedRecording : public RecordingFilter {
       confirm(given);
     } else if (at_once_ && !fits_at_once(item)) {
       const std::int64_t intervals = intervals_since_last(item);
-      scan.stamp_ns = sum(*last_, intervals * usual_interval_ns());
+      scan.stamp_ns = sum(*last_, times(intervals, usual_interval_ns()));
     } else {
       const std::int64_t told = difference(sum(given, offset_ns_), *last_);
-      const bool leaps = told >= kWild * usual_interval_ns() && is_ahead(item);
+      const bool leaps = told >= times(kWild, usual_interval_ns()) && is_ahead(item);
       if (!at_once_ && (told <= 0 || leaps)) {
         set_clock(given, item.name, intervals_since_last(item));
       }
       scan.stamp_ns = sum(given, offset_ns_);
       note_lateness(item);
-      if (2 * distance(told, usual_interval_ns()) <= usual_interval_ns()) confirm(given);
+      if (times(2, distance(told, usual_interval_ns())) <= usual_interval_ns()) confirm(given);
       const std::int64_t step = difference(scan.stamp_ns, *last_);
-      if (step < kWild * usual_interval_ns()) {
+      if (step < times(kWild, usual_interval_ns())) {
         intervals_.push_back(step);
       } else {
         note_once(gap_noted_, "stamps: " + format_seconds(step) + " s without a scan before " +
@@ -157,7 +157,7 @@ class RepairedRecording : public RecordingFilter {
     const std::int64_t interval = difference(ahead[1], ahead[0]);
     if (interval <= 0 || interval > kLongestInterval) return given;
     const std::int64_t step = difference(ahead[0], given), steps = difference(ahead[1], given);
-    if (step > 0 && step < kWildAtTheEnd * interval) return given;
+    if (step > 0 && step < times(kWildAtTheEnd, interval)) return given;
     if (steps > 0 && steps <= kLongestInterval) return given;  // it is the second that is wild
     const std::int64_t logged_next = waiting().front().logged_ns;
     const bool both = item.logged_ns != 0 && logged_next != 0;
@@ -171,17 +171,17 @@ class RepairedRecording : public RecordingFilter {
     const std::int64_t usual = usual_interval_ns();
     const std::int64_t step = difference(sum(item.scan->stamp_ns, offset_ns_), *last_);
     const std::vector<std::int64_t> ahead = stamps_ahead();
-    const bool within = step > 0 && step <= kWild * usual;
+    const bool within = step > 0 && step <= times(kWild, usual);
     const std::int64_t given = item.scan->stamp_ns;
     if (within && !is_too_soon(*item.scan) && !is_late(step, ahead, given)) return false;
     if (ahead.empty() && !at_once_) {  // the last one
       const bool known = intervals_.size() >= kSteady && item.logged_ns == 0;
-      return known && step >= kWildAtTheEnd * usual;
+      return known && step >= times(kWildAtTheEnd, usual);
     }
     std::int64_t intervals = 2;
     for (const std::int64_t stamp : ahead) {
       const std::int64_t since = difference(sum(stamp, offset_ns_), *last_);
-      if (2 * since <= usual || since >= (intervals + kWild) * usual) return false;
+      if (times(2, since) <= usual || since >= times(intervals + kWild, usual)) return false;
       ++intervals;
     }
     return !ahead.empty();
@@ -196,7 +196,7 @@ class RepairedRecording : public RecordingFilter {
     for (const std::int64_t interval : intervals_) {
       off.push_back(std::min(distance(interval, usual), kLongestInterval));
     }
-    return std::min(usual, lasting_ns()) / 2 + 2 * quantile(std::move(off), 0.8);
+    return sum(std::min(usual, lasting_ns()) / 2, 2 * quantile(std::move(off), 0.8));
   }
   [[nodiscard]] std::int64_t lasting_ns() const {
     const std::int64_t lasts = std::int64_t{last_sweep_.last_ns} - last_sweep_.first_ns;
@@ -230,7 +230,7 @@ class RepairedRecording : public RecordingFilter {
   [[nodiscard]] bool is_ahead(const ScanItem& item) const {
     if (!least_late_ns_ || item.logged_ns == 0) return false;
     const std::int64_t late = difference(item.logged_ns, sum(item.scan->stamp_ns, offset_ns_));
-    return late < difference(*least_late_ns_, kWild * usual_interval_ns());
+    return late < difference(*least_late_ns_, times(kWild, usual_interval_ns()));
   }
 
   /// Since the last scan: one, or by when messages were received as many as were lost, too.
@@ -255,8 +255,9 @@ class RepairedRecording : public RecordingFilter {
     if (!confirmed_ns_ || since_confirmed_ > kWild) return false;
     if (at > *last_ && !is_too_soon(scan)) return false;
     const std::int64_t usual = usual_interval_ns();
-    if (difference(*last_, at) > kMadeUpFor * usual) return false;
-    return 2 * distance(difference(at, *confirmed_ns_), since_confirmed_ * usual) <= usual;
+    if (difference(*last_, at) > times(kMadeUpFor, usual)) return false;
+    return times(2, distance(difference(at, *confirmed_ns_), times(since_confirmed_, usual))) <=
+           usual;
   }
 
   /// Whether a stamp goes on from those before, if need be by a clock that was set.
@@ -264,7 +265,7 @@ class RepairedRecording : public RecordingFilter {
     const std::int64_t given = item.scan->stamp_ns;
     if (sum(given, offset_ns_) <= *last_ || is_ahead(item) || is_too_soon(*item.scan)) {
       const std::int64_t step = difference(given, given_ns_);
-      steady_ = step > 0 && step <= kWild * usual_interval_ns() ? steady_ + 1 : 1;
+      steady_ = step > 0 && step <= times(kWild, usual_interval_ns()) ? steady_ + 1 : 1;
       if (steady_ < kSteady) {
         if (given == given_ns_) {
           note_once(stands_noted_, stands_text(item.name));
@@ -288,10 +289,11 @@ class RepairedRecording : public RecordingFilter {
   /// The clock goes on where it was, from this scan on.
   void set_clock(std::int64_t given, const std::string& name, std::int64_t intervals) {
     const std::int64_t back = difference(*last_, sum(given, offset_ns_));
-    offset_ns_ = difference(sum(*last_, intervals * usual_interval_ns()), given);
+    offset_ns_ = difference(sum(*last_, times(intervals, usual_interval_ns())), given);
     if (back < 0) {
-      note_once(ahead_noted_, "stamps: the clock jumps ahead by " + format_seconds(-back) +
-                                  " s at " + name + "; it goes on where it was");
+      note_once(ahead_noted_, "stamps: the clock jumps ahead by " +
+                                  format_seconds(difference(0, back)) + " s at " + name +
+                                  "; it goes on where it was");
     } else if (given == given_ns_) {
       note_once(stands_noted_, stands_text(name));
     } else {
