@@ -35,4 +35,11 @@ namespace surefoot::io {
   return a > b ? difference(a, b) : difference(b, a);
 }
 
+/// A time as it is stored, kept within what times may be added to and subtracted from
+/// without a thought: 1834 to 2106.
+[[nodiscard]] constexpr std::int64_t sane_time(std::int64_t nanoseconds) {
+  constexpr std::int64_t kMost = 4'294'967'296'000'000'000;
+  return nanoseconds > kMost ? kMost : nanoseconds < -kMost ? -kMost : nanoseconds;
+}
+
 }  // namespace surefoot::io

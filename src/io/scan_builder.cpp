@@ -9,6 +9,7 @@
 #include <span>
 
 #include "io/decimal_time.hpp"
+#include "io/saturated.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -339,7 +340,9 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
   }
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
   check_offsets(times, origin);
-  if (rule->reference != TimeReference::relative) built.clock = PointClock{times.least, origin};
+  if (rule->reference != TimeReference::relative) {
+    built.clock = PointClock{sane_time(times.least), sane_time(origin)};
+  }
   set_times(built, times, origin);
   return built;
 }

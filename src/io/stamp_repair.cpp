@@ -140,6 +140,8 @@ class RepairedRecording : public RecordingFilter {
       }
       if (intervals_.size() > kIntervals) intervals_.pop_front();
     }
+    // Whatever was told: jumps of centuries leave sums at the end of their range.
+    if (last_) scan.stamp_ns = std::max(scan.stamp_ns, sum(*last_, 1));
     given_ns_ = given;
     ++since_confirmed_;
     if (last_) last_step_ns_ = difference(scan.stamp_ns, *last_);

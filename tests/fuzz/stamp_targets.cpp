@@ -51,8 +51,8 @@ class SteppedRecording final : public io::Recording {
     bytes_ = bytes_.subspan(kStepBytes);
     std::int64_t scale = 1;
     for (int i = 0; i < step.scale % 12; ++i) scale *= 10;
-    stamp_ns_ = io::sum(stamp_ns_, step.stamp * scale);
-    clock_ns_ = io::sum(clock_ns_, step.clock * scale);
+    stamp_ns_ = io::sane_time(io::sum(stamp_ns_, io::times(step.stamp, scale)));
+    clock_ns_ = io::sane_time(io::sum(clock_ns_, io::times(step.clock, scale)));
     io::ScanItem item;
     item.name = "scan";
     if ((step.kind & no_receipt) == 0) {

@@ -5,6 +5,7 @@
 #include "io/all_fields.hpp"
 #include "io/bags/topic_recordings.hpp"
 #include "io/messages/cloud_message.hpp"
+#include "io/saturated.hpp"
 #include "io/scan_builder.hpp"
 
 namespace surefoot::io {
@@ -67,7 +68,7 @@ class CloudTopic final : public Recording {
     return read_cloud(message.topic->type, message.topic->encoding, message.bytes);
   }
   static std::int64_t stamp_of(const CloudMessage& cloud, const Message& message) {
-    return cloud.stamp_ns == 0 ? message.logged_ns : cloud.stamp_ns;
+    return cloud.stamp_ns == 0 ? message.logged_ns : sane_time(cloud.stamp_ns);
   }
 
   [[nodiscard]] bool times_are_left_out() const {

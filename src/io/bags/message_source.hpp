@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/bags/byte_stream.hpp"
+#include "io/saturated.hpp"
 
 namespace surefoot::io {
 
@@ -106,13 +107,6 @@ class MessageSource {
 
 /// Larger messages are passed over: no sweep of a LiDAR is of this size [bytes].
 inline constexpr std::uint64_t kMostMessageBytes = 256 << 20;
-
-/// A time of recording as it is stored, kept within what times may be added to and subtracted from
-/// without a thought: 1834 to 2106.
-[[nodiscard]] constexpr std::int64_t sane_time(std::int64_t nanoseconds) {
-  constexpr std::int64_t kMost = 4'294'967'296'000'000'000;
-  return nanoseconds > kMost ? kMost : nanoseconds < -kMost ? -kMost : nanoseconds;
-}
 
 /// One name for a type however a bag spells it: "sensor_msgs/msg/PointCloud2" and
 /// "sensor_msgs::msg::dds_::PointCloud2_" are "sensor_msgs/PointCloud2".
