@@ -10,12 +10,14 @@
 #include <ostream>
 #include <sstream>
 
+#include "mapping/submap.hpp"
+
 namespace surefoot::mapping {
 
 namespace {
 
 constexpr std::string_view kMagic = "SUREFOOT-MAP\n";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = kMapVersion;
 constexpr std::uint32_t kUnpacked = 1;  ///< the version whose points were not packed yet
 constexpr float kUnpackedPerMetre = 512.0F;
 constexpr double kFarthest = 1e8;  // [m] cubes of a submap can still be counted
@@ -216,6 +218,10 @@ SavedMap read_content(Reader& in, std::uint32_t version) {
   const std::size_t pieces = in.count(400);
   for (std::size_t i = 0; i < pieces; ++i) map.pieces.push_back(read_piece(in, version));
   for (std::size_t i = 0; i < pieces; ++i) map.places.push_back(read_place(in));
+  // Version 1 knew nothing of slopes: its places are described as this version does.
+  for (std::size_t i = 0; version == kUnpacked && i < pieces; ++i) {
+    map.places[i] = describe_place(make_submap(map.pieces, i));
+  }
   const std::size_t edges = in.count(353);
   for (std::size_t i = 0; i < edges; ++i) {
     PoseEdge edge;
@@ -304,10 +310,10 @@ std::string format_map(const SavedMap& map) {
   return out.str();
 }
 
-std::string sealed(std::string_view content) {
+std::string sealed(std::string_view content, std::uint32_t version) {
   Checksum checksum;
   checksum.add(content);
-  return head_of(kVersion, checksum.value()) + std::string(content);
+  return head_of(version, checksum.value()) + std::string(content);
 }
 
 SavedMap read_map(std::istream& in, const std::shared_ptr<CloudFile>& clouds) {

@@ -6,6 +6,7 @@
 // or changed is refused.
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <stdexcept>
@@ -18,6 +19,8 @@
 #include "mapping/pose_graph.hpp"
 
 namespace surefoot::mapping {
+
+inline constexpr std::uint32_t kMapVersion = 2;  ///< that is written; version 1 is read, too
 
 struct SavedMap {
   /// T_world_piece is the corrected pose. Points are kept to 2 mm, packed away.
@@ -35,7 +38,7 @@ class MapFileError : public std::runtime_error {
 void write_map(std::ostream& out, const SavedMap& map);
 [[nodiscard]] std::string format_map(const SavedMap& map);
 /// A map file of this content: with its head, the checksum in it.
-[[nodiscard]] std::string sealed(std::string_view content);
+[[nodiscard]] std::string sealed(std::string_view content, std::uint32_t version = kMapVersion);
 /// Throws MapFileError that says what was seen and what was expected.
 [[nodiscard]] SavedMap parse_map(std::string_view bytes);
 /// The same of a stream's bytes from its beginning on. `clouds`: the file that it reads, where the

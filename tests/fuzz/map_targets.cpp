@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <string_view>
+
 #include "fuzz/targets.hpp"
 #include "fuzz/whole_way.hpp"
 #include "mapping/map_file.hpp"
@@ -10,17 +13,22 @@ namespace {
 
 constexpr std::size_t kHead = 25;  // magic, version, checksum
 
-/// What follows a map's head; that is made right, since by chance no checksum is.
-void read_map(Bytes bytes) {
-  const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+void read_map_of(std::uint32_t version, std::string_view content) {
   try {
-    const mapping::SavedMap map = mapping::parse_map(mapping::sealed(content));
+    const mapping::SavedMap map = mapping::parse_map(mapping::sealed(content, version));
     for (std::size_t i = 0; i < map.pieces.size(); ++i) {
       (void)mapping::describe_place(mapping::make_submap(map.pieces, i));
     }
     (void)mapping::parse_map(mapping::format_map(map));
   } catch (const mapping::MapFileError&) {
   }
+}
+
+/// What follows a map's head; that is made right, since by chance no checksum is.
+void read_map(Bytes bytes) {
+  const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  read_map_of(1, content);
+  read_map_of(mapping::kMapVersion, content);
 }
 
 Seeds map_seeds() {

@@ -6,6 +6,7 @@
     run_mutants.py --list                 checks that the list fits the sources (quick, a test)
     run_mutants.py --work FOLDER          copies the sources there, builds all mutants into one set
                                           of test programs, and runs the named tests for each
+                                          (--only WORD: those whose file or program holds WORD)
 
 All mutants are compiled at once: each place becomes a choice between what stands there and the
 defect, by the environment's SUREFOOT_MUTANT. So a mutant costs a run of its tests and no build.
@@ -150,6 +151,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--work", type=pathlib.Path)
+    parser.add_argument("--only", default="", metavar="WORD")
     options = parser.parse_args()
     mutants = read_list()
     if problems := misfits(mutants):
@@ -159,6 +161,10 @@ def main():
         return 0
     if not options.work:
         parser.error("--work FOLDER or --list")
+    mutants = [mutant for mutant in mutants
+               if options.only in mutant.file or options.only in mutant.program]
+    if not mutants:
+        parser.error(f"--only {options.only}: no mutant's file or program holds it")
     source, folder = options.work / "source", options.work / "build"
     copy_mutated(mutants, source)
     build(mutants, source, folder)

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <fstream>
+
 #include "mapping/submap.hpp"
 #include "support/random.hpp"
 
@@ -98,6 +101,43 @@ TEST(MapFile, WhatIsCutShortOrChangedIsRefused) {
   std::string newer = bytes;
   newer[13] = 9;
   EXPECT_NE(refusal(newer).find("version 9"), std::string::npos);
+}
+
+/// Made by the program at commit b4f0ad4: ground that falls to the side, and a wall.
+TEST(MapFile, AMapOfVersion1IsReadAndItsPlacesAreDescribedAsTodays) {
+  std::ifstream file(SUREFOOT_SOURCE_DIR "/tests/unit/mapping/map_of_version_1.surefoot",
+                     std::ios::binary);
+  ASSERT_TRUE(file);
+  const SavedMap map = read_map(file, nullptr);
+  ASSERT_EQ(map.pieces.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Piece& piece = map.pieces[i];
+    EXPECT_EQ(piece.begin_ns, 1'700'000'000'000'000'000 + static_cast<std::int64_t>(i));
+    EXPECT_EQ(piece.T_world_piece.translation,
+              Eigen::Vector3d(5.0 * static_cast<double>(i), 1.0, -0.5));
+    EXPECT_EQ(piece.length, 4.5);
+    EXPECT_EQ(piece.restarted, i == 1);
+    PieceCloud cloud;
+    cloud.eyes = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.5F, 0.0F}};
+    for (int k = 0; k < 64; ++k) {
+      const float x = static_cast<float>(k % 8) - 3.5F, y = static_cast<float>(k / 8) - 3.5F;
+      cloud.points.emplace_back(x, y, -0.5F - 0.25F * y);
+      cloud.seen_from.push_back(static_cast<std::uint16_t>(k % 2));
+    }
+    for (int k = 0; k < 16; ++k) {
+      const float height = 0.125F * static_cast<float>(k + static_cast<int>(i));
+      cloud.points.emplace_back(0.5F * static_cast<float>(k), 8.0F, height);
+      cloud.seen_from.push_back(1);
+    }
+    expect_same_points(*cloud_of(piece), cloud);
+    const PlaceDescriptor today = describe_place(make_submap(map.pieces, i));
+    EXPECT_GT(today.bins.sum(), 0.0F);
+    EXPECT_EQ(map.places[i].bins, today.bins);
+  }
+  ASSERT_EQ(map.edges.size(), 1U);
+  EXPECT_FALSE(map.edges[0].inlier);
+  EXPECT_EQ(map.edges[0].T_from_to.translation, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_EQ(parse_map(format_map(map)).pieces.size(), 2U);
 }
 
 }  // namespace

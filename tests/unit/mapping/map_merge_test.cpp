@@ -46,6 +46,20 @@ WalkOptions of_length(double length) {
   return options;
 }
 
+/// One day on a campus, and another that begins 20 m on: each walked once for all tests.
+const SavedMap& campus() {
+  static const SavedMap map = map_of(test::walk_through("campus", 46, of_length(60.0)));
+  return map;
+}
+const SceneWalk& later_walk() {
+  static const SceneWalk walk = test::walk_through("campus", 46, other_day(20.0, 60.0));
+  return walk;
+}
+const SavedMap& later_campus() {
+  static const SavedMap map = map_of(later_walk());
+  return map;
+}
+
 /// A walk down a hall of 40 x 14 m whose columns stand at equal places from both of its ends.
 SavedMap walk_through_a_symmetric_hall() {
   std::vector<Eigen::Vector3d> hall;
@@ -91,9 +105,8 @@ class MapMerge : public testing::Test {
 };
 
 TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
-  const SavedMap first = map_of(test::walk_through("campus", 46, of_length(70.0)));
-  const SceneWalk walk = test::walk_through("campus", 46, other_day(25.0, 70.0));
-  SavedMap second = map_of(walk);
+  const SavedMap& first = campus();
+  SavedMap second = later_campus();
   // A stretch that nothing holds to the rest is left out.
   second.pieces.back().restarted = true;
   for (PoseEdge& edge : second.edges) {
@@ -106,7 +119,7 @@ TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
   EXPECT_EQ(join.joint->places.size(), join.joint->pieces.size());
   EXPECT_FALSE(join.placed.back());
   // The first walk's world is the truth's, the second's begins level at its first pose.
-  const Pose T_first_second = upright(walk.truth.front());
+  const Pose T_first_second = upright(later_walk().truth.front());
   for (std::size_t i = 0; i < first.pieces.size(); ++i) {
     const Pose gap = first.pieces[i].T_world_piece.inverse() * join.joint->pieces[i].T_world_piece;
     EXPECT_LT(gap.translation.norm(), 0.05) << "piece " << i;
@@ -124,11 +137,9 @@ TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
 }
 
 TEST_F(MapMerge, AJointMapIsJoinedAgain) {
-  const SavedMap first = map_of(test::walk_through("campus", 46, of_length(50.0)));
-  const MapJoin join =
-      join_maps(first, map_of(test::walk_through("campus", 46, other_day(20.0, 60.0))));
+  const MapJoin join = join_maps(campus(), later_campus());
   ASSERT_TRUE(join.joint) << join.message;
-  const SceneWalk walk = test::walk_through("campus", 46, other_day(30.0, 60.0));
+  const SceneWalk walk = test::walk_through("campus", 46, other_day(35.0, 40.0));
   const MapJoin again = join_maps(*join.joint, map_of(walk));
   ASSERT_TRUE(again.joint) << again.message;
   const Pose truth = upright(walk.truth.front());
@@ -138,15 +149,14 @@ TEST_F(MapMerge, AJointMapIsJoinedAgain) {
 }
 
 TEST_F(MapMerge, OtherPlacesStayApart) {
-  const SavedMap campus = map_of(test::walk_through("campus", 46, of_length(50.0)));
   const SavedMap plaza = map_of(test::walk_through("plaza", 47, other_day(0.0, 50.0)));
-  const MapJoin join = join_maps(campus, plaza);
+  const MapJoin join = join_maps(campus(), plaza);
   EXPECT_FALSE(join.joint);
   EXPECT_EQ(join.taken, 0U);
   EXPECT_FALSE(join.message.empty());
   EXPECT_FALSE(join.begin());
-  EXPECT_FALSE(join_maps(campus, SavedMap{}).joint);
-  EXPECT_FALSE(join_maps(SavedMap{}, campus).joint);
+  EXPECT_FALSE(join_maps(campus(), SavedMap{}).joint);
+  EXPECT_FALSE(join_maps(SavedMap{}, campus()).joint);
 }
 
 /// What tells one row of bays from the next has been moved since. The second walk goes where the
@@ -181,10 +191,8 @@ TEST_F(MapMerge, ACorridorIsNotJoinedTheWrongWayRound) {
 }
 
 TEST_F(MapMerge, EachRefusalSaysWhatWasMissing) {
-  const SavedMap first = map_of(test::walk_through("campus", 46, of_length(50.0)));
-  const SavedMap second = map_of(test::walk_through("campus", 46, other_day(20.0, 50.0)));
   const auto refused = [&](const MergeOptions& options) {
-    const MapJoin join = join_maps(first, second, options);
+    const MapJoin join = join_maps(campus(), later_campus(), options);
     EXPECT_FALSE(join.joint);
     EXPECT_EQ(join.taken, 0U);
     return join.message;

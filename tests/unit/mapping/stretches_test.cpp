@@ -112,7 +112,7 @@ TEST_F(Stretches, OfACampusAreJoinedWhereTheyLie) {
 /// The same, but there was no time to walk to where it is said to be known again.
 TEST_F(Stretches, ThatCannotHaveBeenReachedStayApart) {
   WalkOptions options;
-  options.length = 40.0;
+  options.length = 30.0;
   SceneWalk walk = test::walk_through("campus", 46, options);
   const SceneWalk again = walk;
   const std::size_t first = walk.scans.size();
