@@ -36,6 +36,19 @@ std::string wire_topic(std::string_view topic) {
   return std::string(kTopicPrefix) + std::string(topic);
 }
 
+bool is_topic_name(std::string_view topic) {
+  if (topic.starts_with('/')) topic.remove_prefix(1);
+  char before = '/';
+  for (const char letter : topic) {
+    const bool is_digit = letter >= '0' && letter <= '9';
+    const bool is_letter =
+        (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_';
+    if (!is_letter && (before == '/' || !(is_digit || letter == '/'))) return false;
+    before = letter;
+  }
+  return before != '/';
+}
+
 std::string topic_of(std::string_view wire_name) {
   if (!wire_name.starts_with(kTopicPrefix)) return {};
   return std::string(wire_name.substr(kTopicPrefix.size() - 1));

@@ -6,6 +6,7 @@
 #include <dds/ddsi/ddsi_serdata.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -33,6 +34,10 @@ class TopicSubscription final : public live::TopicSource {
  public:
   TopicSubscription(std::shared_ptr<Participant> participant, SubscriptionOptions options)
       : participant_(std::move(participant)), options_(std::move(options)), begun_(Clock::now()) {
+    if (!is_topic_name(options_.topic)) {
+      throw std::invalid_argument("ROS 2 topic: got '" + io::printable(options_.topic) +
+                                  "', expected a name such as /robot_1/points");
+    }
     options_.topic = topic_of(wire_topic(options_.topic));
   }
 

@@ -288,6 +288,7 @@ TEST_F(Ros2Test, WhatIsMissingIsNamed) {
          "on none0: none0: does not match an available interface");
   expect({"live", "--ros2-topic", "/points", "--ros2-domain", "300"}, "--ros2-domain");
   expect({"live", "--ros2-topic", "/points", "--ros2-qos", "best"}, "best_effort");
+  expect(live({"--ros2-topic", "/my points"}), "got '/my points', expected a name such as");
   expect(live({"--ros2-topic", "/points", "--record", "heard.pcap"}), "expects FILE.mcap");
 
   FastDdsPeer peer(own_domain());

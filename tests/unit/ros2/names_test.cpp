@@ -18,6 +18,16 @@ TEST(Names, TopicsAndTypesAreSpelledAsOnTheWire) {
   EXPECT_EQ(trigger_reply_topic("/surefoot/reset").type, "std_srvs::srv::dds_::Trigger_Response_");
 }
 
+TEST(Names, OnlyWhatRos2LetsBeATopicIsOne) {
+  for (const char* name : {"/points", "points", "/robot_1/points", "/utlidar/cloud", "_p"}) {
+    EXPECT_TRUE(is_topic_name(name)) << name;
+  }
+  for (const char* name : {"", "/", "//points", "/a//b", "/points/", "/bad topic", "/1st", "/a/1st",
+                           "points\n", "/p\xc3\xbc"}) {
+    EXPECT_FALSE(is_topic_name(name)) << name;
+  }
+}
+
 // The first of them as ROS 2's own endpoints tell it.
 TEST(Names, TypeHashesAreThoseOfTheTypes) {
   EXPECT_EQ(type_hash_data("sensor_msgs/PointCloud2"),
