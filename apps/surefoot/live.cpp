@@ -77,11 +77,10 @@ void print_end(const live_runs::LiveOutcome& outcome) {
 }
 
 #ifdef SUREFOOT_HAS_LIVE_PAGE
-std::unique_ptr<live::LiveViewer> show_page(std::uint16_t port, const std::string& title,
+std::unique_ptr<live::LiveViewer> show_page(live_page::PageSubject subject,
                                             live::CommandQueue& commands,
                                             const live::LiveRecording& recording) {
-  auto page =
-      std::make_unique<live_page::PageViewer>(port, title, SUREFOOT_VERSION, commands, recording);
+  auto page = std::make_unique<live_page::PageViewer>(std::move(subject), commands, recording);
   fmt::print(stderr, "page: {}\n", page->address());
   return page;
 }
@@ -101,10 +100,11 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
       [&] { return interrupt.interrupted(); }};
 #ifdef SUREFOOT_HAS_LIVE_PAGE
   if (arguments.page) {
-    listener.watch = [port = *arguments.page](const std::string& title,
-                                              live::CommandQueue& commands,
-                                              const live::LiveRecording& recording) {
-      return show_page(port, title, commands, recording);
+    const bool has_map = !request.run.localize.empty();
+    listener.watch = [port = *arguments.page, has_map](const std::string& title,
+                                                       live::CommandQueue& commands,
+                                                       const live::LiveRecording& recording) {
+      return show_page({port, title, SUREFOOT_VERSION, has_map}, commands, recording);
     };
   }
 #endif
@@ -150,8 +150,8 @@ void add_source_options(CLI::App& command, LiveArguments& arguments) {
             "of a topic all messages, to an MCAP file (ROS 1: a bag)");
   group
       .add("--silence", arguments.request.live.silence,
-           "end after so long without a packet or message [s]; without it Ctrl-C or SIGTERM "
-           "ends it")
+           "end so long after the last packet or message [s], however long the first is in coming; "
+           "without it Ctrl-C or SIGTERM ends it")
       ->check(command_line::number_within(0.1, 1e6));
 }
 

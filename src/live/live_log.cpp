@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "live/live_log.hpp"
 
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -52,6 +54,7 @@ void LiveLog::add(const std::string& line) {
 
 UsedScans used_scans(const std::filesystem::path& log) {
   std::ifstream file(log);
+  if (!file) throw io::ReadError(log.string() + ": cannot read it: " + std::strerror(errno));
   std::string line;
   if (!std::getline(file, line) || line != kHeader) {
     throw io::ReadError(log.string() + ": got '" + line.substr(0, 80) +
@@ -74,6 +77,7 @@ UsedScans used_scans(const std::filesystem::path& log) {
     scans.used.push_back(stamp_ns);
     if (std::exchange(is_reset, false)) scans.reset_before.push_back(stamp_ns);
   }
+  if (scans.used.empty()) throw io::ReadError(log.string() + ": its run used no scan");
   return scans;
 }
 

@@ -200,6 +200,7 @@ std::string PageServer::Impl::news(Told& told, std::uint64_t& version) const {
   nlohmann::ordered_json json = history_.news(told);
   json["title"] = options_.title;
   json["version"] = options_.version;
+  json["commands"] = options_.commands;
   json["paused"] = figures_.paused;
   json["figures"] = figures_json(figures_);
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

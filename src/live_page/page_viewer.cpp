@@ -27,14 +27,15 @@ PageFigures page_figures(const live::LiveFigures& figures) {
   return shown;
 }
 
-PageOptions options_of(std::uint16_t port, const std::string& title, const std::string& version,
-                       live::CommandQueue& commands, const live::LiveRecording& recording) {
+PageOptions options_of(PageSubject subject, live::CommandQueue& commands,
+                       const live::LiveRecording& recording) {
   PageOptions options;
-  options.port = port;
+  options.port = subject.port;
   options.token = make_token();
-  options.title = title;
-  options.version = version;
+  options.title = std::move(subject.title);
+  options.version = std::move(subject.version);
   options.commands = {"reset", "pause", "resume", "save_map"};
+  if (subject.has_map) options.commands.emplace_back("localize");
   options.ask = [&commands](const std::string& command) { return commands.ask(command); };
   options.figures = [&recording] { return page_figures(recording.figures()); };
   return options;
@@ -42,9 +43,9 @@ PageOptions options_of(std::uint16_t port, const std::string& title, const std::
 
 }  // namespace
 
-PageViewer::PageViewer(std::uint16_t port, const std::string& title, const std::string& version,
-                       live::CommandQueue& commands, const live::LiveRecording& recording)
-    : server_(options_of(port, title, version, commands, recording)) {}
+PageViewer::PageViewer(PageSubject subject, live::CommandQueue& commands,
+                       const live::LiveRecording& recording)
+    : server_(options_of(std::move(subject), commands, recording)) {}
 
 void PageViewer::answered(const std::string& name, const Estimate& estimate,
                           const Odometry& odometry) {

@@ -15,11 +15,18 @@
 
 namespace surefoot::live_page {
 
+struct PageSubject {
+  std::uint16_t port = 0;  ///< 0: any that is free
+  std::string title;
+  std::string version;   ///< of the program
+  bool has_map = false;  ///< in which the run's place can be searched for
+};
+
 class PageViewer final : public live::LiveViewer {
  public:
   /// Commands go to the queue, which has to be closed before this ends. Throws std::runtime_error.
-  PageViewer(std::uint16_t port, const std::string& title, const std::string& version,
-             live::CommandQueue& commands, const live::LiveRecording& recording);
+  PageViewer(PageSubject subject, live::CommandQueue& commands,
+             const live::LiveRecording& recording);
 
   /// Where the page is, with the token that commands need.
   [[nodiscard]] std::string address() const { return server_.address(); }

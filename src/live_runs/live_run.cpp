@@ -20,20 +20,22 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+/// `run` is null until the first scan has come.
 live::CommandAnswer execute(const std::string& command, live::LiveRecording& recording,
-                            runs::RunControl& run) {
+                            runs::RunControl* run) {
   if (command == "pause" || command == "resume") {
     recording.pause(command == "pause");
     return {true, command == "pause" ? "scans are left out" : "scans are used"};
   }
-  if (command == "save_map") return {true, fs::absolute(run.save_map()).string()};
+  if (run == nullptr) return {false, "no scan has come yet"};
+  if (command == "save_map") return {true, fs::absolute(run->save_map()).string()};
   if (command == "localize" || command.starts_with("localize ")) {
-    run.localize(command.substr(std::min<std::size_t>(command.size(), 9)));
+    run->localize(command.substr(std::min<std::size_t>(command.size(), 9)));
     return {true, "its place in the map is searched for"};
   }
   if (command != "reset") return {false, command + " is not known"};
   recording.log().reset();
-  run.reset();
+  run->reset();
   return {true, "the odometry begins anew with the next scan"};
 }
 
@@ -56,7 +58,7 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
   (void)runs::config_of(request.run);  // what is wrong with it is told before anything is opened
   live::CommandQueue commands;
   live::LiveInput input = open_input(request, commands, listener);
-  std::function<void()> work = [] {};
+  std::function<void()> work;
   std::optional<live::HealthPublisher> publisher;
   std::function<void()> tell_health = [] {};
   request.live.stopped = listener.interrupted;
@@ -65,6 +67,12 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
     tell_health();
   };
   live::LiveRecording recording(std::move(input.stream), request.live);
+  const auto work_for = [&](runs::RunControl* run) {
+    work = [&, run] {
+      commands.work([&](const std::string& one) { return execute(one, recording, run); });
+    };
+  };
+  work_for(nullptr);
   if (input.messages) {
     (void)runs::add_run_topics(*input.messages);
     publisher.emplace(input.messages);
@@ -94,9 +102,7 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
     listener.report(recording.figures());
   };
   const auto started = [&](const fs::path& folder, runs::RunControl& run) {
-    work = [&] {
-      commands.work([&](const std::string& one) { return execute(one, recording, run); });
-    };
+    work_for(&run);
     const fs::path log = folder / runs::kLiveLogFile;
     recording.log().open(log);
     request.run.given.emplace_back("like", fs::absolute(log).string());

@@ -70,6 +70,18 @@ Trajectory every(std::int64_t step_ns, const Trajectory& trajectory) {
 // A reference's: the odometry takes about half the time, and the passes most of the rest.
 constexpr Shares kOdometry{0.0, 0.5}, kPasses{0.5, 0.85}, kWriting{0.85, 1.0};
 
+/// Of what is to be written there; the run's own is made.
+void require_folder_of(const std::filesystem::path& file, const std::filesystem::path& of_run) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (fs::is_directory(folder)) return;
+  if (!of_run.empty() && folder == (fs::absolute(of_run) / "").lexically_normal().parent_path()) {
+    return;
+  }
+  throw std::runtime_error(
+      fmt::format("{}: cannot be written: there is no folder {}", file.string(), folder.string()));
+}
+
 class OdometryRun final : public RunControl {
  public:
   OdometryRun(const RunOptions& options, const RunListener& listener, io::Recording& recording)
@@ -94,6 +106,7 @@ class OdometryRun final : public RunControl {
   }
   void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
+  [[nodiscard]] std::string no_scan_text() const;
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
@@ -134,16 +147,13 @@ class OdometryRun final : public RunControl {
 };
 
 RunOutcome OdometryRun::execute() {
-  auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
-  if (!item) {
-    throw io::ReadError(
-        fmt::format("{}: no scans after the first {}", options_.input.string(), options_.start));
-  }
-  check_bags();
+  check_bags();  // what needs no scan first: a live run's may be long in coming
   check_log();
-  if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
   if (!options_.localize.empty()) localize(options_.localize);
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
+  auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
+  if (!item) throw io::ReadError(no_scan_text());
+  if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
   std::optional<Reference> reference;
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
@@ -185,6 +195,17 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   own_notes_.push_back(fmt::format("left out: {}: {}", io::printable(first->name), first->remark));
   listener_.say(own_notes_.back());
   return second;
+}
+
+std::string OdometryRun::no_scan_text() const {
+  const std::string input = options_.input.string();
+  if (options_.like.empty()) {
+    return fmt::format("{}: no scans after the first {}", input, options_.start);
+  }
+  return fmt::format(
+      "{}: none of the {} scans that {} names is there; expected the recording of that run, "
+      "read with its options",
+      input, options_.only_stamps.size(), options_.like.string());
 }
 
 void OdometryRun::for_all(std::optional<io::ScanItem> item,
@@ -355,6 +376,7 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
 
 /// What is there already stays, unless it may go; the recording itself always does.
 void OdometryRun::check_bags() const {
+  if (!options_.mcap.empty()) require_folder_of(options_.mcap, options_.output);
   for (const std::filesystem::path& path : {options_.mcap, options_.rosbag2}) {
     std::error_code ignored;
     if (path.empty() || !std::filesystem::exists(path, ignored)) continue;

@@ -244,18 +244,61 @@ TEST_F(LiveTest, ASignalLeavesWholeFiles) {
 }
 
 #ifdef SUREFOOT_HAS_LIVE_PAGE
-/// The port that the program says its page has.
-std::uint16_t page_port(const fs::path& errors) {
-  const std::string begin = "page: http://127.0.0.1:";
+/// Where the program says its page is.
+struct PageAddress {
+  std::uint16_t port = 0;  ///< 0: it did not say
+  std::string token;
+};
+
+PageAddress page_address(const fs::path& errors) {
+  const std::string begin = "page: http://127.0.0.1:", before_token = "/#token=";
   for (int i = 0; i < 1000; ++i) {
     const std::string text = file_content(errors);
-    const std::size_t at = text.find(begin);
-    if (at != std::string::npos && text.find('\n', at) != std::string::npos) {
-      return static_cast<std::uint16_t>(std::stoi(text.substr(at + begin.size())));
+    const std::size_t at = text.find(begin), end = text.find('\n', at);
+    const std::size_t token = text.find(before_token, at);
+    if (at != std::string::npos && end != std::string::npos && token != std::string::npos) {
+      const std::size_t from = token + before_token.size();
+      return {static_cast<std::uint16_t>(std::stoi(text.substr(at + begin.size()))),
+              text.substr(from, end - from)};
     }
     std::this_thread::sleep_for(milliseconds(10));
   }
-  return 0;
+  return {};
+}
+
+/// The whole answer to a command.
+std::string asked(const PageAddress& page, const std::string& command) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  const sockaddr_in address = loopback(page.port);
+  (void)::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+  const std::string request =
+      "POST /commands/" + command + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(page.port) +
+      "\r\nX-Surefoot-Token: " + page.token + "\r\nContent-Length: 0\r\n\r\n";
+  (void)::send(socket, request.data(), request.size(), MSG_NOSIGNAL);
+  std::string answer;
+  char buffer[4096];
+  for (ssize_t got = 0; (got = ::recv(socket, buffer, sizeof(buffer), 0)) > 0;) {
+    answer.append(buffer, static_cast<std::size_t>(got));
+  }
+  ::close(socket);
+  return answer;
+}
+
+TEST_F(LiveTest, WhatIsAskedBeforeTheFirstScanIsAnswered) {
+  const DatagramSender sender;
+  const Process process({"live", "--udp", sender.port(), "--page", "0", "-o", "live"},
+                        scratch_.path());
+  const PageAddress page = page_address(scratch_.path() / "stderr.txt");
+  ASSERT_NE(page.port, 0);
+  for (const char* command : {"reset", "save_map"}) {
+    const std::string answer = asked(page, command);
+    EXPECT_TRUE(answer.starts_with("HTTP/1.1 409")) << answer;
+    EXPECT_NE(answer.find("no scan has come yet"), std::string::npos) << answer;
+  }
+  EXPECT_NE(asked(page, "pause").find("scans are left out"), std::string::npos);
+  EXPECT_NE(asked(page, "localize").find("no such command"), std::string::npos);  // in which map?
+  process.send(SIGTERM);
+  EXPECT_EQ(process.wait().exit_code, 2);
 }
 
 TEST_F(LiveTest, WhoLooksAtItAndNeverReadsChangesNothing) {
@@ -263,7 +306,7 @@ TEST_F(LiveTest, WhoLooksAtItAndNeverReadsChangesNothing) {
                               "--page", "0", "-o", "live"},
                              kBare),
                         scratch_.path());
-  const std::uint16_t port = page_port(scratch_.path() / "stderr.txt");
+  const std::uint16_t port = page_address(scratch_.path() / "stderr.txt").port;
   ASSERT_NE(port, 0);
   std::vector<int> sleepers;
   const std::string request =
@@ -304,6 +347,20 @@ TEST_F(LiveTest, BadUsageIsExplained) {
   expect({"live", "--replay", "hall.pcap", "--set", "knots.points=-1"}, "knots.points");
   write_content(scratch_.path() / "no.log", "stamp\n1\n");
   expect({"run", "hall.pcap", "--like", "no.log"}, "no.log: got 'stamp', expected the log");
+  expect({"run", "hall.pcap", "--like", "none.log"}, "none.log: cannot read it: No such file");
+  const std::string head = "stamp_ns,scan,fate,latency_ms\n";
+  write_content(scratch_.path() / "no.log", head + "1,a,dropped,\n");
+  expect({"run", "hall.pcap", "--like", "no.log"}, "no.log: its run used no scan");
+  write_content(scratch_.path() / "no.log", head + "1,a,used,1.0\n2,b,used,1.0\n");
+  expect({"run", "hall.pcap", "--like", "no.log"},
+         "hall.pcap: none of the 2 scans that no.log names is there");
+  expect({"run", "hall.pcap", "--mcap", "none/x.mcap"},
+         "none/x.mcap: cannot be written: there is no folder");
+  // What needs no scan is told before the first one comes: none does.
+  expect({"live", "--udp", DatagramSender().port(), "--localize", "none.surefoot"},
+         "none.surefoot");
+  expect({"live", "--udp", DatagramSender().port(), "--map", "none.surefoot"}, "none.surefoot");
+  expect({"live", "--udp", DatagramSender().port(), "--mcap", "none/x.mcap"}, "none/x.mcap");
   const DatagramSender silent;
   const Process process({"live", "--udp", silent.port()}, scratch_.path());
   ASSERT_TRUE(silent.wait_for_listener());

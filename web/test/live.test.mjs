@@ -4,7 +4,7 @@
 // A live run as who looks at it meets it. Environment: SUREFOOT_TEST_PROGRAM, the program;
 // SUREFOOT_TEST_WALK, a bag; SUREFOOT_TEST_BROWSER, a Chromium.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -50,6 +50,7 @@ async function open(url) {
 }
 
 before(async () => {
+  execFileSync(program, ["map", walk, "-o", "map", "--no-report", "--no-picture", "-q"], { cwd: folder });
   run = spawn(
     program,
     [
@@ -62,6 +63,8 @@ before(async () => {
       "0",
       "-o",
       "run",
+      "--localize",
+      "map",
       "--no-report",
       "--no-picture",
     ],
@@ -129,6 +132,10 @@ test("keeps the token to itself", async () => {
 test("saves the map", async () => {
   await press("save_map", "map.ply");
   assert.ok(statSync(join(folder, "run", "map.ply")).size > 1000);
+});
+
+test("searches for its place in the map", async () => {
+  await press("localize", "its place in the map is searched for");
 });
 
 test("pauses and goes on", async () => {

@@ -27,7 +27,7 @@ async function ask(command, token) {
   return answer.done ? answer.text : `not done: ${answer.text}`;
 }
 
-/** The buttons, and show(paused), which names the first one. */
+/** The buttons, and show(state), which names the first one and has those that the run knows. */
 export function makeCommands() {
   const token = takeToken();
   const said = el("span.note", { role: "status" });
@@ -62,12 +62,16 @@ export function makeCommands() {
   reset.dataset.command = "reset";
   const save = button("Save map", "save_map");
   save.dataset.command = "save_map";
-  element.append(pause, reset, save, said);
+  const localize = button("Find place in map", "localize");
+  localize.dataset.command = "localize";
+  localize.hidden = true;
+  element.append(pause, reset, save, localize, said);
   return {
     element,
-    show: (isPaused) => {
-      paused = isPaused;
+    show: (state) => {
+      paused = state.paused;
       pause.textContent = paused ? "Resume" : "Pause";
+      localize.hidden = !state.commands.includes("localize");
     },
   };
 }

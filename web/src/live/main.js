@@ -57,7 +57,7 @@ events.onerror = () => header.say("no word from the run: it has ended, or cannot
 events.onmessage = ({ data }) => {
   live.take(JSON.parse(data));
   header.show(live, run);
-  commands.show(live.state.paused);
+  commands.show(live.state);
   drawPaths();
   drawCharts();
   document.documentElement.dataset.ready = "true";
