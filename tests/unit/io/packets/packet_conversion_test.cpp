@@ -9,10 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
-#include "io/messages/message_writer.hpp"
-#include "io/packets/capture_file.hpp"
 #include "unit/io/support.hpp"
 
 namespace surefoot::io {
@@ -235,67 +232,6 @@ TEST_F(PacketConversion, WhatIsNoCaptureIsRefused) {
   EXPECT_NE(test::message_of<ReadError>([&] { (void)convert(late); }).find("no scan in what"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(folder_.path() / "out.pcap"));
-}
-
-/// A bag of the data packets, some to a message.
-std::vector<std::string> write_bag(const fs::path& file) {
-  constexpr unsigned kAtOnce = 50;
-  MessageDefinition definition;
-  definition.type = "velodyne_msgs/VelodyneScan";
-  const auto bag = make_ros1_bag(file);
-  const std::size_t topic = bag->add_topic("/velodyne_packets", definition);
-  std::vector<std::string> payloads;
-  for (unsigned i = 0; i < kTurns * kTurn; i += kAtOnce) {
-    MessageWriter message(MessageWriter::Flavour::ros1);
-    const unsigned end = std::min(i + kAtOnce, kTurns * kTurn);
-    message.header(kStart + i * kPeriodNs, "velodyne").count(end - i);
-    for (unsigned k = i; k < end; ++k) {
-      payloads.push_back(data_packet(k));
-      message.time(kStart + k * kPeriodNs).raw(payloads.back());
-    }
-    bag->write(topic, kStart + end * kPeriodNs, message.take());
-  }
-  bag->finish();
-  return payloads;
-}
-
-TEST_F(PacketConversion, ABagsPacketsGoIntoACapture) {
-  ConversionRequest request;
-  request.input = folder_.path() / "walk.bag";
-  const std::vector<std::string> payloads = write_bag(request.input);
-  const auto expect_packets = [&](const ConversionOutcome& outcome, auto&& is_in) {
-    std::vector<std::int64_t> stamps;
-    std::vector<std::string> written;
-    CaptureFile file(request.output);
-    while (const std::optional<CapturedFrame> frame = file.next()) {
-      const UdpDatagram datagram = find_udp(file.link(), frame->bytes);
-      EXPECT_EQ(datagram.destination_port, 2368);
-      stamps.push_back(frame->stamp_ns);
-      written.emplace_back(reinterpret_cast<const char*>(datagram.payload.data()),
-                           datagram.payload.size());
-    }
-    std::vector<std::int64_t> expected_stamps;
-    std::vector<std::string> expected;
-    for (unsigned i = 0; i < payloads.size(); ++i) {
-      if (!is_in(i)) continue;
-      expected_stamps.push_back(kStart + i * kPeriodNs);
-      expected.push_back(payloads[i]);
-    }
-    EXPECT_TRUE(written == expected) << written.size() << " of " << expected.size();
-    EXPECT_EQ(stamps, expected_stamps);
-    EXPECT_EQ(outcome.packets, expected.size());
-  };
-  request.output = folder_.path() / "out.pcap";
-  expect_packets(convert(request), [](unsigned) { return true; });
-  request.start = 1;
-  request.count = 2;
-  expect_packets(convert(request), [](unsigned i) { return i >= kTurn && i < 3 * kTurn; });
-  request.start = 0;
-  request.count = std::numeric_limits<std::size_t>::max();
-  request.stride = 2;
-  expect_packets(convert(request), [](unsigned i) { return i / kTurn % 2 == 0; });
-  request.topics = {"/velodyne_packets", "/others"};
-  EXPECT_THROW((void)convert(request), std::invalid_argument);
 }
 
 TEST_F(PacketConversion, InterruptedItWritesNothing) {
