@@ -49,6 +49,28 @@ void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& opti
   fmt::print("results: {}\n", outcome.folder.string());
 }
 
+#ifdef SUREFOOT_HAS_PCAP
+/// The scans that a live run used, read as it read them unless that is said: stamps of packets as
+/// they are, those of topics mended as they come.
+void repeat_live_run(runs::RunOptions& options) {
+  live::UsedScans scans = live::used_scans(options.like);
+  options.only_stamps = std::move(scans.used);
+  options.reset_before = std::move(scans.reset_before);
+  const bool is_said =
+      std::any_of(options.given.begin(), options.given.end(), [](const auto& option) {
+        return option.first == "repair-stamps" || option.first == "repair-at-once";
+      });
+  if (is_said) return;
+  if (io::is_bag_input(options.input, options.reader)) {
+    options.reader.repair_at_once = true;
+    options.given.emplace_back("repair-at-once", "true");
+  } else {
+    options.reader.repair_stamps = false;
+    options.given.emplace_back("repair-stamps", "false");
+  }
+}
+#endif
+
 /// Takes from a run.yaml how its run read and wrote, and the recording if none is named; what the
 /// command line says goes before.
 void complete_options(CLI::App& command, runs::RunOptions& options) {
@@ -63,13 +85,6 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
     throw io::ReadError("no input: expected a recording, or a run.yaml as --config that names one");
   }
   options.given = recorded_options(command);
-#ifdef SUREFOOT_HAS_PCAP
-  if (!options.like.empty()) {
-    live::UsedScans scans = live::used_scans(options.like);
-    options.only_stamps = std::move(scans.used);
-    options.reset_before = std::move(scans.reset_before);
-  }
-#endif
   const bool named = std::any_of(options.given.begin(), options.given.end(),
                                  [](const auto& option) { return option.first == "loop-closure"; });
   if (options.loop_closure && !named) options.given.emplace_back("loop-closure", "true");
@@ -80,6 +95,9 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
 int run_recording(CLI::App& command, runs::RunOptions& options) {
   complete_options(command, options);
   take_piped_recording(options.input, options.quiet);
+#ifdef SUREFOOT_HAS_PCAP
+  if (!options.like.empty()) repeat_live_run(options);
+#endif
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);
   const auto say = [&](const std::string& text) {

@@ -39,6 +39,14 @@ live::CommandAnswer execute(const std::string& command, live::LiveRecording& rec
   return {true, "the odometry begins anew with the next scan"};
 }
 
+/// The log names the scans that were used: what else chooses among them has been done.
+void repeat_by(const fs::path& log, runs::OptionTexts& given) {
+  std::erase_if(given, [](const auto& option) {
+    return option.first == "start" || option.first == "stride" || option.first == "count";
+  });
+  given.emplace_back("like", fs::absolute(log).string());
+}
+
 /// Opens what the run reads from; what names and repeats it is noted in the run's options.
 live::LiveInput open_input(LiveRequest& request, live::CommandQueue& commands,
                            const LiveListener& listener) {
@@ -105,7 +113,7 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
     work_for(&run);
     const fs::path log = folder / runs::kLiveLogFile;
     recording.log().open(log);
-    request.run.given.emplace_back("like", fs::absolute(log).string());
+    repeat_by(log, request.run.given);
   };
   // An interrupt ends the stream, not the run.
   runs::RunOutcome outcome = runs::run_odometry(

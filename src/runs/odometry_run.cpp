@@ -187,7 +187,8 @@ RunOutcome OdometryRun::execute() {
 std::optional<io::ScanItem> OdometryRun::first_scan() {
   recording_->skip(options_.start);
   auto first = recording_->next();
-  if (!first || first->remark.empty()) return first;
+  const bool is_chosen = !options_.only_stamps.empty();  // by a run that left out its own part
+  if (!first || first->remark.empty() || is_chosen) return first;
   auto second = recording_->next();
   if (!second) return first;
   if (read_again_) return second;

@@ -197,6 +197,39 @@ TEST_F(LiveTest, MalformedDatagramsByTheThousandHaveNoEffect) {
   expect_same("offline", "live", {"trajectory_kitti.txt", "map.ply"});
 }
 
+// Of two revolutions that it begins with there are parts alone, and one further on is cut, so that
+// a run on the capture leaves out other scans and mends other stamps than a live one.
+TEST_F(LiveTest, WhatWasLostOnTheWayIsRepeated) {
+  std::vector<std::string> packets(packets_.begin(), packets_.begin() + 20);
+  packets.insert(packets.end(), packets_.begin() + 125, packets_.begin() + 300);
+  packets.insert(packets.end(), packets_.begin() + 450, packets_.end());
+  write_content(scratch_.path() / "gaps.pcap", pcap_file(packets));
+  const auto done = [&](const std::vector<std::string>& arguments) {
+    const ProcessResult result = run_surefoot(arguments, scratch_.path());
+    EXPECT_EQ(result.exit_code, 0) << result;
+  };
+  done(with({"live", "--replay", "gaps.pcap", "--speed", "0", "-o", "live"}, kBare));
+  expect_repeated("live");
+  done(with({"run", "gaps.pcap", "--like", "live/live.log", "-o", "like"}, kBare));
+  expect_same("live", "like", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+  // As a bag, whose stamps a live run mends as they come.
+  done({"convert", "gaps.pcap", "gaps.mcap", "--no-repair-stamps"});
+  done(with({"live", "--replay", "gaps.mcap", "--speed", "0", "-o", "live"}, kBare));
+  done(with({"run", "gaps.mcap", "--like", "live/live.log", "-o", "like"}, kBare));
+  expect_same("live", "like", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
+}
+
+TEST_F(LiveTest, ScansThatWereChosenAreNotChosenAmongAgain) {
+  const ProcessResult live =
+      run_surefoot(with({"live", "--replay", "hall.pcap", "--speed", "0", "--start", "1",
+                         "--stride", "2", "--count", "3", "-o", "live"},
+                        kBare),
+                   scratch_.path());
+  ASSERT_EQ(live.exit_code, 0) << live;
+  EXPECT_EQ(lines_of(scratch_.path() / "live" / "trajectory_kitti.txt"), 3U);
+  expect_repeated("live");
+}
+
 TEST_F(LiveTest, WhatItCannotKeepUpWithIsDroppedToldAndRepeated) {
   const ProcessResult live =
       run_surefoot({"live", "--replay", "hall.pcap", "--speed", "1000", "--queue", "1", "-o",

@@ -69,6 +69,7 @@ TEST_F(Ros2Test, CommandsAreDoneAndRepeated) {
       peer.write("rt/points", cloud_by_fast_cdr(scans[i], ""));
     }
   };
+  EXPECT_EQ(called(peer, "save_map"), "!no scan has come yet");
   send(0, 3);
   ASSERT_TRUE(wait_for_lines("live/live.log", 1 + 3));
   const std::string map = called(peer, "save_map");
