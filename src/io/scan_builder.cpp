@@ -318,7 +318,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
                      StampAt stamp_at) {
   BuiltScan built;
   Scan& scan = built.scan;
-  scan.stamp_ns = stamp_ns.value_or(0);
+  scan.stamp_ns = sane_time(stamp_ns.value_or(0));
   scan.points = points_of(table, columns);
   built.rounded_by = rounding_of(table, columns);
   if (columns.intensity != nullptr) {
@@ -336,7 +336,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
     return built;
   }
   if (!stamp_ns && rule->reference == TimeReference::absolute) {
-    scan.stamp_ns = times.least;
+    scan.stamp_ns = sane_time(times.least);
   }
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
   check_offsets(times, origin);

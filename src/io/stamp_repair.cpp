@@ -125,7 +125,7 @@ class RepairedRecording : public RecordingFilter {
     } else {
       const std::int64_t told = difference(sum(given, offset_ns_), *last_);
       const bool leaps = told >= times(kWild, usual_interval_ns()) && is_ahead(item);
-      if (!at_once_ && (told <= 0 || leaps)) {
+      if ((!at_once_ && (told <= 0 || leaps)) || is_no_time(given)) {
         set_clock(given, item.name, intervals_since_last(item));
       }
       scan.stamp_ns = sum(given, offset_ns_);
@@ -226,6 +226,12 @@ class RepairedRecording : public RecordingFilter {
     const std::int64_t usual = usual_interval_ns();
     return difference(step, usual) > *most &&
            difference(usual, difference(ahead.front(), given)) > *most;
+  }
+
+  /// What clocks that were set add up to may be none: sums of it with others would overflow.
+  [[nodiscard]] bool is_no_time(std::int64_t given) const {
+    const std::int64_t at = sum(given, offset_ns_);
+    return at != sane_time(at);
   }
 
   /// No message overtakes the fastest one by much: its stamp is of another clock.

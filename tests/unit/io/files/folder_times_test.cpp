@@ -34,6 +34,19 @@ TEST(FolderRecording, StampAtTheEnd) {
             (std::vector<std::int32_t>{-62'500'000, 0}));
 }
 
+// Differences of any two fit 64 bits.
+TEST(FolderRecording, StampsOfNoTimeAreKeptWithinThreeCenturies) {
+  const TemporaryFolder folder;
+  folder.write("a.pcd", timed_pcd<float>({0.0F, 0.0625F}));
+  folder.write("b.pcd", timed_pcd<float>({0.0F, 0.0625F}));
+  folder.write("times.txt", "-9000000000\n9000000000\n");
+  OpenOptions options;
+  options.repair_stamps = false;
+  const std::vector<ScanItem> items = read_all(folder.path(), options);
+  EXPECT_EQ(items[0].scan->stamp_ns, -4'294'967'296'000'000'000);
+  EXPECT_EQ(items[1].scan->stamp_ns, 4'294'967'296'000'000'000);
+}
+
 TEST(FolderRecording, AbsoluteTimesGiveTheStamp) {
   const TemporaryFolder folder;
   const double start = 1630577758.0;
