@@ -1,7 +1,7 @@
 # Makes the packages twice and looks into them:
 # cmake -D build=... -D folder=... -D cpack=... -D expected="a;b" -D libdir=... -D hardened=...
 #   -P check_packages.cmake
-# The same bytes twice, every package with its licence and changelog, lintian content if it is there:
+# The same bytes twice, whatever the umask, every package with its licence and changelog, lintian content if it is there:
 # without errors and warnings but those that packaging/lintian gives a reason for; where they are built so,
 # hardened programs and libraries.
 find_program(dpkg_deb dpkg-deb)
@@ -11,8 +11,11 @@ if(NOT dpkg_deb)
 endif()
 file(REMOVE_RECURSE ${folder})
 set(ENV{SOURCE_DATE_EPOCH} 1700000000)
+set(umask_1 022)
+set(umask_2 077)
 foreach(turn 1 2)
-  execute_process(COMMAND ${cpack} -G DEB -B ${folder}/${turn} --config ${build}/CPackConfig.cmake
+  execute_process(COMMAND sh -c "umask ${umask_${turn}} && exec \"$@\"" sh
+      ${cpack} -G DEB -B ${folder}/${turn} --config ${build}/CPackConfig.cmake
     WORKING_DIRECTORY ${build} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(failed)
     message(FATAL_ERROR "cpack failed:\n${said}")
