@@ -31,13 +31,18 @@ SurfelMoments::RaySpread SurfelMoments::ray_spread(double size, double ring_gap)
   const Eigen::Vector3d u = spread.mean.unitOrthogonal(), v = spread.mean.cross(u);
   const Eigen::Matrix3d C = matrix_of(rays_) / count_ - mean * mean.transpose();
   const double uu = u.dot(C * u), uv = u.dot(C * v), vv = v.dot(C * v);
-  const double turn = 0.5 * std::atan2(2.0 * uv, uu - vv);  // of the wider axis, from u
-  spread.across[1] = std::cos(turn) * u + std::sin(turn) * v;
+  const double half = 0.5 * (uu - vv);
+  const double wide = std::sqrt(half * half + uv * uv);  // libm's hypot is another elsewhere
+  // The wider axis of (uu uv; uv vv), by the form that is a sum.
+  const Eigen::Vector2d axis =
+      half > 0.0 ? Eigen::Vector2d(half + wide, uv) : Eigen::Vector2d(uv, wide - half);
+  const double length = axis.norm();
+  spread.across[1] = length > 0.0 ? Eigen::Vector3d((axis.x() * u + axis.y() * v) / length) : u;
   spread.across[0] = spread.mean.cross(spread.across[1]);
-  const double reach = std::min(ring_gap, size / std::sqrt(squared_ranges_ / count_));
+  const double mean_squared_range = static_cast<double>(squared_ranges_) / count_;
+  const double reach = std::min(ring_gap, size / std::sqrt(mean_squared_range));
   const double evenly = std::max(reach * reach / 12.0, 1e-12);
-  // libm's hypot is another one on other machines.
-  const double middle = 0.5 * (uu + vv), wide = std::sqrt(0.25 * (uu - vv) * (uu - vv) + uv * uv);
+  const double middle = 0.5 * (uu + vv);
   spread.left_out[0] = std::clamp(1.0 - (middle - wide) / evenly, 0.0, 1.0);
   spread.left_out[1] = std::clamp(1.0 - (middle + wide) / evenly, 0.0, 1.0);
   return spread;
