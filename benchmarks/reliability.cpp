@@ -145,13 +145,17 @@ class Report {
     if (!samples_.is_open()) return;
     for (std::size_t n = 0; n < judged.size(); ++n) {
       const Estimate& estimate = judged[n].estimate;
-      const bool told = estimate.status == Status::ok && judged[n].over_ten;
+      const std::optional<MotionError>& since = judged[n].since_fault;
       const bool calm =
           n < simulation::kFaultBegins || fault.name == simulation::fault_catalogue().front().name;
+      const bool told = estimate.status == Status::ok && judged[n].over_ten;
+      const bool wrong = told && judged[n].over_ten->wrong();
+      // Right against ten scans before, at a place that is wrong since the fault: neither.
+      const bool right = told && !wrong && (calm || !since || !since->wrong());
       samples_ << fmt::format("{},{},{},{},{},{}", walk, fault.name, n, to_string(estimate.status),
-                              !told                         ? "-"
-                              : judged[n].over_ten->wrong() ? "1"
-                                                            : "0",
+                              wrong   ? "1"
+                              : right ? "0"
+                                      : "-",
                               calm ? 0 : 1);
       for (const EvidenceField& field : kEvidenceFields) {
         samples_ << fmt::format(",{:.4f}", estimate.evidence.*field.member);
