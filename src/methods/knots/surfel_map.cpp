@@ -4,54 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
-#include <optional>
-#include <utility>
+
+#include "core/prefetch.hpp"
 
 namespace surefoot {
 
 namespace {
 
-// A surfel is fitted anew when its points grew by this factor, not at every point: to save time.
-constexpr double kGrowth = 1.3;
-
-// What no beam is known to have gone through is asked for at every so many-th scan only.
-constexpr std::size_t kTurn = 3;
-
 // A grid that divides voxels does so no farther from the sensor than so many of its own: beyond, a
 // LiDAR's points lie as far apart as they are wide.
 constexpr double kReach = 100.0;
-
-// So many points ahead, memory is asked for what the map knows of them: they lie all over it.
-constexpr std::size_t kAhead = 20;
-
-// Scans that are counted: what fits Sight's 16 bits.
-constexpr int kMost = 60'000;
-
-constexpr std::size_t kCacheLine = 64;
-
-/// Of something its first bytes, which it is aligned to.
-template <typename T>
-void prefetch(const T& value, std::size_t bytes = sizeof(T)) {
-#if defined(__GNUC__)
-  for (std::size_t at = 0; at < bytes; at += kCacheLine) {
-    __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
-  }
-#endif
-}
 
 /// Rounded down.
 VoxelIndex half(const VoxelIndex& index) {
   return {index.x() >> 1, index.y() >> 1, index.z() >> 1};
 }
-
-Eigen::Vector3d middle_of(const VoxelIndex& index, double size) {
-  return (index.cast<double>().array() + 0.5) * size;
-}
-
-// voxel_key() leaves the first bit free: it tells a voxel's back.
-constexpr std::uint64_t kBack = std::uint64_t{1} << 63;
 
 }  // namespace
 
@@ -131,198 +98,10 @@ int SurfelMap::level_of(double size) const {
   return static_cast<int>(found - grids_.begin());
 }
 
-struct SurfelMap::Sweep {
-  Sweep(const std::vector<Eigen::Vector3d>& of, const Eigen::Vector3d& sensor,
-        double inverse_finest_size)
-      : points(of) {
-    indices.reserve(points.size());
-    rays.reserve(points.size());
-    ranges.reserve(points.size());
-    for (const Eigen::Vector3d& point : points) {
-      indices.push_back(voxel_index(point, inverse_finest_size));
-      const Eigen::Vector3d ray = point - sensor;
-      ranges.push_back(ray.norm());
-      rays.emplace_back(ray / ranges.back());
-    }
-  }
-
-  /// Of the voxel of a level's grid that a point lies in.
-  [[nodiscard]] VoxelIndex index(std::uint32_t point, std::size_t level) const {
-    const VoxelIndex& finest = indices[point];
-    return {finest.x() >> level, finest.y() >> level, finest.z() >> level};
-  }
-
-  const std::vector<Eigen::Vector3d>& points;
-  std::vector<VoxelIndex> indices;  // in the finest grid
-  std::vector<Eigen::Vector3d> rays;
-  std::vector<double> ranges;
-};
-
-/// A voxel, or its back, of which there is none yet.
-std::uint32_t SurfelMap::make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
-  auto side = static_cast<std::uint32_t>(grid.voxels.size());
-  if (grid.unused.empty()) {
-    grid.voxels.add();
-    grid.surfels.add();
-    grid.sights.emplace_back();
-  } else {
-    side = grid.unused.back();
-    grid.unused.pop_back();
-  }
-  grid.table.find_or_insert(key, side);
-  Voxel& fresh = grid.voxels[side];
-  fresh.key = key;
-  fresh.index = index;
-  fresh.in_use = true;
-  return side;
-}
-
-std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
-  const std::uint32_t found = grid.table.find(key);
-  return found != VoxelTable::kNone ? found : make_side(grid, key, index);
-}
-
 /// [m] from the sensor, what a grid holds.
 double SurfelMap::reach_of(const Grid& grid) const {
   const bool dividing = divides() && &grid == &grids_.front();
   return dividing ? std::min(radius_, kReach * grid.size) : radius_;
-}
-
-/// Those of a scan's points that enter a grid.
-std::vector<std::uint32_t> SurfelMap::taken_by(std::size_t level, const Sweep& sweep) const {
-  std::vector<std::uint32_t> taken(sweep.points.size());
-  std::iota(taken.begin(), taken.end(), 0U);
-  if (level >= finest_whole()) return taken;
-  const double reach = reach_of(grids_[level]);
-  std::erase_if(taken, [&](std::uint32_t i) { return sweep.ranges[i] > reach; });
-  leave_undivided(level + 1, sweep, taken);
-  return taken;
-}
-
-/// Drops the points in whose voxels of a level are too few.
-void SurfelMap::leave_undivided(std::size_t level, const Sweep& sweep,
-                                std::vector<std::uint32_t>& taken) const {
-  const Grid& grid = grids_[level];
-  const std::size_t n = taken.size();
-  std::vector<std::uint64_t> keys(n);
-  for (std::size_t i = 0; i < n; ++i) keys[i] = voxel_key(sweep.index(taken[i], level));
-  std::vector<std::uint32_t> voxels(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
-    voxels[i] = grid.table.find(keys[i]);
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i + kAhead < n && voxels[i + kAhead] != VoxelTable::kNone) {
-      prefetch(grid.voxels[voxels[i + kAhead]]);
-    }
-    if (voxels[i] == VoxelTable::kNone) continue;
-    if (grid.voxels[voxels[i]].moments.count() >= config_.divided_at) taken[kept++] = taken[i];
-  }
-  taken.resize(kept);
-}
-
-/// A voxel takes all of a scan's points or none, so that their order is no matter.
-void SurfelMap::add(std::size_t level, const Sweep& sweep,
-                    const std::vector<std::uint32_t>& taken) {
-  Grid& grid = grids_[level];
-  const std::size_t n = taken.size();
-  std::vector<VoxelIndex> indices(n);
-  std::vector<std::uint64_t> keys(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    indices[i] = sweep.index(taken[i], level);
-    keys[i] = voxel_key(indices[i]);
-  }
-  std::vector<std::uint32_t> sides(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
-    sides[i] = side_of(grid, keys[i], indices[i]);
-  }
-  std::vector<std::uint32_t> filled;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i + 2 * kAhead < n) {
-      prefetch(grid.surfels[sides[i + 2 * kAhead]], kCacheLine);
-      prefetch(grid.sights[sides[i + 2 * kAhead]]);
-    }
-    if (i + kAhead < n && !grid.sights[sides[i + kAhead]].full) {
-      prefetch(grid.voxels[sides[i + kAhead]]);
-    }
-    const std::uint32_t point = taken[i];
-    if (grid.surfels[sides[i]].from_behind(sweep.rays[point])) {
-      sides[i] = side_of(grid, keys[i] | kBack, indices[i]);
-    }
-    Sight& sight = grid.sights[sides[i]];
-    sight.now = true;
-    if (sight.full) continue;
-    Voxel& voxel = grid.voxels[sides[i]];
-    const Eigen::Vector3d place = sweep.points[point] - middle_of(indices[i], grid.size);
-    voxel.moments.add(place.cast<float>(), sweep.rays[point].cast<float>(),
-                      static_cast<float>(sweep.ranges[point]));
-    const int count = voxel.moments.count();
-    if (count == config_.points_per_voxel) filled.push_back(sides[i]);
-    if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
-      voxel.stale = true;
-      grid.stale.push_back(sides[i]);
-    }
-  }
-  // What was seen first is kept: no drift.
-  for (const std::uint32_t side : filled) grid.sights[side].full = true;
-}
-
-void SurfelMap::fit(Grid& grid) const {
-  for (std::size_t i = 0; i < grid.stale.size(); ++i) {
-    if (i + kAhead < grid.stale.size()) {
-      const std::uint32_t ahead = grid.stale[i + kAhead];
-      prefetch(grid.voxels[ahead]);
-      prefetch(grid.surfels[ahead]);
-    }
-    const std::uint32_t at = grid.stale[i];
-    Voxel& voxel = grid.voxels[at];
-    grid.surfels[at] = voxel.moments.fit(middle_of(voxel.index, grid.size), grid.size, config_);
-    grid.sights[at].middle = grid.surfels[at].mean.cast<float>();
-    voxel.stale = false;
-    voxel.fitted_at = voxel.moments.count();
-  }
-  grid.stale.clear();
-}
-
-/// Notes what this scan hit, and returns the sides that its beams may have gone through.
-std::vector<std::uint32_t> SurfelMap::may_be_passed(Grid& grid, const Beams& beams) const {
-  std::vector<std::uint32_t> sides;
-  for (std::size_t at = 0; at < grid.sights.size(); ++at) {
-    Sight& sight = grid.sights[at];
-    if (sight.now) {
-      sight.now = false;
-      sight.passed = 0;
-      sight.hits = static_cast<std::uint16_t>(std::min(sight.hits + 1, kMost));
-      continue;
-    }
-    if (sight.hits == 0 || (sight.passed == 0 && (at + scan_) % kTurn != 0)) continue;
-    if (beams.may_pass(sight.middle)) sides.push_back(static_cast<std::uint32_t>(at));
-  }
-  return sides;
-}
-
-/// What beams went through time and again since one last hit it has moved away.
-std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
-  std::vector<Eigen::Vector3d> emptied;
-  const std::vector<std::uint32_t> sides = may_be_passed(grid, beams);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i + kAhead < sides.size()) prefetch(grid.surfels[sides[i + kAhead]], kCacheLine);
-    const std::uint32_t at = sides[i];
-    if (!beams.pass(grid.surfels[at])) continue;
-    Sight& sight = grid.sights[at];
-    sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
-    // [K19]
-    if (sight.passed < config_.gone_after + config_.gone_share * sight.hits) continue;
-    Voxel& voxel = grid.voxels[at];
-    const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
-    if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
-      emptied.push_back(middle_of(voxel.index, grid.size));
-    }
-    empty(grid, at);
-  }
-  return emptied;
 }
 
 void SurfelMap::empty(Grid& grid, std::uint32_t side) {
@@ -337,49 +116,6 @@ void SurfelMap::drop(Grid& grid, std::uint32_t side) {
   grid.table.erase(grid.voxels[side].key);
   grid.voxels[side].in_use = false;
   grid.unused.push_back(side);
-}
-
-/// Of the finest grid what lies in voxels of the next one.
-void SurfelMap::empty_divided(const std::vector<Eigen::Vector3d>& centres) {
-  Grid& grid = grids_.front();
-  for (const Eigen::Vector3d& centre : centres) {
-    const VoxelIndex middle = voxel_index(centre, grid.inverse_size);
-    for (int corner = 0; corner < 8; ++corner) {
-      const VoxelIndex index = middle - VoxelIndex(corner & 1, corner >> 1 & 1, corner >> 2);
-      const std::uint64_t key = voxel_key(index);
-      for (const std::uint64_t side : {key, key | kBack}) {
-        const std::uint32_t at = grid.table.find(side);
-        if (at != VoxelTable::kNone) empty(grid, at);
-      }
-    }
-  }
-}
-
-Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
-                        const Workers& workers, const Beams* beams) {
-  ++scan_;
-  const Sweep sweep(points, sensor, grids_.front().inverse_size);
-  std::optional<Beams> own;
-  if (config_.gone_after == 0) {
-    beams = nullptr;
-  } else if (beams == nullptr) {
-    beams = &own.emplace(sensor, sweep.rays, sweep.ranges);
-  }
-  std::vector<std::vector<std::uint32_t>> taken(grids_.size());
-  for (std::size_t level = 0; level < grids_.size(); ++level) taken[level] = taken_by(level, sweep);
-  const std::size_t finest = finest_whole();
-  Cubes emptied{grids_[finest].size, {}};
-  workers.for_each(grids_.size(), [&](std::size_t turn) {
-    const std::size_t level = (finest + turn) % grids_.size();  // what takes longest first
-    Grid& grid = grids_[level];
-    add(level, sweep, taken[level]);
-    fit(grid);
-    if (beams == nullptr || level < finest) return;
-    std::vector<Eigen::Vector3d> here = empty_passed(grid, *beams);
-    if (level == finest) emptied.centres = std::move(here);
-  });
-  if (divides()) empty_divided(emptied.centres);
-  return emptied;
 }
 
 void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {

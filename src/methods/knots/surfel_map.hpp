@@ -115,6 +115,13 @@ class SurfelMap {
     [[nodiscard]] std::size_t in_use() const { return voxels.size() - unused.size(); }
   };
 
+  // voxel_key() leaves the first bit free: it tells a voxel's back.
+  static constexpr std::uint64_t kBack = std::uint64_t{1} << 63;
+
+  [[nodiscard]] static Eigen::Vector3d middle_of(const VoxelIndex& index, double size) {
+    return (index.cast<double>().array() + 0.5) * size;
+  }
+
   /// What a scan adds to the map: points, and the beams that measured them.
   struct Sweep;
 
