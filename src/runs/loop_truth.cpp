@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "runs/loop_truth.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "evaluation/association.hpp"
+#include "io/recording.hpp"
+#include "io/trajectory_files.hpp"
+#include "runs/run_truth.hpp"
 
 namespace surefoot::runs {
 
@@ -14,6 +19,21 @@ namespace {
 
 constexpr double kRevisit = 3.0;  // [m]
 constexpr double kHeight = 1.2;   // half a storey: above a place is another one [m]
+
+constexpr std::int64_t kTruthStep = 10'000'000;  // [ns] between these a robot moves evenly
+
+/// Poses so far apart, at least: a truth may be finer than what it is asked for, and as large as
+/// all else that is kept.
+Trajectory every(std::int64_t step_ns, const Trajectory& trajectory) {
+  Trajectory result;
+  for (const StampedPose& pose : trajectory) {
+    const bool last = &pose == &trajectory.back();
+    if (result.empty() || last || pose.stamp_ns - result.back().stamp_ns >= step_ns) {
+      result.push_back(pose);
+    }
+  }
+  return result;
+}
 
 /// True poses of the pieces' frames.
 std::vector<Pose> true_pieces(const std::vector<mapping::Piece>& pieces, const Trajectory& truth) {
@@ -33,6 +53,18 @@ std::vector<Pose> true_pieces(const std::vector<mapping::Piece>& pieces, const T
 }
 
 }  // namespace
+
+Trajectory truth_of_loops(const std::filesystem::path& input,
+                          const std::function<void(const std::string& text)>& say) {
+  const std::filesystem::path file = truth_beside(input);
+  if (file.empty()) return {};
+  try {
+    return every(kTruthStep, io::read_tum(file));
+  } catch (const io::ReadError& error) {
+    say(fmt::format("loops are not judged: {}", error.what()));
+    return {};
+  }
+}
 
 LoopScore LoopTruth::score() const {
   return {static_cast<std::size_t>(std::count(revisits.begin(), revisits.end(), true)),

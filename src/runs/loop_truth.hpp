@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "mapping/walk_mapper.hpp"
@@ -12,6 +15,11 @@
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
+
+/// The truth beside a recording, by which loops are judged, as finely as that needs; empty if there
+/// is none. A broken file is told to `say`, and no reason to have no map.
+[[nodiscard]] Trajectory truth_of_loops(const std::filesystem::path& input,
+                                        const std::function<void(const std::string& text)>& say);
 
 /// How far a loop's motion is from the true one, in what it claims to hold.
 struct LoopError {

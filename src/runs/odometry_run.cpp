@@ -14,16 +14,16 @@
 #include "io/decimal_time.hpp"
 #include "io/printable.hpp"
 #include "io/scan_selection.hpp"
-#include "io/trajectory_files.hpp"
 #include "process/machine.hpp"
 #include "runs/length_unit.hpp"
 #include "runs/localization_run.hpp"
+#include "runs/loop_truth.hpp"
 #include "runs/map_run.hpp"
+#include "runs/output_checks.hpp"
 #include "runs/report_maker.hpp"
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_output.hpp"
-#include "runs/run_truth.hpp"
 #include "runs/saved_map.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/reference.hpp"
@@ -52,35 +52,8 @@ struct Shares {
   [[nodiscard]] double of(double part) const { return from + part * (to - from); }
 };
 
-constexpr std::int64_t kTruthStep = 10'000'000;  // [ns] between these a robot moves evenly
-
-/// Poses so far apart, at least: a truth may be finer than what it is asked for, and as large as
-/// all else that is kept.
-Trajectory every(std::int64_t step_ns, const Trajectory& trajectory) {
-  Trajectory result;
-  for (const StampedPose& pose : trajectory) {
-    const bool last = &pose == &trajectory.back();
-    if (result.empty() || last || pose.stamp_ns - result.back().stamp_ns >= step_ns) {
-      result.push_back(pose);
-    }
-  }
-  return result;
-}
-
 // A reference's: the odometry takes about half the time, and the passes most of the rest.
 constexpr Shares kOdometry{0.0, 0.5}, kPasses{0.5, 0.85}, kWriting{0.85, 1.0};
-
-/// Of what is to be written there; the run's own is made.
-void require_folder_of(const std::filesystem::path& file, const std::filesystem::path& of_run) {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::absolute(file).parent_path();
-  if (fs::is_directory(folder)) return;
-  if (!of_run.empty() && folder == (fs::absolute(of_run) / "").lexically_normal().parent_path()) {
-    return;
-  }
-  throw std::runtime_error(
-      fmt::format("{}: cannot be written: there is no folder {}", file.string(), folder.string()));
-}
 
 class OdometryRun final : public RunControl {
  public:
@@ -115,8 +88,6 @@ class OdometryRun final : public RunControl {
   void count(Status status);
   [[nodiscard]] double progress(std::size_t done) const;
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
-  void check_bags() const;
-  void check_log() const;
   void open_bags();
   void begin_map();
   void finish_map();
@@ -147,8 +118,7 @@ class OdometryRun final : public RunControl {
 };
 
 RunOutcome OdometryRun::execute() {
-  check_bags();  // what needs no scan first: a live run's may be long in coming
-  check_log();
+  check_outputs(options_);  // what needs no scan first: a live run's may be long in coming
   if (!options_.localize.empty()) localize(options_.localize);
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
@@ -375,33 +345,6 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
   return run;
 }
 
-/// What is there already stays, unless it may go; the recording itself always does.
-void OdometryRun::check_bags() const {
-  if (!options_.mcap.empty()) require_folder_of(options_.mcap, options_.output);
-  for (const std::filesystem::path& path : {options_.mcap, options_.rosbag2}) {
-    std::error_code ignored;
-    if (path.empty() || !std::filesystem::exists(path, ignored)) continue;
-    if (std::filesystem::equivalent(path, options_.input, ignored)) {
-      throw std::runtime_error(path.string() + ": is the recording itself");
-    }
-    if (!options_.overwrite && !std::filesystem::is_empty(path, ignored)) {
-      throw std::runtime_error(path.string() +
-                               ": is there already; choose another name, or --overwrite");
-    }
-  }
-}
-
-/// It is one of the files that go where a run's folder is written anew.
-void OdometryRun::check_log() const {
-  std::error_code ignored;
-  if (options_.like.empty() || options_.output.empty()) return;
-  const std::filesystem::path folder = std::filesystem::absolute(options_.like).parent_path();
-  if (!std::filesystem::equivalent(folder, options_.output, ignored)) return;
-  throw std::runtime_error(options_.output.string() + ": is where " +
-                           options_.like.filename().string() +
-                           " lies, which is to be followed; choose another folder");
-}
-
 void OdometryRun::open_bags() {
   const bool of_base = options_.pose_of == "base";
   const std::optional<Pose> T_lidar_base = of_base ? std::optional(T_lidar_written_) : std::nullopt;
@@ -412,22 +355,13 @@ void OdometryRun::open_bags() {
   if (listener_.messages) bags_.emplace_back(listener_.messages, T_lidar_base);
 }
 
-/// Where the recording's truth is known, loops are judged by it. A broken file is told, and no
-/// reason to have no map.
 void OdometryRun::begin_map() {
   if (!options_.loop_closure && options_.continued.empty()) return;
-  const std::filesystem::path file = truth_beside(options_.input);
-  Trajectory truth;
-  try {
-    if (!file.empty()) truth = every(kTruthStep, io::read_tum(file));
-  } catch (const io::ReadError& error) {
-    listener_.say(fmt::format("loops are not judged: {}", error.what()));
-  }
   mapping::MapperOptions options;
   options.close_loops = !options_.no_loops;
   options.loops.candidates = options_.loop_candidates;
   options.folder = outcome_.folder;
-  map_run_.emplace(options, std::move(truth), std::move(continued_));
+  map_run_.emplace(options, truth_of_loops(options_.input, listener_.say), std::move(continued_));
 }
 
 void OdometryRun::finish_map() {
