@@ -108,14 +108,21 @@ std::optional<io::ScanItem> LiveRecording::next() {
     lock.lock();
   }
   if (queue_.empty()) {
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    lock.unlock();
+    if (!has_given_) rethrow_failure();
     return std::nullopt;
   }
+  has_given_ = true;
   LiveScan first = std::move(queue_.front());
   queue_.pop_front();
   changed_.notify_all();
   given_ = {first.item.scan->stamp_ns, first.item.name, first.received, std::nullopt};
   return std::move(first.item);
+}
+
+void LiveRecording::rethrow_failure() {
+  const std::lock_guard lock(mutex_);
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void LiveRecording::skip(std::size_t scans) {

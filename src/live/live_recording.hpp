@@ -58,7 +58,8 @@ class LiveRecording final : public io::Recording {
   LiveRecording& operator=(const LiveRecording&) = delete;
 
   /// Waits for a scan; nothing once the stream has ended and all that waited was used. Throws what
-  /// went wrong while receiving.
+  /// went wrong while receiving if no scan came before that; else the run has an end, and
+  /// rethrow_failure() the reason of it.
   [[nodiscard]] std::optional<io::ScanItem> next() override;
   [[nodiscard]] std::optional<std::size_t> size() const override { return std::nullopt; }
   void skip(std::size_t scans) override;
@@ -67,6 +68,8 @@ class LiveRecording final : public io::Recording {
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] io::CaptureCounts capture_counts() const override { return figures().packets; }
 
+  /// Throws, once, what went wrong while receiving.
+  void rethrow_failure();
   /// To be called when the pose of the scan that next() gave last is written and published: what
   /// is done with the scan after that does not count as its latency.
   void answered();
@@ -112,6 +115,7 @@ class LiveRecording final : public io::Recording {
 
   // The reader's own.
   std::optional<Given> given_;
+  bool has_given_ = false;
   mutable std::vector<std::string> notes_given_;
 
   std::thread thread_;

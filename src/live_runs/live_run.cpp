@@ -119,6 +119,7 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
   runs::RunOutcome outcome = runs::run_odometry(
       request.run,
       {listener.say, progress, [] { return false; }, started, answered, input.messages}, recording);
+  recording.rethrow_failure();  // its files are whole: a full disk's record costs no map
   return {std::move(outcome), recording.figures(), request.run.input, input.of_topic};
 }
 

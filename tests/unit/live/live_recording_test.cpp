@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "io/file_writer.hpp"
 #include "support/scratch.hpp"
 
 namespace surefoot::live {
@@ -39,6 +40,7 @@ class Scans final : public ScanStream {
       seen_->ended = true;
       return std::nullopt;
     }
+    if (given_ == fails_after_) throw io::WriteError("the disk is full");
     ++given_;
     LiveScan scan;
     scan.item.name = "scan " + std::to_string(given_);
@@ -57,6 +59,7 @@ class Scans final : public ScanStream {
   std::string nothing_text() const override { return count_ == 0 ? "nothing came" : ""; }
 
   void make_unreadable(int which) { unreadable_ = which; }
+  void fail_after(int scans) { fails_after_ = scans; }
 
  private:
   int count_;
@@ -64,6 +67,7 @@ class Scans final : public ScanStream {
   Seen* seen_;
   int given_ = 0;
   int unreadable_ = 0;
+  int fails_after_ = -1;
   Clock::time_point last_ = Clock::now();
 };
 
@@ -164,6 +168,16 @@ TEST(LiveRecording, WhatEndsWithNothingIsAnErrorOnce) {
   LiveRecording recording(std::make_unique<Scans>(0, true, seen), {});
   EXPECT_THROW((void)recording.next(), io::ReadError);
   EXPECT_FALSE(recording.next());
+}
+
+TEST(LiveRecording, WhatGoesWrongOnTheWayEndsItInGoodOrder) {
+  Seen seen;
+  auto scans = std::make_unique<Scans>(9, true, seen);
+  scans->fail_after(3);
+  LiveRecording recording(std::move(scans), {});
+  EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{1, 2, 3}));
+  EXPECT_THROW(recording.rethrow_failure(), io::WriteError);
+  EXPECT_NO_THROW(recording.rethrow_failure());
 }
 
 TEST(LiveRecording, EndsWhenItIsStopped) {
