@@ -173,7 +173,8 @@ TEST(PlyWriter, WritesAnyColumns) {
   const std::vector<Eigen::Vector3f> points = {{1, 2, 3}, {4, 5, 6}};
   const std::vector<float> seen = {0.5F, 7.0F};
   const std::vector<PlyColumn> columns = {{"first_seen", seen}};
-  const PointTable table = parse_ply(bytes_of(format_ply(points, columns, PlyFlavour::binary)));
+  const std::string file = format_ply(points, columns, PlyFlavour::binary);
+  const PointTable table = parse_ply(bytes_of(file));  // which looks into the file
   EXPECT_EQ(column(table, "first_seen"), (std::vector<double>{0.5, 7.0}));
   EXPECT_EQ(column(table, "y"), (std::vector<double>{2, 5}));
 }
