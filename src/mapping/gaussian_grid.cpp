@@ -3,7 +3,6 @@
 #include "mapping/gaussian_grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
@@ -81,19 +80,24 @@ const Gaussian* GaussianGrid::inside(const Eigen::Vector3d& place) const {
 }
 
 const Gaussian* GaussianGrid::find(const Eigen::Vector3d& place) const {
-  static const std::array<VoxelIndex, 7> kCubes = {
-      VoxelIndex{0, 0, 0},  VoxelIndex{1, 0, 0}, VoxelIndex{-1, 0, 0}, VoxelIndex{0, 1, 0},
-      VoxelIndex{0, -1, 0}, VoxelIndex{0, 0, 1}, VoxelIndex{0, 0, -1}};
   const VoxelIndex middle = voxel_index(place, inverse_size_);
-  const Gaussian* nearest = nullptr;
-  double nearest2 = 1e300;
-  for (const VoxelIndex& offset : kCubes) {
-    const Gaussian* gaussian = at(middle + offset);
-    if (gaussian == nullptr) continue;
-    const double distance2 = (gaussian->mean - place).squaredNorm();
-    if (distance2 >= nearest2) continue;
-    nearest = gaussian;
-    nearest2 = distance2;
+  const Gaussian* nearest = at(middle);
+  double nearest2 = nearest == nullptr ? 1e300 : (nearest->mean - place).squaredNorm();
+  const Eigen::Vector3d within = place - size_ * middle.cast<double>();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {1, -1}) {
+      // A mean lies in its cube, no nearer than the face between.
+      const double face = side > 0 ? size_ - within[axis] : within[axis];
+      if (face * face >= nearest2) continue;
+      VoxelIndex beside = middle;
+      beside[axis] += side;
+      const Gaussian* gaussian = at(beside);
+      if (gaussian == nullptr) continue;
+      const double distance2 = (gaussian->mean - place).squaredNorm();
+      if (distance2 >= nearest2) continue;
+      nearest = gaussian;
+      nearest2 = distance2;
+    }
   }
   return nearest;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "mapping/place_search.hpp"
@@ -42,32 +41,37 @@ void MapLocalizer::add(const PlacedScan& scan, const DeskewedScan& points) {
   }
   ++scans_;
   if (T_map_world_) {
-    if (way_ - checked_at_ >= options_.check_every) check();
+    const bool confirmed = succeeded_at_ >= checked_at_;
+    if (way_ - checked_at_ >= (confirmed ? options_.check_every : options_.check_again)) check();
   } else if (scans_ % options_.every == 0) {
     search();
   }
 }
 
+/// A scan that the odometry is not sure of may lie anywhere against those before it, and so may
+/// what follows: mostly it is the second one of a run.
 void MapLocalizer::collect(const PlacedScan& scan, const DeskewedScan& points) {
+  if (!is_sure(scan.covariance)) {
+    builder_ = PieceBuilder(options_.pieces);
+    recent_.clear();
+    return;
+  }
   auto done = builder_.add(scan, points);
   if (!done) return;
   recent_.push_back(std::move(*done));
   if (recent_.size() > kPieces) recent_.erase(recent_.begin());
 }
 
-MapLocalizer::Surroundings MapLocalizer::surroundings() const {
+std::optional<MapLocalizer::Surroundings> MapLocalizer::surroundings() const {
   std::vector<Piece> pieces = recent_;
   if (auto piece = builder_.unfinished()) pieces.push_back(std::move(*piece));
-  return {VerifiableSubmap(make_submap(pieces, pieces.size() - 1, kPieces)),
-          pieces.back().T_world_piece};
+  if (pieces.empty()) return std::nullopt;
+  return Surroundings{VerifiableSubmap(make_submap(pieces, pieces.size() - 1, kPieces)),
+                      pieces.back().T_world_piece};
 }
 
-bool MapLocalizer::agree(const Pose& one, const Pose& other) const {
-  // At the robot: far from the origins a turn moves everything.
-  const Eigen::Vector3d place = last_.value_or(Eigen::Vector3d::Zero());
-  const double turn = one.rotation.angularDistance(other.rotation) * 180.0 / std::numbers::pi;
-  return (one * place - other * place).norm() < options_.agree_metres &&
-         turn < options_.agree_degrees;
+bool MapLocalizer::agree_here(const Pose& one, const Pose& other) const {
+  return agree(one, other, last_.value_or(Eigen::Vector3d::Zero()), options_.choice);
 }
 
 /// A place of the map. Those that were asked for last are kept: they are asked for again.
@@ -84,36 +88,40 @@ std::shared_ptr<const VerifiableSubmap> MapLocalizer::submap_of(std::size_t plac
 }
 
 /// The one pose that passes every question; none if there is none, or if there are two.
-std::optional<MapLocalizer::Found> MapLocalizer::only_place(const Surroundings& here) {
-  std::optional<Found> best;
+std::optional<Pose> MapLocalizer::only_place(const Surroundings& here) {
+  std::vector<AskedPlace> asked;
   const Pose T_here_world = here.T_world_seen.inverse();
   const auto matches =
       distinct_places(index_, map_.pieces, here.seen.submap(), options_.candidates);
+  bool roofed = here.seen.submap().covered;
+  for (const PlaceIndex::Match& match : matches) {
+    roofed = roofed || submap_of(match.place)->submap().covered;
+  }
+  const LoopLimits& limits = roofed ? options_.roofed_limits : options_.limits;
   for (const PlaceIndex::Match& match : matches) {
     const auto place = submap_of(match.place);
-    const LoopCheck checked = check_match(match, *place, here.seen, options_.limits);
-    if (checked.verdict != LoopVerdict::taken || checked.alignment.held < 6) continue;
-    const Found found{
-        map_.pieces[match.place].T_world_piece * checked.alignment.T_target_source * T_here_world,
-        checked.overlap};
-    if (best && !agree(best->T_map_world, found.T_map_world)) {
-      message_ = "not found yet: several places fit";
-      return std::nullopt;
-    }
-    if (!best || found.overlap > best->overlap) best = found;
+    const LoopCheck check = check_match(match, *place, here.seen, limits);
+    const Pose& T_map_place = map_.pieces[match.place].T_world_piece;
+    asked.push_back({T_map_place * check.alignment.T_target_source * T_here_world, check});
   }
-  if (!best) message_ = "not found yet: no place fits";
-  return best;
+  const PlaceChoice choice = choose_place(asked, last_.value_or(Eigen::Vector3d::Zero()),
+                                          roofed ? options_.roofed_choice : options_.choice);
+  if (choice.several) message_ = "not found yet: several places fit";
+  if (!choice.chosen && !choice.several) message_ = "not found yet: no place fits";
+  if (!choice.chosen) return std::nullopt;
+  return asked[*choice.chosen].T_map_world;
 }
 
 void MapLocalizer::search() {
-  const auto found = only_place(surroundings());
+  const auto here = surroundings();
+  if (!here) message_ = "not found yet: the odometry is not sure of its way";
+  const auto found = here ? only_place(*here) : std::nullopt;
   if (!found) {
     agreed_.clear();
     return;
   }
-  if (!agreed_.empty() && !agree(agreed_.back(), found->T_map_world)) agreed_.clear();
-  agreed_.push_back(found->T_map_world);
+  if (!agreed_.empty() && !agree_here(agreed_.back(), *found)) agreed_.clear();
+  agreed_.push_back(*found);
   if (static_cast<int>(agreed_.size()) < options_.agreeing) {
     message_ = "not found yet: a place fits, and is asked again";
     return;
@@ -141,6 +149,7 @@ std::optional<std::size_t> MapLocalizer::nearest_place(const Eigen::Vector3d& at
 /// does not show what is seen. From one start alone: the odometry has not gone far since.
 std::optional<Pose> MapLocalizer::confirmed() {
   const auto walked = builder_.unfinished();
+  if (!walked && recent_.empty()) return std::nullopt;
   const bool enough = walked && (recent_.empty() || walked->length > kEnoughWay);
   const Piece& piece = enough ? *walked : recent_.back();
   const auto nearest = nearest_place(*T_map_world_ * piece.T_world_piece.translation);
@@ -152,7 +161,7 @@ std::optional<Pose> MapLocalizer::confirmed() {
   const Pose expected = T_map_place.inverse() * *T_map_world_ * piece.T_world_piece;
   const SubmapAlignment found = align_submaps(place, seen, expected, 1);
   const Pose T_map_world = T_map_place * found.T_target_source * piece.T_world_piece.inverse();
-  if (found.matched < options_.confirming || !agree(*T_map_world_, T_map_world)) {
+  if (found.matched < options_.confirming || !agree_here(*T_map_world_, T_map_world)) {
     return std::nullopt;
   }
   // What the registration does not hold (the way along a corridor) stays as it was.

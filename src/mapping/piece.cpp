@@ -24,6 +24,11 @@ double spread(const Matrix6& covariance) {
   return variances.head<3>().sum() + kLever * kLever * variances.tail<3>().sum();
 }
 
+bool is_sure(const Matrix6& covariance) {
+  constexpr double kSure = 0.092;  // [m] standard deviation, kLever away
+  return spread(covariance) < kSure * kSure;
+}
+
 Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& R_axes_frame) {
   Matrix6 turn = Matrix6::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =

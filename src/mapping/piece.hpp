@@ -28,6 +28,9 @@ struct PlacedScan {
 inline constexpr double kLever = 10.0;
 /// [m^2] How far a pose's points may lie astray.
 [[nodiscard]] double spread(const Matrix6& covariance);
+/// Whether the odometry was sure of a pose: what is seen from one that lies farther astray than any
+/// loop may would bend the rest.
+[[nodiscard]] bool is_sure(const Matrix6& covariance);
 /// A covariance in some axes in those of a frame that is turned in them.
 [[nodiscard]] Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& R_axes_frame);
 

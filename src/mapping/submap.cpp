@@ -126,13 +126,6 @@ void add(const Piece& piece, const Pose& T_submap_piece, double voxel, VoxelTabl
   }
 }
 
-/// Whether the odometry was sure of its way in a piece: one that is bent farther than any loop may
-/// be would bend the rest.
-bool is_straight(const Piece& piece) {
-  constexpr double kStraight = 0.092;  // [m] standard deviation, kLever away
-  return spread(piece.covariance) < kStraight * kStraight;
-}
-
 void finish(Submap& submap) {
   submap.ground = ground_height(submap.points);
   submap.covered = has_ceiling(submap.points, submap.ground);
@@ -146,12 +139,12 @@ Submap make_submap(const std::vector<Piece>& pieces, std::size_t index, std::siz
                    double voxel) {
   std::size_t first = index;
   while (first > 0 && index - first < reach && !pieces[first].restarted &&
-         is_straight(pieces[first - 1])) {
+         is_sure(pieces[first - 1].covariance)) {
     --first;
   }
   std::size_t last = index;
   while (last + 1 < pieces.size() && last - index < reach && !pieces[last + 1].restarted &&
-         is_straight(pieces[last + 1])) {
+         is_sure(pieces[last + 1].covariance)) {
     ++last;
   }
   Submap submap;

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Which of the places that a search named a robot is at: the one that fits, if no other does nearly
+// as well.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "mapping/loop_verifier.hpp"
+
+namespace surefoot::mapping {
+
+/// Where a place would have the robot's world lie, and what was found when it was asked.
+struct AskedPlace {
+  Pose T_map_world;
+  LoopCheck check;
+};
+
+struct ChoiceLimits {
+  double fit = 0.7;        ///< of the place chosen, at least,
+  double clearly = 0.05;   ///< and by so much it fits better than any other;
+  double fit_alone = 0.6;  ///< or so much,
+  double alone = 0.3;      ///< where nothing else comes near
+  double agree_metres = 0.3;
+  double agree_degrees = 2.0;
+};
+
+/// Share of what stands that lies on the place, less what contradicts it. What was moved since
+/// contradicts a little even where the robot is: there the more has to lie on the place. 0 to 1.
+[[nodiscard]] double fit_of(const LoopCheck& check);
+
+/// Whether two poses have the robot at one place. At the robot: far from the origins a turn moves
+/// everything.
+[[nodiscard]] bool agree(const Pose& one, const Pose& other, const Eigen::Vector3d& robot_in_world,
+                         const ChoiceLimits& limits);
+
+struct PlaceChoice {
+  std::optional<std::size_t> chosen;  ///< index
+  bool several = false;               ///< one fits, and another nearly as well
+};
+[[nodiscard]] PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
+                                       const Eigen::Vector3d& robot_in_world,
+                                       const ChoiceLimits& limits);
+
+}  // namespace surefoot::mapping
