@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import html
 import os
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Callable, Optional, Union
 
@@ -22,15 +23,28 @@ class Run:
     def __init__(self, folder: Union[str, "os.PathLike[str]"]) -> None:
         self.folder = Path(folder)
         content = _core.read_run_folder(self.folder)
+        self._content = content
         self.input: Path = content.input
         self.method: str = content.method
         self.notes: list[str] = content.notes
         self.facts: dict[str, str] = content.facts
         self.parameters: dict[str, str] = content.parameters
-        self.scans: dict[str, Any] = content.scans
         self.trajectory: _core.Trajectory = content.trajectory
-        self.map_points = content.map_points
-        self.map_intensities = content.map_intensities
+
+    # Arrays, when they are asked for: to import numpy takes as long as to run ten scans.
+
+    @cached_property
+    def scans(self) -> dict[str, Any]:
+        scans: dict[str, Any] = self._content.scans
+        return scans
+
+    @cached_property
+    def map_points(self) -> Any:
+        return self._content.map_points
+
+    @cached_property
+    def map_intensities(self) -> Any:
+        return self._content.map_intensities
 
     def __repr__(self) -> str:
         return f"<Run of method {self.method}: {len(self.scans['stamp_ns'])} scans in {self.folder}>"
