@@ -14,6 +14,7 @@ namespace {
 constexpr double kShortestWay = 2.0;  // [m] a shorter path is not blown up beyond this
 // A level floor must look level: its centimetres are not stretched to a hill.
 constexpr double kLeastHeight = 1.0;  // [m]
+const Stroke kAfterLoops{style::kLoop, 2.5, LineStyle::dashed};
 
 std::vector<double> coordinates(const DrawnRun& run, int axis) {
   std::vector<double> values;
@@ -43,7 +44,7 @@ void draw_loops(Canvas& canvas, const DrawnLoops& loops, const PlotArea& area) {
   };
   join(loops.refused, {style::kRefusedLoop, 1.5});
   if (!loops.taken.empty()) {
-    canvas.line(seen_from_above(loops.corrected, area), {style::kLoop, 2.5, LineStyle::dashed});
+    canvas.line(seen_from_above(loops.corrected, area), kAfterLoops);
   }
   join(loops.taken, {style::kLoop, 3.0});
 }
@@ -62,13 +63,14 @@ std::vector<double> distances_along(const Trajectory& path) {
   return distances;
 }
 
-/// The reference is laid out by the path's distance at the same instant, since a denser or less
-/// shaken trajectory has another length. What it has before and after the path is left out.
-std::vector<Pixel> unrolled_reference(const DrawnRun& run, const std::vector<double>& distances,
-                                      const PlotArea& area) {
+/// The reference, or the way after loops, is laid out by the path's distance at the same instant,
+/// since a denser or less shaken trajectory has another length. What it has before and after the
+/// path is left out.
+std::vector<Pixel> unrolled(const Trajectory& trajectory, const DrawnRun& run,
+                            const std::vector<double>& distances, const PlotArea& area) {
   std::vector<Pixel> pixels;
   std::size_t next = 0;
-  for (const StampedPose& stamped : run.reference) {
+  for (const StampedPose& stamped : trajectory) {
     while (next < run.path.size() && run.path[next].stamp_ns < stamped.stamp_ns) ++next;
     if (next == run.path.size()) break;
     const bool exact = run.path[next].stamp_ns == stamped.stamp_ns;
@@ -139,7 +141,10 @@ void draw_height_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
   }
   draw_grid(canvas, area, labels);
   canvas.clip(rect);
-  draw_path(canvas, path, unrolled_reference(run, distances, area), run);
+  draw_path(canvas, path, unrolled(run.reference, run, distances, area), run);
+  if (!run.loops.taken.empty()) {
+    canvas.line(unrolled(run.loops.corrected, run, distances, area), kAfterLoops);
+  }
   canvas.unclip();
   draw_axes(canvas, area, labels);
   const std::string scale =

@@ -36,7 +36,7 @@ struct PictureInput {
   Trajectory reference = {};         ///< truth in the map frame, same clock; may be empty
   std::vector<bool> untrusted = {};  ///< one flag a pose of `trajectory`, or empty
   std::vector<int> segments = {};    ///< likewise; no line joins poses of different ones
-  DrawnLoops loops = {};             ///< drawn from above
+  DrawnLoops loops = {};             ///< drawn from above, and by height
 };
 
 /// Writes the picture as PNG or SVG, by the extension of `path`. The same input gives the same

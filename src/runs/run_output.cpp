@@ -98,17 +98,22 @@ void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written)
   dense_until_ns_ = std::max(dense_until_ns_, to);
 }
 
+Trajectory RunOutput::measured() const {
+  Trajectory poses;
+  for (std::size_t i = 0; i < path_.poses().size(); ++i) {
+    if (!path_.untrusted()[i]) poses.push_back(path_.poses()[i]);
+  }
+  return poses;
+}
+
 /// The recording's truth in the map frame, where it has one; a broken file is no reason to have no
-/// picture.
-Trajectory RunOutput::truth_of(const RunOptions& options) const {
+/// picture. Where loops were taken it is laid on the way after them, so that what they mended is
+/// seen.
+Trajectory RunOutput::truth_of(const RunOptions& options, const report::DrawnLoops& loops) const {
   const fs::path file = options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
   if (file.empty()) return {};
-  Trajectory measured;
-  for (std::size_t i = 0; i < path_.poses().size(); ++i) {
-    if (!path_.untrusted()[i]) measured.push_back(path_.poses()[i]);
-  }
   try {
-    return truth_in_map(io::read_tum(file), measured);
+    return truth_in_map(io::read_tum(file), loops.taken.empty() ? measured() : loops.corrected);
   } catch (const io::ReadError&) {
     return {};
   }
@@ -149,7 +154,7 @@ void RunOutput::finish(const RunOptions& options, const RunDescription& descript
     const fs::path input = fs::absolute(options.input).lexically_normal();
     const fs::path name = input.has_filename() ? input.filename() : input.parent_path().filename();
     const std::string title = fmt::format("{}, method {}", name.string(), description.method);
-    report::draw_run_picture({title, path_.poses(), map.points(), truth_of(options),
+    report::draw_run_picture({title, path_.poses(), map.points(), truth_of(options, loops),
                               path_.untrusted(), path_.segments(), std::move(loops)},
                              folder_.path() / kPictureFile);
   }

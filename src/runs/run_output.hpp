@@ -55,7 +55,9 @@ class RunOutput {
   std::ofstream open(const char* name);
   void add_dense(const Estimate& estimate, const Pose& T_lidar_written);
   void write_segments() const;
-  [[nodiscard]] Trajectory truth_of(const RunOptions& options) const;
+  [[nodiscard]] Trajectory measured() const;
+  [[nodiscard]] Trajectory truth_of(const RunOptions& options,
+                                    const report::DrawnLoops& loops) const;
 
   OutputFolder folder_;
   std::ofstream csv_, tum_, kitti_, dense_;
