@@ -11,30 +11,29 @@ namespace surefoot::mapping {
 
 namespace {
 
-constexpr double kCube = 0.4;          // [m]
-constexpr float kLongest = 25.0F;      // beams are as wide as a cube far away [m]
-constexpr float kBefore = 0.8F;        // the end of a beam is not empty [m]
-constexpr std::uint8_t kEnough = 3;    // beams, to call a cube empty
-constexpr std::size_t kBeams = 15000;  // at most: more say the same
+constexpr std::uint8_t kEnough = 3;  // beams, to call a cube empty
 
 }  // namespace
 
-FreeSpace::FreeSpace(const Submap& submap) {
+FreeSpace::FreeSpace(const Submap& submap, const Fineness& fineness,
+                     const std::function<bool(const Eigen::Vector3f& point)>& stands)
+    : inverse_cube_(1.0 / fineness.cube) {
   std::uint32_t count = 0;
   for (const Eigen::Vector3f& point : submap.points) {
-    occupied_.find_or_insert(voxel_key(voxel_index(point.cast<double>(), 1.0 / kCube)), count++);
+    if (!stands(point)) continue;
+    occupied_.find_or_insert(voxel_key(voxel_index(point.cast<double>(), inverse_cube_)), count++);
   }
-  constexpr auto kStep = static_cast<float>(0.9 * kCube);
-  const std::size_t every = submap.points.size() / kBeams + 1;
+  const auto step = static_cast<float>(0.9 * fineness.cube);
+  const std::size_t every = submap.points.size() / fineness.beams + 1;
   for (std::size_t i = 0; i < submap.points.size(); i += every) {
     const Eigen::Vector3f beam = submap.points[i] - submap.eyes[i];
     const float length = beam.norm();
-    const float end = std::min(length - kBefore, kLongest);
+    const float end = std::min(length - fineness.before_end, fineness.longest);
     const Eigen::Vector3f along = beam / std::max(length, 1e-3F);
     std::uint64_t last = ~0ULL;
-    for (float way = 0.3F; way < end; way += kStep) {
+    for (float way = 0.3F; way < end; way += step) {
       const Eigen::Vector3f at = submap.eyes[i] + way * along;
-      const std::uint64_t key = voxel_key(voxel_index(at.cast<double>(), 1.0 / kCube));
+      const std::uint64_t key = voxel_key(voxel_index(at.cast<double>(), inverse_cube_));
       if (key == last) continue;
       last = key;
       const auto [index, fresh] =
@@ -59,7 +58,7 @@ bool FreeSpace::occupied_about(const Eigen::Vector3i& index) const {
 }
 
 FreeSpace::Sight FreeSpace::at(const Eigen::Vector3d& place) const {
-  const VoxelIndex index = voxel_index(place, 1.0 / kCube);
+  const VoxelIndex index = voxel_index(place, inverse_cube_);
   const std::uint32_t passed = passed_.find(voxel_key(index));
   const bool seen_through = passed != VoxelTable::kNone && passes_[passed] >= kEnough;
   if (occupied_about(index)) return Sight::occupied;

@@ -3,9 +3,7 @@
 #include "mapping/moved_things.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/voxel_key.hpp"
 #include "mapping/held_pieces.hpp"
 #include "mapping/submap.hpp"
 
@@ -13,13 +11,9 @@ namespace surefoot::mapping {
 
 namespace {
 
-constexpr double kSightCube = 0.3;        // [m]
-constexpr float kLongestSight = 15.0F;    // farther away beams lie too far apart [m]
-constexpr float kBeforeEnd = 0.6F;        // the end of a beam is not empty [m]
-constexpr std::uint8_t kEnoughBeams = 3;  // beams, to call a cube empty
-constexpr float kAboveGround = 0.25F;     // [m] what moves stands out of it
-constexpr float kHighest = 2.5F;          // and is no higher
-constexpr double kWitnessReach = 15.0;    // [m] pieces that may have seen the same
+constexpr float kAboveGround = 0.25F;   // [m] what moves stands out of it
+constexpr float kHighest = 2.5F;        // and is no higher
+constexpr double kWitnessReach = 15.0;  // [m] pieces that may have seen the same
 constexpr std::size_t kMostWitnesses = 16;
 constexpr std::size_t kKeptSights = 40;  // pieces' sights, some 2 MB each
 constexpr int kWitnesses = 2;            // that have to have seen through
@@ -40,64 +34,23 @@ class Ground {
   float height_;
 };
 
-}  // namespace
-
-PieceSight::PieceSight(const Piece& piece) {
+/// Where something stood above the ground when a piece was walked, and what beams went through.
+std::shared_ptr<const FreeSpace> seen_from(const Piece& piece) {
   const Submap submap = make_submap(piece);
   const Ground ground(submap);
-  std::uint32_t count = 0;
-  for (const Eigen::Vector3f& point : submap.points) {
-    if (!ground.stands(point)) continue;
-    standing_.find_or_insert(voxel_key(voxel_index(point.cast<double>(), 1.0 / kSightCube)),
-                             count++);
-  }
-  constexpr auto kStep = static_cast<float>(0.9 * kSightCube);
-  for (std::size_t i = 0; i < submap.points.size(); ++i) {
-    const Eigen::Vector3f beam = submap.points[i] - submap.eyes[i];
-    const float length = beam.norm();
-    const float end = std::min(length - kBeforeEnd, kLongestSight);
-    const Eigen::Vector3f along = beam / std::max(length, 1e-3F);
-    std::uint64_t last = ~0ULL;
-    for (float way = 0.3F; way < end; way += kStep) {
-      const Eigen::Vector3f at = submap.eyes[i] + way * along;
-      const std::uint64_t key = voxel_key(voxel_index(at.cast<double>(), 1.0 / kSightCube));
-      if (key == last) continue;
-      last = key;
-      const auto [index, fresh] =
-          passed_.find_or_insert(key, static_cast<std::uint32_t>(passes_.size()));
-      if (fresh) passes_.push_back(0);
-      if (passes_[index] < 255) ++passes_[index];
-    }
-  }
+  return std::make_shared<const FreeSpace>(
+      submap, FreeSpace::kOfThings,
+      [&](const Eigen::Vector3f& point) { return ground.stands(point); });
 }
 
-bool PieceSight::stands_about(const Eigen::Vector3i& cube) const {
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        if (standing_.find(voxel_key(cube + Eigen::Vector3i(x, y, z))) != VoxelTable::kNone) {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
-}
+}  // namespace
 
-PieceSight::Saw PieceSight::at(const Eigen::Vector3d& place) const {
-  const VoxelIndex cube = voxel_index(place, 1.0 / kSightCube);
-  if (stands_about(cube)) return Saw::something;
-  const std::uint32_t passed = passed_.find(voxel_key(cube));
-  const bool through = passed != VoxelTable::kNone && passes_[passed] >= kEnoughBeams;
-  return through ? Saw::empty : Saw::nothing;
-}
-
-std::shared_ptr<const PieceSight> MovedThings::sight(std::size_t piece) {
+std::shared_ptr<const FreeSpace> MovedThings::sight(std::size_t piece) {
   const auto known = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const auto& entry) { return entry.first == piece; });
   if (known != kept_.end()) return known->second;
   if (kept_.size() == kKeptSights) kept_.erase(kept_.begin());
-  kept_.emplace_back(piece, std::make_shared<const PieceSight>(pieces_[piece]));
+  kept_.emplace_back(piece, seen_from(pieces_[piece]));
   return kept_.back().second;
 }
 
@@ -135,8 +88,8 @@ std::vector<bool> MovedThings::gone(std::size_t piece, const std::vector<Eigen::
     const bool later = pieces_[witness].stamp_ns > pieces_[piece].stamp_ns;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const auto there = saw->at(T_witness_piece * points[asked[k]].cast<double>());
-      const int empty = there == PieceSight::Saw::empty ? 1 : 0;
-      const int something = there == PieceSight::Saw::something ? 1 : 0;
+      const int empty = there == FreeSpace::Sight::empty ? 1 : 0;
+      const int something = there == FreeSpace::Sight::occupied ? 1 : 0;
       votes[k].empty += empty;
       votes[k].something += something;
       if (later) votes[k].empty_since = something > 0 ? 0 : votes[k].empty_since + empty;

@@ -6,33 +6,15 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "core/voxel_table.hpp"
+#include "mapping/free_space.hpp"
 #include "mapping/piece.hpp"
 #include "mapping/pose_graph.hpp"
 
 namespace surefoot::mapping {
-
-/// Where something stood above the ground when a piece was walked, and what beams went through.
-class PieceSight {
- public:
-  explicit PieceSight(const Piece& piece);
-
-  enum class Saw { nothing, empty, something };
-  /// [m] the piece's frame.
-  [[nodiscard]] Saw at(const Eigen::Vector3d& place) const;
-
- private:
-  [[nodiscard]] bool stands_about(const Eigen::Vector3i& cube) const;
-
-  VoxelTable standing_;
-  VoxelTable passed_;  // index into passes_
-  std::vector<std::uint8_t> passes_;
-};
 
 class MovedThings {
  public:
@@ -49,12 +31,12 @@ class MovedThings {
                                        const std::vector<Eigen::Vector3f>& points);
 
  private:
-  [[nodiscard]] std::shared_ptr<const PieceSight> sight(std::size_t piece);
+  [[nodiscard]] std::shared_ptr<const FreeSpace> sight(std::size_t piece);
   [[nodiscard]] std::vector<std::size_t> witnesses(std::size_t piece) const;
 
   const std::vector<Piece>& pieces_;
   std::vector<std::size_t> held_;
-  std::vector<std::pair<std::size_t, std::shared_ptr<const PieceSight>>> kept_;
+  std::vector<std::pair<std::size_t, std::shared_ptr<const FreeSpace>>> kept_;
 };
 
 /// Of each piece of a graph, which are held together: the same number.

@@ -107,13 +107,12 @@ Trajectory RunOutput::measured() const {
 }
 
 /// The recording's truth in the map frame, where it has one; a broken file is no reason to have no
-/// picture. Where loops were taken it is laid on the way after them, so that what they mended is
-/// seen.
+/// picture.
 Trajectory RunOutput::truth_of(const RunOptions& options, const report::DrawnLoops& loops) const {
   const fs::path file = options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
   if (file.empty()) return {};
   try {
-    return truth_in_map(io::read_tum(file), loops.taken.empty() ? measured() : loops.corrected);
+    return truth_in_map(io::read_tum(file), measured(), loops);
   } catch (const io::ReadError&) {
     return {};
   }

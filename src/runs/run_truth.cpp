@@ -36,12 +36,14 @@ Trajectory truth_between(const Trajectory& truth, std::int64_t first_ns, std::in
   return thinned;
 }
 
-Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured) {
+Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured,
+                        const report::DrawnLoops& loops) {
   if (truth.empty() || measured.empty()) return {};
   try {
     const evaluation::EvaluationOptions options;
+    const Trajectory& way = loops.taken.empty() ? measured : loops.corrected;
     const Pose T_map_world =
-        laid_on_truth(evaluation::associate(truth, measured, options.association)).inverse();
+        laid_on_truth(evaluation::associate(truth, way, options.association)).inverse();
     Trajectory seen = truth_between(truth, measured.front().stamp_ns, measured.back().stamp_ns);
     for (StampedPose& pose : seen) pose.pose = T_map_world * pose.pose;
     return seen;

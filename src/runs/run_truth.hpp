@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "evaluation/alignment.hpp"
+#include "report/run_picture.hpp"
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
@@ -24,7 +25,9 @@ namespace surefoot::runs {
                                        std::int64_t last_ns);
 
 /// The same in the run's own map frame; empty where truth and run have no time in
-/// common or the truth is none that can be compared with.
-[[nodiscard]] Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured);
+/// common or the truth is none that can be compared with. Where loops were taken it is laid on the
+/// way after them, so that what they mended is seen.
+[[nodiscard]] Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured,
+                                      const report::DrawnLoops& loops = {});
 
 }  // namespace surefoot::runs

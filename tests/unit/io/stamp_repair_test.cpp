@@ -53,12 +53,16 @@ struct Repaired {
   std::vector<std::string> notes;
 };
 
-Repaired repaired(std::vector<std::int64_t> stamps) {
-  const auto recording = repair_stamps(std::make_unique<Stamped>(std::move(stamps)), {});
+Repaired repaired(std::unique_ptr<Recording> given, const OpenOptions& options) {
+  const auto recording = repair_stamps(std::move(given), options);
   Repaired result;
   while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
   result.notes = recording->notes();
   return result;
+}
+
+Repaired repaired(std::vector<std::int64_t> stamps) {
+  return repaired(std::make_unique<Stamped>(std::move(stamps)), {});
 }
 
 Repaired repaired_by_receipts(std::vector<std::int64_t> stamps,
@@ -143,12 +147,7 @@ class Received : public Stamped {
 
 Repaired repaired_by_receipts(std::vector<std::int64_t> stamps,
                               std::vector<std::int64_t> true_stamps, const OpenOptions& options) {
-  const auto recording =
-      repair_stamps(std::make_unique<Received>(std::move(stamps), std::move(true_stamps)), options);
-  Repaired result;
-  while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
-  result.notes = recording->notes();
-  return result;
+  return repaired(std::make_unique<Received>(std::move(stamps), std::move(true_stamps)), options);
 }
 
 /// Live: no look ahead.
@@ -240,12 +239,7 @@ class Swept : public Stamped {
 
 Repaired repaired_sweeps(std::vector<std::int64_t> stamps, std::int32_t lasts_ns = 99'900'000,
                          const OpenOptions& options = {}) {
-  const auto recording =
-      repair_stamps(std::make_unique<Swept>(std::move(stamps), lasts_ns), options);
-  Repaired result;
-  while (const auto item = recording->next()) result.stamps.push_back(item->scan->stamp_ns);
-  result.notes = recording->notes();
-  return result;
+  return repaired(std::make_unique<Swept>(std::move(stamps), lasts_ns), options);
 }
 
 TEST(StampRepair, AStampRightAfterTheLastOneIsPutWhereItBelongs) {

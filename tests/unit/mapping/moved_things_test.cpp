@@ -67,6 +67,18 @@ TEST(MovedThings, WhatWentLaterIsGone) {
   EXPECT_EQ(gone_from(pieces, 1).rest, 0U);
 }
 
+/// What only ends beams, as the ground does, is nothing that stands there.
+TEST(MovedThings, WhatStoodLowIsGoneThoughTheGroundIsNear) {
+  const std::vector<Piece> pieces = walk({true, false, false, false});
+  MovedThings moved(pieces, {0, 0, 0, 0});
+  const std::vector<bool> gone = moved.gone(0, pieces[0].points);
+  std::size_t low = 0;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    low += gone[i] && pieces[0].points[i].z() < 0.55F ? 1 : 0;
+  }
+  EXPECT_GT(low, 0U);
+}
+
 TEST(MovedThings, WhatWasThereForAMomentIsGoneThoughNobodyLookedAgain) {
   const std::vector<Piece> pieces = walk({false, false, false, true});
   EXPECT_GT(gone_from(pieces, 3).post, 60U);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace surefoot::runs {
@@ -39,6 +40,30 @@ TEST(RunTruth, IsLaidIntoTheMapByPosesAlsoOnAStraightWay) {
     EXPECT_LT((shown[i].pose.translation - measured[i].pose.translation).norm(), 1e-9);
     EXPECT_LT(shown[i].pose.rotation.angularDistance(measured[i].pose.rotation), 1e-9);
   }
+}
+
+/// The run bends upwards, which loops mended: laid on the run, the truth would lie askew.
+TEST(RunTruth, IsLaidOnTheWayAfterLoopsWhereSomeWereTaken) {
+  Trajectory bent = walk({}, 50);
+  for (StampedPose& pose : bent) {
+    const double x = pose.pose.translation.x();
+    pose.pose.translation.z() = 0.1 * x * x;
+  }
+  report::DrawnLoops loops;
+  loops.corrected = walk({}, 50);
+  const Trajectory truth = walk(turned(), 50);
+  const auto farthest = [&] {
+    double most = 0.0;
+    const Trajectory shown = truth_in_map(truth, bent, loops);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const Eigen::Vector3d& place = loops.corrected[i].pose.translation;
+      most = std::max(most, (shown[i].pose.translation - place).norm());
+    }
+    return most;
+  };
+  EXPECT_GT(farthest(), 0.1) << "no loop was taken";
+  loops.taken = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}};
+  EXPECT_LT(farthest(), 1e-9);
 }
 
 TEST(RunTruth, OfAnotherTimeIsNone) {
