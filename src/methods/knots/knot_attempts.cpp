@@ -23,6 +23,10 @@ constexpr double kBetter = 0.98;                    // disagreements' ratio
 // A looser velocity model explains more by itself: only what is clearly better was found by it.
 constexpr double kFreer = 0.9;  // disagreements' ratio
 
+// What disagrees so many times as much as the first, and no longer agrees better by so much from
+// one iteration to the next, is not going to end better than it.
+constexpr double kHopeless = 1.5, kGetsBetter = 0.9;  // disagreements' ratios
+
 // Iterations once the kernel has narrowed: where it leads is seen then, whether it converges is not
 // asked.
 constexpr int kSettling = 6;
@@ -88,7 +92,10 @@ class Attempts {
   [[nodiscard]] std::optional<Best> best(const Workers& workers) const {
     std::vector<KnotRegistration> found(starts_.size());
     workers.for_each(starts_.size(), [&](std::size_t i) {
-      found[i] = register_from(starts_[i].window, starts_[i].problem, starts_[i].annealing);
+      found[i] = register_from(starts_[i].window, starts_[i].problem, starts_[i].annealing,
+                               [this](const KnotRegistration& so_far, double before) {
+                                 return leads_nowhere(so_far, before);
+                               });
     });
     std::optional<Best> best;
     double least = least_;
@@ -96,7 +103,6 @@ class Attempts {
       const KnotProblem& problem = starts_[i].problem;
       const double most = &problem.model == &usual_ ? least : kFreer * least;
       if (!found[i].solved || disagreement(found[i]) >= most) continue;
-      if (first_.converged && same_end(found[i].window, first_.window)) continue;
       least = disagreement(found[i]);
       best.emplace(Best{std::move(found[i].window), problem});
     }
@@ -120,15 +126,23 @@ class Attempts {
     return static_cast<int>(std::ceil(std::max(narrowed, 0.0))) + kSettling;
   }
 
+  /// Most that lead nowhere are seen to before they end.
+  [[nodiscard]] bool leads_nowhere(const KnotRegistration& so_far, double before) const {
+    const double now = disagreement(so_far);
+    if (now > kHopeless * least_ && now > kGetsBetter * before) return true;
+    return first_.converged && same_end(so_far.window, first_.window);
+  }
+
   [[nodiscard]] KnotRegistration register_from(const KnotWindow& start, const KnotProblem& problem,
-                                               const Annealing& annealing) const {
+                                               const Annealing& annealing,
+                                               const Abandon& abandon = {}) const {
     KnotPoints points = points_;
     for (KnotPoints::Point& point : points.points) point.place = {};
     // The observer is one thread's own: if there are several, it is told nothing of each one's.
     const StepObserver nobody = [](Step) {};
     const StepObserver& observer = problem.workers.threads() > 1 ? nobody : problem.begin_step;
     const KnotProblem some{problem.map, problem.prior, problem.model, config_, alone_, observer};
-    return register_knots(points, some, start, annealing);
+    return register_knots(points, some, start, annealing, abandon);
   }
 
   std::size_t stride_;

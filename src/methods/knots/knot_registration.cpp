@@ -22,6 +22,9 @@ namespace {
 constexpr double kWide = 2.0;
 constexpr std::size_t kEnough = 700, kMostStride = 3;
 
+// A kernel so many times as wide as what it ends at tells as much of a fit.
+constexpr double kNarrow = 1.1;
+
 // No robot moves so far in one step of the solver: what does is a singular system's rounding.
 constexpr double kImpossible = 1e3;  // [m, rad]
 
@@ -136,7 +139,8 @@ Annealing patient_annealing(const Config::Knots& config) {
 }
 
 KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
-                                const KnotWindow& start, const Annealing& annealing) {
+                                const KnotWindow& start, const Annealing& annealing,
+                                const Abandon& abandon) {
   const Config::Knots& config = problem.config;
   KnotRegistration result;
   result.window = start;
@@ -154,6 +158,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
       sums[s] = sum_segment(points, s, problem.map, result.window, look, config);
     });
     problem.begin_step(Step::solve);
+    const double before = result.disagreement(config.unseen_weight);
     BandedSystem surfels(start.knots.size());
     add_surfels(surfels, sums, result);
     BandedSystem system = surfels;
@@ -170,6 +175,10 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     const std::optional<double> change = move_knots(steps, result.window);
     result.solved = change.has_value();
     if (!result.solved) return result;
+    if (abandon && ratio < kNarrow && abandon(result, before)) {
+      result.solved = false;
+      return result;
+    }
     result.converged = ratio <= 1.0 && *change < config.convergence;
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();

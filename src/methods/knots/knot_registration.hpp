@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "core/normal_equations.hpp"
 #include "core/parallel.hpp"
 #include "methods/knots/knot_points.hpp"
@@ -67,6 +69,10 @@ struct KnotRegistration {
   [[nodiscard]] Twist held_back_at(std::int64_t instant_ns) const;
 };
 
+/// Asked after every iteration once the kernel has narrowed: whether to go no further.
+/// @param before the disagreement of the iteration before
+using Abandon = std::function<bool(const KnotRegistration& so_far, double before)>;
+
 /// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first
 /// two knots, and the velocity model.
 /// @param start the knots, at first
@@ -75,7 +81,9 @@ struct KnotRegistration {
 /// iterations trust neither far residuals' smallness nor the surfels much: the kernel is wide, the
 /// noise as large, and both narrow from step to step; the velocity model, and not the surfels,
 /// shapes the motion at first.
+/// @param abandon if there is one: where it says so the registration ends, unsolved
 [[nodiscard]] KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
-                                              const KnotWindow& start, const Annealing& annealing);
+                                              const KnotWindow& start, const Annealing& annealing,
+                                              const Abandon& abandon = {});
 
 }  // namespace surefoot

@@ -51,8 +51,8 @@ KnotWindow turned(const KnotWindow& window, const Eigen::Vector3d& degrees) {
 }
 
 // Four swings and six turns begin with a kernel of 0.2 m, which narrows to 0.1 in four iterations,
-// the wide one with 3 m, in sixteen; a few more may follow.
-constexpr int kLeastSearches = 10 * 5 + 17, kMostSearches = 10 * 10 + 22;
+// the wide one with 3 m, in sixteen. Where all lead to the same place, that is seen then.
+constexpr int kLeastSearches = 10 * 4 + 16, kMostSearches = 10 * 5 + 18;
 
 TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
   // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
@@ -126,7 +126,7 @@ TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
   int searches_with = 0;
   (void)attempts_from(truth, prior, usual, &searches_with);
   // Two, patiently: half as fast from 3 m to 0.1.
-  EXPECT_GE(searches_with - searches, 2 * 32);
+  EXPECT_GE(searches_with - searches, 2 * 31);
   EXPECT_LE(searches_with - searches, 2 * 37);
 }
 
