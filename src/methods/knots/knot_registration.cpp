@@ -175,7 +175,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     const std::optional<double> change = move_knots(steps, result.window);
     result.solved = change.has_value();
     if (!result.solved) return result;
-    if (abandon && ratio < kNarrow && abandon(result, before)) {
+    if (abandon && t > 1 && ratio < kNarrow && abandon(result, before)) {
       result.solved = false;
       return result;
     }
