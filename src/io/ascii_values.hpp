@@ -22,7 +22,9 @@ namespace surefoot::io {
 /// Reads a text line by line and knows where it is. Lines end with LF or CRLF.
 class LineReader {
  public:
-  explicit LineReader(std::string_view text) : text_(text) {}
+  /// `lines_before`: of the file that the text is a part of.
+  explicit LineReader(std::string_view text, std::size_t lines_before = 0)
+      : text_(text), line_number_(lines_before) {}
 
   /// Moves to the next line; false at the end of the text.
   [[nodiscard]] bool next(std::string_view& line);
@@ -34,7 +36,7 @@ class LineReader {
  private:
   std::string_view text_;
   std::size_t offset_ = 0;
-  std::size_t line_number_ = 0;
+  std::size_t line_number_;
 };
 
 /// Throws ReadError: "line 7: what".

@@ -29,6 +29,22 @@ const char* name_of(std::filesystem::file_type type) {
   }
 }
 
+struct Close {
+  void operator()(std::FILE* handle) const { std::fclose(handle); }
+};
+using OpenFile = std::unique_ptr<std::FILE, Close>;
+
+OpenFile opened(const std::filesystem::path& file) {
+  require_regular_file(file);
+  errno = 0;
+  OpenFile handle(std::fopen(file.c_str(), "rb"));
+  if (!handle) {
+    throw ReadError(std::string("cannot read it: ") + std::strerror(errno));
+  }
+  std::setvbuf(handle.get(), nullptr, _IONBF, 0);
+  return handle;
+}
+
 }  // namespace
 
 void require_regular_file(const std::filesystem::path& file) {
@@ -43,22 +59,32 @@ void require_regular_file(const std::filesystem::path& file) {
 }
 
 void read_whole_file(const std::filesystem::path& file, std::vector<std::byte>& bytes) {
-  require_regular_file(file);
-  const auto close = [](std::FILE* handle) { std::fclose(handle); };
-  errno = 0;
-  const std::unique_ptr<std::FILE, decltype(close)> handle(std::fopen(file.c_str(), "rb"), close);
-  if (!handle) {
-    throw ReadError(std::string("cannot read it: ") + std::strerror(errno));
-  }
+  const OpenFile handle = opened(file);
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) {
     throw ReadError("cannot read it: " + error.message());
   }
   bytes.resize(size);
-  std::setvbuf(handle.get(), nullptr, _IONBF, 0);
   if (std::fread(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) {
     throw ReadError("could not read all of its " + std::to_string(size) + " bytes");
+  }
+}
+
+void read_lines_in_parts(const std::filesystem::path& file,
+                         const std::function<void(std::string_view lines)>& use) {
+  constexpr std::size_t kPart = 1 << 20;
+  const OpenFile handle = opened(file);
+  std::string text;
+  for (std::size_t got = kPart; got == kPart;) {
+    const std::size_t begun = text.size();  // a line that the last part has the beginning of
+    text.resize(begun + kPart);
+    got = std::fread(text.data() + begun, 1, kPart, handle.get());
+    text.resize(begun + got);
+    if (std::ferror(handle.get()) != 0) throw ReadError("could not read all of it");
+    const std::size_t end = got == kPart ? text.rfind('\n') + 1 : text.size();  // npos + 1: 0
+    use(std::string_view(text).substr(0, end));
+    text.erase(0, end);
   }
 }
 

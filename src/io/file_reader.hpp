@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <string_view>
 #include <vector>
 
 namespace surefoot::io {
@@ -14,5 +16,10 @@ void require_regular_file(const std::filesystem::path& file);
 
 /// A whole regular file into `bytes`, whose memory is used again. Throws ReadError.
 void read_whole_file(const std::filesystem::path& file, std::vector<std::byte>& bytes);
+
+/// A regular file of text, some whole lines at a time, so that it is never in memory as a whole;
+/// only a line that is longer than a megabyte makes a part longer. Throws ReadError.
+void read_lines_in_parts(const std::filesystem::path& file,
+                         const std::function<void(std::string_view lines)>& use);
 
 }  // namespace surefoot::io

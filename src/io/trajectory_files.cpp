@@ -28,10 +28,14 @@ double finite_number(std::string_view word, std::size_t line) {
   return value;
 }
 
-// Calls use(words, line number) for the lines that are neither empty nor a comment.
+constexpr const char* kTumShape = "t x y z qx qy qz qw";
+
+// Calls use(words, line number) for the lines that are neither empty nor a comment. Returns the
+// number of the last line.
 template <typename Use>
-void for_each_row(std::string_view text, std::size_t columns, const char* shape, Use&& use) {
-  LineReader lines(text);
+std::size_t for_each_row(std::string_view text, std::size_t columns, const char* shape, Use&& use,
+                         std::size_t lines_before = 0) {
+  LineReader lines(text, lines_before);
   for (std::string_view line; lines.next(line);) {
     const std::vector<std::string_view> words = words_of(line);
     if (words.empty() || words[0].front() == '#') {
@@ -43,6 +47,7 @@ void for_each_row(std::string_view text, std::size_t columns, const char* shape,
     }
     use(words, lines.line_number());
   }
+  return lines.line_number();
 }
 
 StampedPose pose_of_tum_row(const std::vector<std::string_view>& words, std::size_t line) {
@@ -81,16 +86,23 @@ Pose pose_of_kitti_row(const std::vector<std::string_view>& words, std::size_t l
   return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
 }
 
-// Reads a file and lets errors in it name the file.
-template <typename Parse>
-auto parse_file(const std::filesystem::path& file, Parse&& parse) {
-  std::vector<std::byte> bytes;
+// Lets errors in a file name it.
+template <typename Read>
+auto naming(const std::filesystem::path& file, Read&& read) {
   try {
-    read_whole_file(file, bytes);
-    return parse(text_of(bytes));
+    return read();
   } catch (const ReadError& error) {
     throw ReadError(file.string() + ": " + error.what());
   }
+}
+
+template <typename Parse>
+auto parse_file(const std::filesystem::path& file, Parse&& parse) {
+  return naming(file, [&] {
+    std::vector<std::byte> bytes;
+    read_whole_file(file, bytes);
+    return parse(text_of(bytes));
+  });
 }
 
 }  // namespace
@@ -135,7 +147,7 @@ void write_kitti_poses(const std::filesystem::path& file, const Trajectory& traj
 
 Trajectory parse_tum(std::string_view text) {
   Trajectory trajectory;
-  for_each_row(text, 8, "t x y z qx qy qz qw", [&](const auto& words, std::size_t line) {
+  for_each_row(text, 8, kTumShape, [&](const auto& words, std::size_t line) {
     trajectory.push_back(pose_of_tum_row(words, line));
   });
   return trajectory;
@@ -150,6 +162,25 @@ std::vector<Pose> parse_kitti_poses(std::string_view text) {
 }
 
 Trajectory read_tum(const std::filesystem::path& file) { return parse_file(file, parse_tum); }
+
+Trajectory read_tum_thinned(const std::filesystem::path& file, std::int64_t step_ns) {
+  Trajectory result;
+  std::optional<StampedPose> last;  // that was left out
+  const auto take = [&](const auto& words, std::size_t line) {
+    last = pose_of_tum_row(words, line);
+    if (!result.empty() && last->stamp_ns - result.back().stamp_ns < step_ns) return;
+    result.push_back(*last);
+    last.reset();
+  };
+  std::size_t lines = 0;
+  naming(file, [&] {
+    read_lines_in_parts(file, [&](std::string_view text) {
+      lines = for_each_row(text, 8, kTumShape, take, lines);
+    });
+  });
+  if (last) result.push_back(*last);
+  return result;
+}
 
 std::vector<Pose> read_kitti_poses(const std::filesystem::path& file) {
   return parse_file(file, parse_kitti_poses);

@@ -5,6 +5,7 @@
 // KITTI: the 12 numbers of the upper 3x4 matrix, row by row, no stamps.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -30,5 +31,8 @@ void write_kitti_poses(const std::filesystem::path& file, const Trajectory& traj
 /// The same from files; the message of a ReadError names the file too.
 [[nodiscard]] Trajectory read_tum(const std::filesystem::path& file);
 [[nodiscard]] std::vector<Pose> read_kitti_poses(const std::filesystem::path& file);
+/// Of poses that are written more finely, those so far apart at least, and the last one. Neither
+/// the file nor the poses between are ever in memory all at once.
+[[nodiscard]] Trajectory read_tum_thinned(const std::filesystem::path& file, std::int64_t step_ns);
 
 }  // namespace surefoot::io

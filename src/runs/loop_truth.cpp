@@ -20,20 +20,8 @@ namespace {
 constexpr double kRevisit = 3.0;  // [m]
 constexpr double kHeight = 1.2;   // half a storey: above a place is another one [m]
 
-constexpr std::int64_t kTruthStep = 10'000'000;  // [ns] between these a robot moves evenly
-
-/// Poses so far apart, at least: a truth may be finer than what it is asked for, and as large as
-/// all else that is kept.
-Trajectory every(std::int64_t step_ns, const Trajectory& trajectory) {
-  Trajectory result;
-  for (const StampedPose& pose : trajectory) {
-    const bool last = &pose == &trajectory.back();
-    if (result.empty() || last || pose.stamp_ns - result.back().stamp_ns >= step_ns) {
-      result.push_back(pose);
-    }
-  }
-  return result;
-}
+// [ns] Between these a robot moves evenly; a truth may be much finer, and as large as all else.
+constexpr std::int64_t kTruthStep = 10'000'000;
 
 /// True poses of the pieces' frames.
 std::vector<Pose> true_pieces(const std::vector<mapping::Piece>& pieces, const Trajectory& truth) {
@@ -59,7 +47,7 @@ Trajectory truth_of_loops(const std::filesystem::path& input,
   const std::filesystem::path file = truth_beside(input);
   if (file.empty()) return {};
   try {
-    return every(kTruthStep, io::read_tum(file));
+    return io::read_tum_thinned(file, kTruthStep);
   } catch (const io::ReadError& error) {
     say(fmt::format("loops are not judged: {}", error.what()));
     return {};

@@ -57,6 +57,7 @@ TEST(NamedPipe, IsRefusedByEveryReader) {
   const auto path = make_pipe(folder.path() / "path.txt");
   for (const std::string& message :
        {test::message_of<ReadError>([&] { (void)read_tum(path); }),
+        test::message_of<ReadError>([&] { (void)read_tum_thinned(path, 1); }),
         test::message_of<ReadError>([&] { (void)read_kitti_poses(path); })}) {
     EXPECT_NE(message.find("path.txt: it is a named pipe"), std::string::npos) << message;
   }

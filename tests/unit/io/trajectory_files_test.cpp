@@ -69,6 +69,33 @@ TEST(Tum, RoundTripThroughAFile) {
   EXPECT_NE(message.find("none.tum"), std::string::npos);
 }
 
+/// A file of more than one part that is read; its last line has no end.
+TEST(Tum, ThinnedIsEveryPoseThatIsFarEnoughFromTheLastAndTheLast) {
+  const test::TemporaryFolder folder;
+  Trajectory fine;
+  for (std::int64_t i = 0; i < 30'000; ++i) {
+    fine.push_back({1'600'000'000'000'000'000 + i * 2'500'000, {}});
+    fine.back().pose.translation.x() = 0.001 * static_cast<double>(i);
+  }
+  std::string text = format_tum(fine);
+  ASSERT_GT(text.size(), std::size_t{2} << 20);
+  text.pop_back();
+  folder.write("fine.tum", text);
+  const Trajectory thinned = read_tum_thinned(folder.path() / "fine.tum", 10'000'000);
+  ASSERT_EQ(thinned.size(), 7'501U);
+  for (std::size_t i = 0; i < 7'500; ++i) {
+    ASSERT_EQ(thinned[i].stamp_ns, fine[4 * i].stamp_ns);
+    ASSERT_NEAR(thinned[i].pose.translation.x(), fine[4 * i].pose.translation.x(), 1e-9);
+  }
+  EXPECT_EQ(thinned.back().stamp_ns, fine.back().stamp_ns);
+  EXPECT_EQ(read_tum_thinned(folder.path() / "fine.tum", 1).size(), fine.size());
+
+  folder.write("broken.tum", text + "\n1 2 3\n");
+  const std::string message = test::message_of<ReadError>(
+      [&] { (void)read_tum_thinned(folder.path() / "broken.tum", 10'000'000); });
+  EXPECT_NE(message.find("broken.tum: line 30001"), std::string::npos) << message;
+}
+
 TEST(KittiPoses, RoundTripThroughAFile) {
   const test::TemporaryFolder folder;
   const Trajectory trajectory = random_trajectory();
