@@ -2,46 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/free_space.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/voxel_key.hpp"
-
 namespace surefoot::mapping {
 
 namespace {
 
-constexpr std::uint8_t kEnough = 3;  // beams, to call a cube empty
+// More beams say the same, and are as wide as a cube far away.
+constexpr BeamFineness kOfPlaces{0.4, 25.0F, 0.8F, 15000};
+constexpr double kCubesPerMetre = 1.0 / kOfPlaces.cube;  // [1/m]
 
 }  // namespace
 
-FreeSpace::FreeSpace(const Submap& submap, const Fineness& fineness,
-                     const std::function<bool(const Eigen::Vector3f& point)>& stands)
-    : inverse_cube_(1.0 / fineness.cube) {
+FreeSpace::FreeSpace(const Submap& submap) {
   std::uint32_t count = 0;
   for (const Eigen::Vector3f& point : submap.points) {
-    if (!stands(point)) continue;
-    occupied_.find_or_insert(voxel_key(voxel_index(point.cast<double>(), inverse_cube_)), count++);
+    occupied_.find_or_insert(voxel_key(voxel_index(point.cast<double>(), kCubesPerMetre)), count++);
   }
-  const auto step = static_cast<float>(0.9 * fineness.cube);
-  const std::size_t every = submap.points.size() / fineness.beams + 1;
-  for (std::size_t i = 0; i < submap.points.size(); i += every) {
-    const Eigen::Vector3f beam = submap.points[i] - submap.eyes[i];
-    const float length = beam.norm();
-    const float end = std::min(length - fineness.before_end, fineness.longest);
-    const Eigen::Vector3f along = beam / std::max(length, 1e-3F);
-    std::uint64_t last = ~0ULL;
-    for (float way = 0.3F; way < end; way += step) {
-      const Eigen::Vector3f at = submap.eyes[i] + way * along;
-      const std::uint64_t key = voxel_key(voxel_index(at.cast<double>(), inverse_cube_));
-      if (key == last) continue;
-      last = key;
-      const auto [index, fresh] =
-          passed_.find_or_insert(key, static_cast<std::uint32_t>(passes_.size()));
-      if (fresh) passes_.push_back(0);
-      if (passes_[index] < 255) ++passes_[index];
-    }
-  }
+  follow_beams(submap, kOfPlaces, [&](const VoxelIndex& cube) {
+    const auto [index, fresh] =
+        passed_.find_or_insert(voxel_key(cube), static_cast<std::uint32_t>(passes_.size()));
+    if (fresh) passes_.push_back(0);
+    if (passes_[index] < 255) ++passes_[index];
+  });
 }
 
 bool FreeSpace::occupied_about(const Eigen::Vector3i& index) const {
@@ -58,9 +39,9 @@ bool FreeSpace::occupied_about(const Eigen::Vector3i& index) const {
 }
 
 FreeSpace::Sight FreeSpace::at(const Eigen::Vector3d& place) const {
-  const VoxelIndex index = voxel_index(place, inverse_cube_);
+  const VoxelIndex index = voxel_index(place, kCubesPerMetre);
   const std::uint32_t passed = passed_.find(voxel_key(index));
-  const bool seen_through = passed != VoxelTable::kNone && passes_[passed] >= kEnough;
+  const bool seen_through = passed != VoxelTable::kNone && passes_[passed] >= kEnoughBeams;
   if (occupied_about(index)) return Sight::occupied;
   return seen_through ? Sight::empty : Sight::unknown;
 }

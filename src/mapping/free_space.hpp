@@ -6,36 +6,52 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
+#include "core/voxel_key.hpp"
 #include "core/voxel_table.hpp"
 #include "mapping/submap.hpp"
 
 namespace surefoot::mapping {
 
+/// How finely beams are followed.
+struct BeamFineness {
+  double cube;        ///< [m]
+  float longest;      ///< [m] farther away beams lie too far apart
+  float before_end;   ///< [m] the end of a beam is not empty
+  std::size_t beams;  ///< at most so many, evenly picked
+};
+inline constexpr std::uint8_t kEnoughBeams = 3;  // to call a cube empty
+
+/// The cubes that a submap's beams went through, beam by beam.
+template <typename Visit>
+void follow_beams(const Submap& submap, const BeamFineness& fineness, Visit&& visit) {
+  const auto step = static_cast<float>(0.9 * fineness.cube);
+  const double inverse_cube = 1.0 / fineness.cube;
+  const std::size_t every = submap.points.size() / fineness.beams + 1;
+  for (std::size_t i = 0; i < submap.points.size(); i += every) {
+    const Eigen::Vector3f beam = submap.points[i] - submap.eyes[i];
+    const float length = beam.norm();
+    const float end = std::min(length - fineness.before_end, fineness.longest);
+    const Eigen::Vector3f along = beam / std::max(length, 1e-3F);
+    VoxelIndex last = VoxelIndex::Constant(std::numeric_limits<int>::max());
+    for (float way = 0.3F; way < end; way += step) {
+      const Eigen::Vector3f at = submap.eyes[i] + way * along;
+      const VoxelIndex cube = voxel_index(at.cast<double>(), inverse_cube);
+      if (cube == last) continue;
+      visit(cube);
+      last = cube;
+    }
+  }
+}
+
 class FreeSpace {
  public:
-  /// How finely beams are followed.
-  struct Fineness {
-    double cube;        ///< [m]
-    float longest;      ///< [m] farther away beams lie too far apart
-    float before_end;   ///< [m] the end of a beam is not empty
-    std::size_t beams;  ///< at most so many, evenly picked
-  };
-  /// Of places that are compared: more beams say the same, and are as wide as a cube far away.
-  static constexpr Fineness kOfPlaces{0.4, 25.0F, 0.8F, 15000};
-  /// Of a single thing.
-  static constexpr Fineness kOfThings{0.3, 15.0F, 0.6F, std::numeric_limits<std::size_t>::max()};
-
-  /// `stands`: whether a point [m, the submap's frame] is something; the others only end beams.
-  explicit FreeSpace(
-      const Submap& submap, const Fineness& fineness = kOfPlaces,
-      const std::function<bool(const Eigen::Vector3f& point)>& stands = [](const auto&) {
-        return true;
-      });
+  explicit FreeSpace(const Submap& submap);
 
   enum class Sight {
     unknown,
@@ -47,7 +63,6 @@ class FreeSpace {
  private:
   [[nodiscard]] bool occupied_about(const Eigen::Vector3i& index) const;
 
-  double inverse_cube_;  // [1/m]
   VoxelTable occupied_;
   VoxelTable passed_;                 // index into passes_
   std::vector<std::uint8_t> passes_;  // beams, to 255

@@ -15,7 +15,7 @@ constexpr float kAboveGround = 0.25F;   // [m] what moves stands out of it
 constexpr float kHighest = 2.5F;        // and is no higher
 constexpr double kWitnessReach = 15.0;  // [m] pieces that may have seen the same
 constexpr std::size_t kMostWitnesses = 16;
-constexpr std::size_t kKeptSights = 40;  // pieces' sights, some 2 MB each
+constexpr std::size_t kKeptSights = 40;  // pieces' sights
 constexpr int kWitnesses = 2;            // that have to have seen through
 
 /// Heights over the ground of a piece, of places in its frame.
@@ -35,17 +35,16 @@ class Ground {
 };
 
 /// Where something stood above the ground when a piece was walked, and what beams went through.
-std::shared_ptr<const FreeSpace> seen_from(const Piece& piece) {
+std::shared_ptr<const ThingSight> seen_from(const Piece& piece) {
   const Submap submap = make_submap(piece);
   const Ground ground(submap);
-  return std::make_shared<const FreeSpace>(
-      submap, FreeSpace::kOfThings,
-      [&](const Eigen::Vector3f& point) { return ground.stands(point); });
+  return std::make_shared<const ThingSight>(
+      submap, [&](const Eigen::Vector3f& point) { return ground.stands(point); });
 }
 
 }  // namespace
 
-std::shared_ptr<const FreeSpace> MovedThings::sight(std::size_t piece) {
+std::shared_ptr<const ThingSight> MovedThings::sight(std::size_t piece) {
   const auto known = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const auto& entry) { return entry.first == piece; });
   if (known != kept_.end()) return known->second;

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "mapping/free_space.hpp"
 #include "mapping/piece.hpp"
 #include "mapping/pose_graph.hpp"
+#include "mapping/thing_sight.hpp"
 
 namespace surefoot::mapping {
 
@@ -31,12 +31,12 @@ class MovedThings {
                                        const std::vector<Eigen::Vector3f>& points);
 
  private:
-  [[nodiscard]] std::shared_ptr<const FreeSpace> sight(std::size_t piece);
+  [[nodiscard]] std::shared_ptr<const ThingSight> sight(std::size_t piece);
   [[nodiscard]] std::vector<std::size_t> witnesses(std::size_t piece) const;
 
   const std::vector<Piece>& pieces_;
   std::vector<std::size_t> held_;
-  std::vector<std::pair<std::size_t, std::shared_ptr<const FreeSpace>>> kept_;
+  std::vector<std::pair<std::size_t, std::shared_ptr<const ThingSight>>> kept_;
 };
 
 /// Of each piece of a graph, which are held together: the same number.

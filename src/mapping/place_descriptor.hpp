@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mapping/submap.hpp"
@@ -39,6 +40,18 @@ struct DescriptorDistance {
   double distance = 1.0;
   int shift = 0;  ///< sectors by which the second must be turned (counter-clockwise)
   [[nodiscard]] double yaw() const;  ///< [rad] R_first_second
+};
+/// A place to be compared with many: its columns, each of length 1, twice round, so that any turn
+/// of them is one run of numbers.
+class TurnedPlace {
+ public:
+  explicit TurnedPlace(const PlaceDescriptor& place);
+  [[nodiscard]] DescriptorDistance distance_from(const PlaceDescriptor& first) const;
+
+ private:
+  static constexpr int kBins = PlaceDescriptor::kRings * PlaceDescriptor::kSectors;
+  Eigen::Matrix<float, 2 * kBins, 1> columns_;
+  std::uint64_t occupied_ = 0;  // a bit a column: something stands in it
 };
 [[nodiscard]] DescriptorDistance distance_between(const PlaceDescriptor& first,
                                                   const PlaceDescriptor& second);

@@ -43,10 +43,13 @@ std::vector<PlaceIndex::Match> PlaceIndex::search(const std::vector<OffsetDescri
                       return a.place != b.place ? a.place < b.place : a.offset < b.offset;
                     });
   candidates.resize(kept);
+  std::vector<TurnedPlace> turned;
+  for (const OffsetDescriptor& seen : query) turned.emplace_back(seen.descriptor);
   std::vector<Match> matches;
   for (const ByKey& candidate : candidates) {
     const OffsetDescriptor& seen = query[candidate.offset];
-    const DescriptorDistance found = distance_between(places_[candidate.place], seen.descriptor);
+    const DescriptorDistance found =
+        turned[candidate.offset].distance_from(places_[candidate.place]);
     const auto known = std::find_if(matches.begin(), matches.end(), [&](const Match& match) {
       return match.place == candidate.place;
     });

@@ -75,6 +75,49 @@ TEST(PlaceDescriptorTest, EmptyPlacesAreLikeNothing) {
   EXPECT_EQ(distance_between(describe_place(place(1)), empty).distance, 1.0);
 }
 
+/// Column by column, as the paper has it.
+TEST(PlaceDescriptorTest, ADistanceIsThatOfColumnsTurnedAgainstEachOther) {
+  const PlaceDescriptor first = describe_place(place(1));
+  const PlaceDescriptor second = describe_place(turned(place(2), 1.0));
+  DescriptorDistance expected;
+  for (int shift = 0; shift < PlaceDescriptor::kSectors; ++shift) {
+    double likeness = 0.0;
+    int compared = 0;
+    for (int column = 0; column < PlaceDescriptor::kSectors; ++column) {
+      const Eigen::VectorXf one = first.bins.col(column);
+      const Eigen::VectorXf other =
+          second.bins.col((column - shift + PlaceDescriptor::kSectors) % PlaceDescriptor::kSectors);
+      if (one.isZero() && other.isZero()) continue;
+      ++compared;
+      if (!one.isZero() && !other.isZero()) {
+        likeness += static_cast<double>(one.normalized().dot(other.normalized()));
+      }
+    }
+    const double distance = 1.0 - likeness / compared;
+    if (distance < expected.distance) expected = {distance, shift};
+  }
+  const DescriptorDistance found = distance_between(first, second);
+  EXPECT_NEAR(found.distance, expected.distance, 1e-5);
+  EXPECT_EQ(found.shift, expected.shift);
+}
+
+/// A point in the middle of each bin is in that bin.
+TEST(PlaceDescriptorTest, PointsLieInTheirRingsAndSectors) {
+  for (int ring = 0; ring < PlaceDescriptor::kRings; ++ring) {
+    // From 1.5 m to 45 m, evenly in the logarithm; the innermost begins at the middle.
+    const double range = 1.5 * std::pow(30.0, (ring - 0.5) / (PlaceDescriptor::kRings - 1));
+    for (int sector = 0; sector < PlaceDescriptor::kSectors; ++sector) {
+      const double angle = (sector + 0.5) * 2.0 * std::numbers::pi / PlaceDescriptor::kSectors;
+      Submap submap;
+      submap.points = {{static_cast<float>(-range * std::cos(angle)),
+                        static_cast<float>(-range * std::sin(angle)), 1.0F}};
+      const PlaceDescriptor found = describe_place(submap);
+      EXPECT_EQ(found.bins(ring, sector), 1.0F) << ring << ' ' << sector;
+      EXPECT_EQ(found.bins.sum(), 1.0F);
+    }
+  }
+}
+
 TEST(PlaceIndexTest, FindsThePlaceWhateverTheHeadingAndSaysWhereItLies) {
   PlaceIndex index;
   for (unsigned seed = 0; seed < 30; ++seed) index.add(describe_place(place(seed)));
