@@ -15,8 +15,8 @@ constexpr float kAboveGround = 0.25F;   // [m] what moves stands out of it
 constexpr float kHighest = 2.5F;        // and is no higher
 constexpr double kWitnessReach = 15.0;  // [m] pieces that may have seen the same
 constexpr std::size_t kMostWitnesses = 16;
-constexpr std::size_t kKeptSights = 40;  // pieces' sights
-constexpr int kWitnesses = 2;            // that have to have seen through
+constexpr std::size_t kKeptSights = 160;  // pieces' sights, some 0.1 MB each
+constexpr int kWitnesses = 2;             // that have to have seen through
 
 /// Heights over the ground of a piece, of places in its frame.
 class Ground {
@@ -47,7 +47,11 @@ std::shared_ptr<const ThingSight> seen_from(const Piece& piece) {
 std::shared_ptr<const ThingSight> MovedThings::sight(std::size_t piece) {
   const auto known = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const auto& entry) { return entry.first == piece; });
-  if (known != kept_.end()) return known->second;
+  if (known != kept_.end()) {
+    std::rotate(known, known + 1,
+                kept_.end());  // the one that was asked for longest ago goes first
+    return kept_.back().second;
+  }
   if (kept_.size() == kKeptSights) kept_.erase(kept_.begin());
   kept_.emplace_back(piece, seen_from(pieces_[piece]));
   return kept_.back().second;

@@ -29,11 +29,16 @@ std::uint64_t bit_of(int cube) { return std::uint64_t{1} << cube; }
 ThingSight::ThingSight(const Submap& submap,
                        const std::function<bool(const Eigen::Vector3f& point)>& stands) {
   std::vector<std::array<std::uint8_t, kCubes>> passes;  // of each block, while they are counted
+  std::uint64_t last_key = ~0ULL;  // a beam's next cube mostly lies in the same block
+  std::uint32_t last = 0;
   const auto block = [&](const VoxelIndex& cube) {
+    const std::uint64_t key = block_of(cube);
+    if (key == last_key) return last;
     const auto [index, fresh] =
-        table_.find_or_insert(block_of(cube), static_cast<std::uint32_t>(passes.size()));
+        table_.find_or_insert(key, static_cast<std::uint32_t>(passes.size()));
     if (fresh) passes.push_back({});
-    return index;
+    last_key = key;
+    return last = index;
   };
   follow_beams(submap, kOfThings, [&](const VoxelIndex& cube) {
     std::uint8_t& count = passes[block(cube)][static_cast<std::size_t>(within_block(cube))];
