@@ -22,7 +22,7 @@ namespace surefoot {
 ///     surefoot::Localizer localizer("map.surefoot");
 ///     for (const surefoot::Scan& scan : scans) {
 ///       const surefoot::Estimate estimate = odometry.add_scan(scan);
-///       localizer.add(estimate, odometry.deskewed_scan());
+///       localizer.add(estimate, odometry);
 ///       if (localizer.T_map_lidar()) ...
 ///     }
 ///
@@ -42,6 +42,9 @@ class Localizer {
   /// `estimate.stamp_ns` (Odometry::deskewed_scan()); every scan, in the order in which they came.
   /// An estimate that is not trusted() has no place in the map, and changes nothing.
   void add(const Estimate& estimate, const DeskewedScan& scan);
+  /// What `odometry` has just said of a scan. Its points are made only where they are looked at:
+  /// of few scans, once the place is known.
+  void add(const Estimate& estimate, const Odometry& odometry);
 
   /// Of the last scan, at mid-scan; none: not found yet, lost, or its estimate was not trusted.
   [[nodiscard]] std::optional<Pose> T_map_lidar() const;

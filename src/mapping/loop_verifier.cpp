@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/so3.hpp"
+
 namespace surefoot::mapping {
 
 namespace {
@@ -29,10 +31,18 @@ double contradicted(const FreeSpace& space, const std::vector<SubmapPoint>& poin
   return known > 0 ? static_cast<double>(empty) / static_cast<double>(known) : 1.0;
 }
 
-/// The starts that look best after the coarsest grid, refined; the best first.
+/// Starts that are one after the coarsest grid mostly end at one pose.
+bool near_each_other(const SubmapAlignment& one, const SubmapAlignment& other) {
+  constexpr double kOne = 0.1;  // [m], kLever away
+  const Pose apart = one.T_target_source.inverse() * other.T_target_source;
+  return apart.translation.norm() + kLever * so3_log(apart.rotation).norm() < kOne;
+}
+
+/// The starts that look best after the coarsest grid, refined; the best first. `quickly`: those
+/// that are one by then are refined once.
 std::vector<SubmapAlignment> align_all(const RegistrationSubmap& target,
                                        const RegistrationSubmap& source,
-                                       const std::vector<Pose>& starts) {
+                                       const std::vector<Pose>& starts, bool quickly) {
   std::vector<SubmapAlignment> rough;
   for (const Pose& start : starts) rough.push_back(align_roughly(target, source, start));
   const auto better = [](const SubmapAlignment& a, const SubmapAlignment& b) {
@@ -41,11 +51,15 @@ std::vector<SubmapAlignment> align_all(const RegistrationSubmap& target,
   std::stable_sort(rough.begin(), rough.end(), better);
   if (rough.size() > kRefined) rough.resize(kRefined);
   if (rough.front().matched < kHopeless) return rough;
-  for (SubmapAlignment& alignment : rough) {
-    alignment = align_submaps(target, source, alignment.T_target_source, 1);
+  std::vector<SubmapAlignment> fine;
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    std::size_t same = quickly ? 0 : i;
+    while (same < i && !near_each_other(rough[same], rough[i])) ++same;
+    fine.push_back(same < i ? fine[same]
+                            : align_submaps(target, source, rough[i].T_target_source, 1));
   }
-  std::stable_sort(rough.begin(), rough.end(), better);
-  return rough;
+  std::stable_sort(fine.begin(), fine.end(), better);
+  return fine;
 }
 
 /// [m] How far submaps may be bent in themselves where the alignment holds.
@@ -151,7 +165,7 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   if (std::min(target.standing_count(), source.standing_count()) < limits.standing) {
     return check;
   }
-  const std::vector<SubmapAlignment> forward = align_all(target, source, starts);
+  const std::vector<SubmapAlignment> forward = align_all(target, source, starts, limits.partial);
   check.alignment = forward.front();
   check.overlap = forward.front().matched;
   check.started = static_cast<int>(forward.size());
@@ -162,7 +176,7 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   if (!limits.partial) {
     std::vector<Pose> inverse;
     for (const Pose& start : starts) inverse.push_back(start.inverse());
-    backward = align_all(source, target, inverse);
+    backward = align_all(source, target, inverse, false);
     check.overlap = std::min(check.overlap, backward.front().matched);
     check.level = std::min(check.level, backward.front().level);
   }

@@ -25,14 +25,13 @@ MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
   for (const PlaceDescriptor& place : map_.places) index_.add(place);
 }
 
-void MapLocalizer::add(const PlacedScan& scan, const DeskewedScan& points) {
+void MapLocalizer::add(const PlacedScan& scan, const ScanPoints& points) {
   if (scan.restarted) {
     T_map_world_.reset();
     agreed_.clear();
-    recent_.clear();
+    forget();
     message_ = "the odometry began anew";
   }
-  collect(scan, points);
   const Eigen::Vector3d& here = scan.T_world_lidar.translation;
   if (!last_) last_ = here;
   if (const double step = (here - *last_).norm(); step > kLeastStep) {
@@ -40,22 +39,31 @@ void MapLocalizer::add(const PlacedScan& scan, const DeskewedScan& points) {
     last_ = here;
   }
   ++scans_;
-  if (T_map_world_) {
-    const bool confirmed = succeeded_at_ >= checked_at_;
-    if (way_ - checked_at_ >= (confirmed ? options_.check_every : options_.check_again)) check();
-  } else if (scans_ % options_.every == 0) {
-    search();
-  }
+  const bool looked = std::exchange(looking_, !T_map_world_ || to_check() < options_.look_back);
+  if (!looking_) return;
+  if (!looked) forget();
+  collect(scan, points);
+  if (T_map_world_ && to_check() <= 0.0) check();
+  if (!T_map_world_ && scans_ % options_.every == 0) search();
+}
+
+/// Of way, until the place that is known is looked at again [m].
+double MapLocalizer::to_check() const {
+  const bool confirmed = succeeded_at_ >= checked_at_;
+  return checked_at_ + (confirmed ? options_.check_every : options_.check_again) - way_;
+}
+
+void MapLocalizer::forget() {
+  PieceOptions pieces = options_.pieces;
+  if (T_map_world_) pieces.always = 1;  // from where it should be, little has to be seen
+  builder_ = PieceBuilder(pieces);
+  recent_.clear();
 }
 
 /// A scan that the odometry is not sure of may lie anywhere against those before it, and so may
 /// what follows: mostly it is the second one of a run.
-void MapLocalizer::collect(const PlacedScan& scan, const DeskewedScan& points) {
-  if (!is_sure(scan.covariance)) {
-    builder_ = PieceBuilder(options_.pieces);
-    recent_.clear();
-    return;
-  }
+void MapLocalizer::collect(const PlacedScan& scan, const ScanPoints& points) {
+  if (!is_sure(scan.covariance)) return forget();
   auto done = builder_.add(scan, points);
   if (!done) return;
   recent_.push_back(std::move(*done));
@@ -179,7 +187,7 @@ void MapLocalizer::check() {
   message_ = T_map_world ? "found" : "found; the last look at the map did not confirm it";
   if (way_ - succeeded_at_ > options_.lost_after) {
     T_map_world_.reset();
-    recent_.clear();
+    forget();
     message_ = "lost: the map has not been confirmed for some metres";
   }
 }

@@ -63,6 +63,7 @@ struct LocalizerOptions {
   std::size_t every = 3;       ///< scans between two searches
   double check_every = 8.0;    ///< of way, once the place is known [m];
   double check_again = 2.0;    ///< where the last look did not confirm it
+  double look_back = 3.0;      ///< of way that a check looks at [m]; more is not collected for it
   double confirming = 0.4;     ///< share of what stands that lies on the map, while it is known
   double lost_after = 12.0;    ///< of way on which no check succeeded [m]
 };
@@ -73,7 +74,8 @@ class MapLocalizer {
   MapLocalizer(SavedMap map, const LocalizerOptions& options);
 
   /// A scan that was registered by the odometry, in the order in which they come.
-  void add(const PlacedScan& scan, const DeskewedScan& points);
+  void add(const PlacedScan& scan, const ScanPoints& points);
+  void add(const PlacedScan& scan, const DeskewedScan& points) { add(scan, ready(points)); }
 
   /// T_map_world, from the odometry's world to the map; none: not found yet, or lost.
   [[nodiscard]] const std::optional<Pose>& T_map_world() const { return T_map_world_; }
@@ -87,7 +89,9 @@ class MapLocalizer {
     Pose T_world_seen;
   };
 
-  void collect(const PlacedScan& scan, const DeskewedScan& points);
+  [[nodiscard]] double to_check() const;
+  void collect(const PlacedScan& scan, const ScanPoints& points);
+  void forget();
   [[nodiscard]] std::optional<Surroundings> surroundings() const;
   void search();
   void check();
@@ -102,11 +106,12 @@ class MapLocalizer {
   PlaceIndex index_;
   std::vector<std::pair<std::size_t, std::shared_ptr<const VerifiableSubmap>>> places_;
   PieceBuilder builder_;
-  std::vector<Piece> recent_;  // the last piece of it is being walked
+  std::vector<Piece> recent_;  // finished ones before it
   std::vector<Pose> agreed_;   // what the last searches said
   std::optional<Pose> T_map_world_;
   std::string message_ = "no scan yet";
   std::size_t scans_ = 0;
+  bool looking_ = true;  // at scans, to search or to check
   double way_ = 0.0;
   double checked_at_ = 0.0;    // way
   double succeeded_at_ = 0.0;  // way

@@ -13,8 +13,7 @@ namespace surefoot::mapping {
 
 namespace {
 
-constexpr double kSway = 0.2;             // smaller steps are the body's sway, not way [m]
-constexpr std::size_t kAlwaysTaken = 10;  // scans: a robot that stands sees something, too
+constexpr double kSway = 0.2;  // smaller steps are the body's sway, not way [m]
 constexpr std::size_t kMostEyes = std::numeric_limits<std::uint16_t>::max();
 
 }  // namespace
@@ -47,7 +46,7 @@ void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file) {
   static_cast<PieceCloud&>(piece) = PieceCloud{};
 }
 
-std::optional<Piece> PieceBuilder::add(const PlacedScan& scan, const DeskewedScan& points) {
+std::optional<Piece> PieceBuilder::add(const PlacedScan& scan, const ScanPoints& points) {
   std::optional<Piece> done;
   if (begun_ && scan.restarted) {
     done = finish();
@@ -79,14 +78,14 @@ void PieceBuilder::begin(const PlacedScan& scan) {
   eyes_.clear();
 }
 
-void PieceBuilder::insert(const PlacedScan& scan, const DeskewedScan& points) {
+void PieceBuilder::insert(const PlacedScan& scan, const ScanPoints& points) {
   // One scan that was placed badly bends the whole piece.
   if (spread(scan.covariance) > spread(covariance_)) covariance_ = scan.covariance;
   ++scans_;
   stands_.push_back({scan.stamp_ns, scan.T_world_lidar, way_});
   const double moved = (scan.T_world_lidar.translation - last_inserted_.translation).norm();
   const double turn = scan.T_world_lidar.rotation.angularDistance(last_inserted_.rotation);
-  const bool taken = scans_ <= kAlwaysTaken || moved > options_.step || turn > options_.turn;
+  const bool taken = scans_ <= options_.always || moved > options_.step || turn > options_.turn;
   if (!taken || eyes_.size() >= kMostEyes) return;
   last_inserted_ = scan.T_world_lidar;
   const Pose T_first_lidar = T_world_first_.inverse() * scan.T_world_lidar;
@@ -96,7 +95,7 @@ void PieceBuilder::insert(const PlacedScan& scan, const DeskewedScan& points) {
   eyes_.push_back(t);
   const auto range2 = static_cast<float>(options_.range * options_.range);
   const double inverse = 1.0 / options_.voxel;
-  for (const Eigen::Vector3f& point : points.points) {
+  for (const Eigen::Vector3f& point : points().points) {
     if (!(point.squaredNorm() < range2)) continue;
     const Eigen::Vector3f at = R * point + t;
     const auto key = voxel_key(voxel_index(at.cast<double>(), inverse));

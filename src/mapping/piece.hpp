@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,6 +24,13 @@ struct PlacedScan {
   Matrix6 covariance = Matrix6::Zero();  ///< as Estimate::covariance
   bool restarted = false;                ///< the odometry lost its map and began anew
 };
+
+/// Makes a scan's points when they are asked for: most scans' never are.
+using ScanPoints = std::function<const DeskewedScan&()>;
+/// Those that are there; they must outlive what is returned.
+[[nodiscard]] inline ScanPoints ready(const DeskewedScan& points) {
+  return [&points]() -> const DeskewedScan& { return points; };
+}
 
 /// [m] at which a rotation moves points as much as a shift of the same size.
 inline constexpr double kLever = 10.0;
@@ -56,11 +64,12 @@ struct Piece : PieceCloud {
 void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file);
 
 struct PieceOptions {
-  double length = 5.0;  ///< of way [m]
-  double voxel = 0.2;   ///< one point a cube: the mean [m]
-  double range = 50.0;  ///< what is farther away is left out [m]
-  double step = 0.2;    ///< scans nearer to the last one add little and are passed over [m]
-  double turn = 0.25;   ///< unless the LiDAR turned by so much [rad]
+  double length = 5.0;      ///< of way [m]
+  double voxel = 0.2;       ///< one point a cube: the mean [m]
+  double range = 50.0;      ///< what is farther away is left out [m]
+  double step = 0.2;        ///< scans nearer to the last one add little and are passed over [m]
+  double turn = 0.25;       ///< unless the LiDAR turned by so much [rad]
+  std::size_t always = 10;  ///< scans of a piece: a robot that stands sees something, too
 };
 
 /// Cuts the way into pieces while it is walked.
@@ -69,7 +78,10 @@ class PieceBuilder {
   explicit PieceBuilder(const PieceOptions& options) : options_(options) {}
 
   /// The piece that this scan ends, if it does; the scan begins the next one.
-  [[nodiscard]] std::optional<Piece> add(const PlacedScan& scan, const DeskewedScan& points);
+  [[nodiscard]] std::optional<Piece> add(const PlacedScan& scan, const ScanPoints& points);
+  [[nodiscard]] std::optional<Piece> add(const PlacedScan& scan, const DeskewedScan& points) {
+    return add(scan, ready(points));
+  }
   /// What is there of the last piece.
   [[nodiscard]] std::optional<Piece> finish();
   /// What there is of the piece that is being walked; none before the first scan.
@@ -88,7 +100,7 @@ class PieceBuilder {
   };
 
   void begin(const PlacedScan& scan);
-  void insert(const PlacedScan& scan, const DeskewedScan& points);
+  void insert(const PlacedScan& scan, const ScanPoints& points);
 
   PieceOptions options_;
   double way_ = 0.0;

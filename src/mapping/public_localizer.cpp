@@ -13,6 +13,13 @@ struct Localizer::State {
   mapping::MapLocalizer localizer;
   mapping::PlacedScans placed;
   std::optional<Pose> T_world_lidar;  // of the last scan, where it was trusted
+
+  void add(const Estimate& estimate, const mapping::ScanPoints& points) {
+    T_world_lidar.reset();
+    if (!estimate.trusted()) return;
+    localizer.add(placed.next(estimate), points);
+    T_world_lidar = estimate.T_world_lidar;
+  }
 };
 
 Localizer::Localizer(const std::filesystem::path& map)
@@ -22,10 +29,11 @@ Localizer::Localizer(Localizer&&) noexcept = default;
 Localizer& Localizer::operator=(Localizer&&) noexcept = default;
 
 void Localizer::add(const Estimate& estimate, const DeskewedScan& scan) {
-  state_->T_world_lidar.reset();
-  if (!estimate.trusted()) return;
-  state_->localizer.add(state_->placed.next(estimate), scan);
-  state_->T_world_lidar = estimate.T_world_lidar;
+  state_->add(estimate, mapping::ready(scan));
+}
+
+void Localizer::add(const Estimate& estimate, const Odometry& odometry) {
+  state_->add(estimate, [&]() -> const DeskewedScan& { return odometry.deskewed_scan(); });
 }
 
 std::optional<Pose> Localizer::T_map_lidar() const {

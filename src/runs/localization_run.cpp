@@ -35,13 +35,13 @@ void LocalizationRun::begin_anew(mapping::SavedMap map) {
   poses_.open(folder_ / kMapFrameTrajectoryFile);
 }
 
-void LocalizationRun::add(const Estimate& estimate, const DeskewedScan& scan) {
+void LocalizationRun::add(const Estimate& estimate, const mapping::ScanPoints& points) {
   if (outcome_.scans++ == 0) first_stamp_ns_ = estimate.stamp_ns;
   const std::string stamp = io::format_seconds(estimate.stamp_ns);
   if (!estimate.trusted()) {
     return write(fmt::format("{},0,,,,{}\n", stamp, to_string(estimate.status)));
   }
-  localizer_.add(placed_.next(estimate), scan);
+  localizer_.add(placed_.next(estimate), points);
   outcome_.message = localizer_.message();
   if (!localizer_.T_map_world()) {
     return write(fmt::format("{},0,,,,{}\n", stamp, outcome_.message));

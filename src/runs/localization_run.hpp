@@ -31,7 +31,7 @@ class LocalizationRun {
   [[nodiscard]] const std::optional<Pose>& T_map_world() const { return localizer_.T_map_world(); }
 
   /// Every scan; one whose pose was not measured has no place in the map. Throws io::WriteError.
-  void add(const Estimate& estimate, const DeskewedScan& scan);
+  void add(const Estimate& estimate, const mapping::ScanPoints& points);
   [[nodiscard]] LocalizationOutcome finish() const { return outcome_; }
 
  private:

@@ -233,7 +233,10 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (!options_.no_report) output.add_sample(*item.scan, estimate);
-  if (localization_) localization_->add(estimate, odometry_.deskewed_scan());
+  if (localization_) {
+    localization_->add(estimate,
+                       [&]() -> const DeskewedScan& { return odometry_.deskewed_scan(); });
+  }
   for (RunBag& bag : bags_) {
     if (localization_) bag.place(localization_->T_map_world());
     bag.add(item.name, estimate, odometry_);

@@ -28,7 +28,7 @@ int main() {
   surefoot::Localizer localizer("map.surefoot");
   for (int i = 0; i < kScans; ++i) {
     const surefoot::Estimate estimate = other.add_scan(scan_room(i * 100'000'000LL));
-    localizer.add(estimate, other.deskewed_scan());
+    localizer.add(estimate, other);
   }
   std::printf("%s\n", localizer.message().c_str());
   // The room is the same turned by half: a place that is known is the right one, or there is none.

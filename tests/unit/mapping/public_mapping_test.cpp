@@ -101,7 +101,7 @@ TEST_F(PublicMapping, ARobotIsFoundInASavedMap) {
   ASSERT_TRUE(localizer.T_map_lidar()) << localizer.message();
   Estimate lost;
   lost.status = Status::lost;
-  localizer.add(lost, {});
+  localizer.add(lost, DeskewedScan{});
   EXPECT_FALSE(localizer.T_map_lidar()) << "of a scan that was not registered";
   EXPECT_TRUE(localizer.T_map_world());
 }

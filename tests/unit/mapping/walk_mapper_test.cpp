@@ -122,6 +122,38 @@ TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
   }
 }
 
+/// Once the place is known, few scans are looked at: to make their points takes time. And it is
+/// still noticed where the map no longer agrees.
+TEST(LocalizerTest, AKnownPlaceIsCheckedByFewScans) {
+  WalkOptions options;
+  options.length = 90.0;
+  const SavedMap map = saved_map_of(mapped(test::walk_through("campus", 46, options)));
+  options.unknown_start = true;
+  options.length = 80.0;
+  const SceneWalk walk = test::walk_through("campus", 46, options);
+  const SceneWalk elsewhere = test::walk_through("plaza", 47, options);
+  MapLocalizer localizer(map, {});
+  std::size_t known = 0;
+  std::size_t looked_at = 0;
+  const auto add = [&](std::size_t i, const DeskewedScan& points) {
+    known += localizer.T_map_world() ? 1 : 0;
+    localizer.add(walk.scans[i], [&]() -> const DeskewedScan& {
+      looked_at += localizer.T_map_world() ? 1 : 0;
+      return points;
+    });
+  };
+  const std::size_t half = walk.scans.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    add(i, walk.points[i]);
+    expect_right_or_not_found(localizer, walk, i);
+  }
+  ASSERT_TRUE(localizer.T_map_world()) << localizer.message();
+  EXPECT_GT(looked_at, known / 10);
+  EXPECT_LT(looked_at, known / 3);
+  for (std::size_t i = half; i < walk.scans.size(); ++i) add(i, elsewhere.points[i]);
+  EXPECT_FALSE(localizer.T_map_world());
+}
+
 TEST(LocalizerTest, AnotherSceneIsNotFound) {
   WalkOptions options;
   options.length = 60.0;
