@@ -3,6 +3,7 @@
 #include "mapping/moved_things.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "mapping/held_pieces.hpp"
 #include "mapping/submap.hpp"
@@ -57,7 +58,8 @@ std::shared_ptr<const ThingSight> MovedThings::sight(std::size_t piece) {
   return kept_.back().second;
 }
 
-/// Pieces near one, evenly picked of all visits where there are many.
+/// Pieces near one. Of many, every second, fourth, eighth one of all visits: those beside it are
+/// seen by the same.
 std::vector<std::size_t> MovedThings::witnesses(std::size_t piece) const {
   std::vector<std::size_t> near;
   const Eigen::Vector3d& here = pieces_[piece].T_world_piece.translation;
@@ -66,11 +68,12 @@ std::vector<std::size_t> MovedThings::witnesses(std::size_t piece) const {
     if (i != piece && held_[i] == held_[piece] && apart.norm() < kWitnessReach) near.push_back(i);
   }
   if (near.size() <= kMostWitnesses) return near;
-  std::vector<std::size_t> picked;
-  for (std::size_t k = 0; k < kMostWitnesses; ++k) {
-    picked.push_back(near[k * near.size() / kMostWitnesses]);
-  }
-  return picked;
+  std::stable_sort(near.begin(), near.end(), [](std::size_t a, std::size_t b) {
+    return std::countr_zero(a) > std::countr_zero(b);
+  });
+  near.resize(kMostWitnesses);
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 std::vector<bool> MovedThings::gone(std::size_t piece, const std::vector<Eigen::Vector3f>& points) {
