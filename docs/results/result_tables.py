@@ -175,6 +175,12 @@ def as_kept(name):
     return f"{markdown(kept.rows[0], kept.rows[1:])}\n\nKept in {link(kept)}: {'; '.join(about)}."
 
 
+def detectors():
+    """As kept."""
+    kept = Kept("detectors")
+    return f"{markdown(kept.rows[0], kept.rows[1:])}\n\n{kept_by(kept)}"
+
+
 def of_suite(kept):
     return [name for name in kept.recordings if not name.startswith("gait_")]
 
@@ -380,6 +386,7 @@ TABLES = {
     "readme": readme,
     "finer-grid": finer_grid,
     "loops": loops,
+    "detectors": detectors,
     "reference": reference,
     "reliability-alike": reliability_alike,
     "reliability": reliability,
