@@ -60,7 +60,7 @@ ThingSight::ThingSight(const Submap& submap,
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     for (int cube = 0; cube < kCubes; ++cube) {
       const bool through = passes[i][static_cast<std::size_t>(cube)] >= kEnoughBeams;
-      if (through && (blocks_[i].occupied & bit_of(cube)) == 0) blocks_[i].empty |= bit_of(cube);
+      if (through) blocks_[i].empty |= bit_of(cube);
     }
   }
 }

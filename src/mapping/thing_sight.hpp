@@ -25,7 +25,7 @@ class ThingSight {
  private:
   struct Block {
     std::uint64_t occupied = 0;  ///< something was seen in the cube or a neighbouring one
-    std::uint64_t empty = 0;     ///< beams went through, and it is not occupied
+    std::uint64_t empty = 0;     ///< beams went through, unless it is occupied
   };
 
   VoxelTable table_;  // index into blocks_
