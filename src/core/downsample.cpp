@@ -14,20 +14,25 @@ namespace surefoot {
 
 namespace {
 
-/// A point that may stand for its voxel.
+/// A point that may stand for its voxel. Its rank is the less the nearer it is to the centre: a
+/// float that is not negative lies among such as its bits do, so that one comparison of integers
+/// tells.
 struct Candidate {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
-  std::uint64_t key = 0;  // of its voxel, hashed
-  std::uint32_t index = kNone;
-  float to_centre2 = 0.0F;
+  std::uint64_t key = 0;       // of its voxel, hashed
+  std::uint64_t rank = kNone;  // squared distance to the centre, then the point's index
+
+  [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(rank); }
 };
 
 Candidate make_candidate(const Eigen::Vector3f& point, std::uint32_t at, double voxel,
                          double inverse_voxel) {
   const VoxelIndex index = voxel_index(point.cast<double>(), inverse_voxel);
   const Eigen::Vector3d centre = (index.cast<double>().array() + 0.5) * voxel;
-  return {hash_key(voxel_key(index)), at, squared_norm(point - centre.cast<float>())};
+  const float to_centre2 = squared_norm(point - centre.cast<float>());
+  const std::uint64_t bits = std::bit_cast<std::uint32_t>(to_centre2);
+  return {hash_key(voxel_key(index)), bits << 32 | at};
 }
 
 /// The best candidate of each voxel whose key begins with some bits: an open-addressing hash table.
@@ -42,18 +47,20 @@ class BestOfPart {
 
   void offer(const Candidate& candidate) {
     Candidate& best = slot_of(candidate.key);
-    if (best.index == Candidate::kNone) {
+    if (best.rank == Candidate::kNone) {
       best = candidate;
       if (2 * ++size_ > slots_.size()) grow();
-    } else if (better(candidate, best)) {
-      best = candidate;
+    } else if (((candidate.rank ^ best.rank) >> 32) == 0) {
+      if (comes_before(candidate, best)) best = candidate;
+    } else {
+      best.rank = std::min(best.rank, candidate.rank);  // no branch that nobody can foresee
     }
   }
 
   /// Any fixed order will do, but a spatial one: a voxel of the map takes the first points it is
   /// offered, and would fill up from one side, which pulls every later scan to that side.
   void append_to(std::vector<std::uint32_t>& indices) {
-    std::erase_if(slots_, [](const Candidate& c) { return c.index == Candidate::kNone; });
+    std::erase_if(slots_, [](const Candidate& c) { return c.rank == Candidate::kNone; });
     const auto before = [](const Candidate& a, const Candidate& b) { return a.key < b.key; };
     for (auto at = slots_.begin(); at != slots_.end(); ++at) {  // by insertion
       const Candidate candidate = *at;
@@ -61,7 +68,7 @@ class BestOfPart {
       for (; to != slots_.begin() && before(candidate, *(to - 1)); --to) *to = *(to - 1);
       *to = candidate;
     }
-    for (const Candidate& candidate : slots_) indices.push_back(candidate.index);
+    for (const Candidate& candidate : slots_) indices.push_back(candidate.index());
   }
 
  private:
@@ -76,7 +83,7 @@ class BestOfPart {
   [[nodiscard]] Candidate& slot_of(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t i = (key << first_bits_) >> shift_;; i = (i + 1) & mask) {
-      if (slots_[i].index == Candidate::kNone || slots_[i].key == key) return slots_[i];
+      if (slots_[i].rank == Candidate::kNone || slots_[i].key == key) return slots_[i];
     }
   }
 
@@ -85,15 +92,14 @@ class BestOfPart {
     old.swap(slots_);
     resize(2 * old.size());
     for (const Candidate& candidate : old) {
-      if (candidate.index != Candidate::kNone) slot_of(candidate.key) = candidate;
+      if (candidate.rank != Candidate::kNone) slot_of(candidate.key) = candidate;
     }
   }
 
-  /// Total order, so that equally near points do not make the result depend on their order.
-  [[nodiscard]] bool better(const Candidate& a, const Candidate& b) const {
-    if (a.to_centre2 != b.to_centre2) return a.to_centre2 < b.to_centre2;
+  /// Of equally near points, so that the result does not depend on their order.
+  [[nodiscard]] bool comes_before(const Candidate& a, const Candidate& b) const {
     const auto rank = [](const Eigen::Vector3f& p) { return std::make_tuple(p.x(), p.y(), p.z()); };
-    return rank(points_[a.index]) < rank(points_[b.index]);
+    return rank(points_[a.index()]) < rank(points_[b.index()]);
   }
 
   const std::vector<Eigen::Vector3f>& points_;

@@ -50,17 +50,19 @@ int cell_of(const Direction& direction) {
                  std::clamp(static_cast<int>(direction.row), 0, kRows - 1));
 }
 
-/// Calls f for the cells that lie up to so many columns and rows away, until it says true.
+/// Calls f(first, end) for runs of cells, which are all that lie up to so many columns and rows
+/// away, until it says true.
 template <typename Function>
 bool any_about(const Direction& direction, float columns, float rows, const Function& f) {
   const int first_row = std::max(static_cast<int>(direction.row - rows), 0);
   const int last_row = std::min(static_cast<int>(direction.row + rows), kRows - 1);
-  const int first = static_cast<int>(direction.column - columns + kColumns);
-  const int last = static_cast<int>(direction.column + columns + kColumns);
+  const int first = static_cast<int>(direction.column - columns + kColumns) - kColumns;
+  const int last = static_cast<int>(direction.column + columns);
   for (int row = first_row; row <= last_row; ++row) {
-    for (int column = first; column <= last; ++column) {
-      if (f(cell_at(column % kColumns, row))) return true;
-    }
+    if (f(cell_at(std::max(first, 0), row), cell_at(std::min(last + 1, kColumns), row)))
+      return true;
+    if (first < 0 && f(cell_at(first + kColumns, row), cell_at(kColumns, row))) return true;
+    if (last >= kColumns && f(cell_at(0, row), cell_at(last + 1 - kColumns, row))) return true;
   }
   return false;
 }
@@ -192,9 +194,9 @@ bool Beams::pass(const Surfel& surfel) const {
   const double reach = kFastest * std::sqrt(reach2_of(surfel));
   const auto columns = static_cast<float>(std::min(reach / d.head<2>().norm(), 1.0));
   const auto rows = static_cast<float>(std::min(reach / distance, 1.0));
-  return any_about(direction_of(d.cast<float>()), columns, rows, [&](int cell) {
+  return any_about(direction_of(d.cast<float>()), columns, rows, [&](int first, int end) {
     return std::any_of(
-        beams_.begin() + begins_[cell], beams_.begin() + begins_[cell + 1],
+        beams_.begin() + begins_[first], beams_.begin() + begins_[end],
         [&](const Beam& beam) { return beam.clear > distance && meets(surfel, beam.ray, d); });
   });
 }

@@ -30,21 +30,13 @@ SurfelMoments::RaySpread SurfelMoments::ray_spread(double size, double ring_gap)
   spread.mean = mean.normalized();
   const Eigen::Vector3d u = spread.mean.unitOrthogonal(), v = spread.mean.cross(u);
   const Eigen::Matrix3d C = matrix_of(rays_) / count_ - mean * mean.transpose();
-  const double uu = u.dot(C * u), uv = u.dot(C * v), vv = v.dot(C * v);
-  const double half = 0.5 * (uu - vv);
-  const double wide = std::sqrt(half * half + uv * uv);  // libm's hypot is another elsewhere
-  // The wider axis of (uu uv; uv vv), by the form that is a sum.
-  const Eigen::Vector2d axis =
-      half > 0.0 ? Eigen::Vector2d(half + wide, uv) : Eigen::Vector2d(uv, wide - half);
-  const double length = axis.norm();
-  spread.across[1] = length > 0.0 ? Eigen::Vector3d((axis.x() * u + axis.y() * v) / length) : u;
+  const auto [values, axes] = symmetric_eigen_direct(u.dot(C * u), u.dot(C * v), v.dot(C * v));
+  spread.across[1] = axes(0, 1) * u + axes(1, 1) * v;
   spread.across[0] = spread.mean.cross(spread.across[1]);
   const double mean_squared_range = static_cast<double>(squared_ranges_) / count_;
   const double reach = std::min(ring_gap, size / std::sqrt(mean_squared_range));
   const double evenly = std::max(reach * reach / 12.0, 1e-12);
-  const double middle = 0.5 * (uu + vv);
-  spread.left_out[0] = std::clamp(1.0 - (middle - wide) / evenly, 0.0, 1.0);
-  spread.left_out[1] = std::clamp(1.0 - (middle + wide) / evenly, 0.0, 1.0);
+  for (int i = 0; i < 2; ++i) spread.left_out[i] = std::clamp(1.0 - values[i] / evenly, 0.0, 1.0);
   return spread;
 }
 

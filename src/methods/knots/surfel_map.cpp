@@ -26,7 +26,7 @@ SurfelMap::SurfelMap(const Config::Knots& config, double radius)
     : config_(config), radius_(radius) {
   double size = config.finest_voxel;
   for (int level = 0; level < config.levels; ++level, size *= 2.0) {
-    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, 0});
+    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, {}, 0});
   }
 }
 
@@ -140,6 +140,7 @@ void SurfelMap::clear() {
     grid.voxels.clear();
     grid.sights.clear();
     grid.stale.clear();
+    grid.passed.clear();
     grid.unused.clear();
     grid.next = 0;
   }

@@ -94,9 +94,9 @@ class SurfelMap {
   /// When it was seen, and what else is asked of every voxel at every scan.
   struct Sight {
     Eigen::Vector3f middle = Eigen::Vector3f::Zero();  // of its points [m]
+    std::uint32_t last_hit = 0;                        // number of the scan
     std::uint16_t hits = 0;                            // scans; none: it is empty
     std::uint16_t passed = 0;  // scans whose beams went through since the last hit
-    bool now = false;          // hit by this scan
     bool full = false;         // takes no more points
   };
   /// A voxel's side is one index into three arrays: what is searched, what is added to, and what
@@ -109,6 +109,7 @@ class SurfelMap {
     Pages<Voxel> voxels;
     std::vector<Sight> sights;
     std::vector<std::uint32_t> stale;   // to fit anew
+    std::vector<std::uint32_t> passed;  // those that beams went through since one last hit them
     std::vector<std::uint32_t> unused;  // sides that were dropped
     std::size_t next = 0;               // the side where the removal of what is far goes on
 
@@ -146,7 +147,9 @@ class SurfelMap {
                        std::vector<std::uint32_t>& taken) const;
   void add(std::size_t level, const Sweep& sweep, const std::vector<std::uint32_t>& taken);
   void fit(Grid& grid) const;
-  [[nodiscard]] std::vector<std::uint32_t> may_be_passed(Grid& grid, const Beams& beams) const;
+  void note_hit(Sight& sight) const;
+  [[nodiscard]] std::vector<std::uint32_t> may_be_passed(const Grid& grid,
+                                                         const Beams& beams) const;
   [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
   static void empty(Grid& grid, std::uint32_t side);
   static void drop(Grid& grid, std::uint32_t side);
@@ -155,7 +158,7 @@ class SurfelMap {
   Config::Knots config_;
   double radius_;
   std::vector<Grid> grids_;
-  std::size_t scan_ = 0;  // number of the last one
+  std::uint32_t scan_ = 0;  // number of the last one
 };
 
 }  // namespace surefoot

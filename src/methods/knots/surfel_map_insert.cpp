@@ -17,8 +17,9 @@ namespace {
 // A surfel is fitted anew when its points grew by this factor, not at every point: to save time.
 constexpr double kGrowth = 1.3;
 
-// What no beam is known to have gone through is asked for at every so many-th scan only.
-constexpr std::size_t kTurn = 3;
+// What no beam is known to have gone through is asked for at every so many-th scan only, so many
+// sides, which lie together, as one.
+constexpr std::size_t kTurn = 3, kBlock = 64;
 
 // So many points ahead, memory is asked for what the map knows of them: they lie all over it.
 constexpr std::size_t kAhead = 20;
@@ -143,7 +144,7 @@ void SurfelMap::add(std::size_t level, const Sweep& sweep,
       sides[i] = side_of(grid, keys[i] | kBack, indices[i]);
     }
     Sight& sight = grid.sights[sides[i]];
-    sight.now = true;
+    note_hit(sight);
     if (sight.full) continue;
     Voxel& voxel = grid.voxels[sides[i]];
     const Eigen::Vector3d place = sweep.points[point] - middle_of(indices[i], grid.size);
@@ -177,19 +178,28 @@ void SurfelMap::fit(Grid& grid) const {
   grid.stale.clear();
 }
 
-/// Notes what this scan hit, and returns the sides that its beams may have gone through.
-std::vector<std::uint32_t> SurfelMap::may_be_passed(Grid& grid, const Beams& beams) const {
+void SurfelMap::note_hit(Sight& sight) const {
+  if (sight.last_hit == scan_) return;
+  sight.last_hit = scan_;
+  sight.passed = 0;
+  sight.hits = static_cast<std::uint16_t>(std::min(sight.hits + 1, kMost));
+}
+
+/// The sides that a scan's beams may have gone through, of those that it did not hit.
+std::vector<std::uint32_t> SurfelMap::may_be_passed(const Grid& grid, const Beams& beams) const {
   std::vector<std::uint32_t> sides;
-  for (std::size_t at = 0; at < grid.sights.size(); ++at) {
-    Sight& sight = grid.sights[at];
-    if (sight.now) {
-      sight.now = false;
-      sight.passed = 0;
-      sight.hits = static_cast<std::uint16_t>(std::min(sight.hits + 1, kMost));
-      continue;
+  const auto ask = [&](std::uint32_t side) {
+    if (beams.may_pass(grid.sights[side].middle)) sides.push_back(side);
+  };
+  for (const std::uint32_t side : grid.passed) ask(side);
+  const std::size_t all = grid.sights.size();
+  for (std::size_t block = scan_ % kTurn; block * kBlock < all; block += kTurn) {
+    const std::size_t end = std::min((block + 1) * kBlock, all);
+    for (std::size_t side = block * kBlock; side < end; ++side) {
+      const Sight& sight = grid.sights[side];
+      if (sight.hits == 0 || sight.last_hit == scan_ || sight.passed > 0) continue;
+      ask(static_cast<std::uint32_t>(side));
     }
-    if (sight.hits == 0 || (sight.passed == 0 && (at + scan_) % kTurn != 0)) continue;
-    if (beams.may_pass(sight.middle)) sides.push_back(static_cast<std::uint32_t>(at));
   }
   return sides;
 }
@@ -197,12 +207,15 @@ std::vector<std::uint32_t> SurfelMap::may_be_passed(Grid& grid, const Beams& bea
 /// What beams went through time and again since one last hit it has moved away.
 std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
   std::vector<Eigen::Vector3d> emptied;
+  const auto untouched = [&](std::uint32_t side) { return grid.sights[side].passed == 0; };
+  std::erase_if(grid.passed, untouched);
   const std::vector<std::uint32_t> sides = may_be_passed(grid, beams);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (i + kAhead < sides.size()) prefetch(grid.surfels[sides[i + kAhead]], kCacheLine);
     const std::uint32_t at = sides[i];
     if (!beams.pass(grid.surfels[at])) continue;
     Sight& sight = grid.sights[at];
+    if (sight.passed == 0) grid.passed.push_back(at);
     sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
     // [K19]
     if (sight.passed < config_.gone_after + config_.gone_share * sight.hits) continue;

@@ -35,11 +35,42 @@ TEST(Decompositions, EigenvectorsAreScaledByTheirValues) {
     const Eigen::Matrix3d a = random_matrix<3>(random);
     const Eigen::Matrix3d H = a * a.transpose();
     expect_decomposed<3>(H, symmetric_eigen(H), 1e-12);
-    expect_decomposed<3>(H, symmetric_eigen_direct(H), 1e-6);
+    expect_decomposed<3>(H, symmetric_eigen_direct(H), 1e-12);
     const auto b = random_matrix<6>(random);
     const Eigen::Matrix<double, 6, 6> indefinite = b + b.transpose();
     expect_decomposed<6>(indefinite, symmetric_eigen(indefinite), 1e-12);
   }
+}
+
+// What a plate, a line and a ball spread alike has no axes of its own, and those of what nearly
+// does are easily wrong.
+TEST(Decompositions, ClosedFormHoldsWhereValuesAgree) {
+  test::Random random(7);
+  const Eigen::Vector3d shapes[] = {{0.0, 1.0, 1.0},  {0.0, 0.0, 1.0},         {1.0, 1.0, 1.0},
+                                    {0.0, 0.0, 0.0},  {1e-9, 1.0, 1.0 + 1e-9}, {1e-9, 2e-9, 1.0},
+                                    {-1.0, 0.0, 1.0}, {1.0, 1.0 + 1e-12, 2.0}, {-2.0, 1.0, 1.0}};
+  for (const Eigen::Vector3d& shape : shapes) {
+    for (const double scale : {1e-8, 1.0, 1e6}) {
+      const Eigen::Matrix3d R =
+          Eigen::AngleAxisd(random.uniform(0.0, 3.0), random.unit_vector()).toRotationMatrix();
+      for (const Eigen::Matrix3d& turn : {R, Eigen::Matrix3d(Eigen::Matrix3d::Identity())}) {
+        const Eigen::Matrix3d H = turn * shape.asDiagonal() * turn.transpose();
+        const SymmetricEigen<3> eigen = symmetric_eigen_direct(Eigen::Matrix3d(scale * H));
+        expect_decomposed<3>(H, {eigen.values / scale, eigen.vectors}, 1e-12);
+        EXPECT_LT((eigen.values / scale - shape).norm(), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(Decompositions, ClosedFormOfTwoDimensions) {
+  test::Random random(8);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::Matrix2d a = random_matrix<2>(random);
+    const Eigen::Matrix2d H = a + a.transpose();
+    expect_decomposed<2>(H, symmetric_eigen_direct(H(0, 0), H(0, 1), H(1, 1)), 1e-14);
+  }
+  expect_decomposed<2>(Eigen::Matrix2d::Zero(), symmetric_eigen_direct(0.0, 0.0, 0.0), 1e-15);
 }
 
 TEST(Decompositions, SingularValuesPutTheMatrixTogetherAgain) {
