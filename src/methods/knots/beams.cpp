@@ -59,10 +59,12 @@ bool any_about(const Direction& direction, float columns, float rows, const Func
   const int first = static_cast<int>(direction.column - columns + kColumns) - kColumns;
   const int last = static_cast<int>(direction.column + columns);
   for (int row = first_row; row <= last_row; ++row) {
-    if (f(cell_at(std::max(first, 0), row), cell_at(std::min(last + 1, kColumns), row)))
+    const auto ask = [&](int begin, int end) { return f(cell_at(begin, row), cell_at(end, row)); };
+    if (ask(std::max(first, 0), std::min(last + 1, kColumns)) ||
+        (first < 0 && ask(first + kColumns, kColumns)) ||
+        (last >= kColumns && ask(0, last + 1 - kColumns))) {
       return true;
-    if (first < 0 && f(cell_at(first + kColumns, row), cell_at(kColumns, row))) return true;
-    if (last >= kColumns && f(cell_at(0, row), cell_at(last + 1 - kColumns, row))) return true;
+    }
   }
   return false;
 }

@@ -94,6 +94,12 @@ double hazard(const Evidence& evidence) {
   return 1.0 / (1.0 + std::exp(-sum));  // [K27]
 }
 
+double hazard_beside_rival(const Evidence& evidence) {
+  constexpr double kOneOfTwo = 0.5;
+  const bool clear = evidence.rival > strength(kClearlyBetter);
+  return std::max(hazard(evidence), clear ? kOneOfTwo : 0.0);
+}
+
 bool is_doubtful(double hazard) { return hazard > kVerdictBase / kScans; }
 
 bool has_settled(bool converged, int iterations, bool slides) {

@@ -68,8 +68,14 @@ class UsualSigns {
   int learnt_ = 0;
 };
 
+/// Of two places that a scan fits, the other must disagree so many times more, or it is not known
+/// which one it is.
+inline constexpr double kClearlyBetter = 1.15;
+
 /// How probably this scan, by itself, went wrong.
 [[nodiscard]] double hazard(const Evidence& evidence);
+/// Likewise, once another place was looked for: that one clearly fits better is half of a proof.
+[[nodiscard]] double hazard_beside_rival(const Evidence& evidence);
 
 /// Whether it went wrong more probably than any scan of the mix that the hazard is for: worth a
 /// look at other places.

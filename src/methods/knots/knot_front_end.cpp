@@ -175,8 +175,11 @@ double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::
                                const View& view, Registered& registered) const {
   const double alone = judge(scan, view, registered);
   if (!is_doubtful(alone)) return alone;
-  registered.estimate.evidence.rival = rival_of(scan, thinned, registered);
-  return hazard(registered.estimate.evidence);
+  Estimate& estimate = registered.estimate;
+  estimate.evidence.rival = rival_of(scan, thinned, registered);
+  // Along a weak direction the scan fits everywhere; that it is weak is told.
+  if (!estimate.degenerate.empty()) return hazard(estimate.evidence);
+  return hazard_beside_rival(estimate.evidence);
 }
 
 /// What a trusted registration tells for the next scan.

@@ -31,9 +31,6 @@ constexpr int kSeldom = 5;
 constexpr std::size_t kPoints = 150;  // to look with, coarsely
 constexpr std::size_t kPlaces = 4;    // to register at
 
-// The second best place must be so many times worse, or it is not known which one it is.
-constexpr double kClearlyBetter = 1.15;
-
 // So much more doubt is allowed straight after the scan that went wrong: where the robot would be
 // had that one not come is a likelier place than one that was looked for.
 constexpr double kStraightOn = 2.0;

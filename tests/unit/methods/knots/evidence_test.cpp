@@ -94,6 +94,16 @@ TEST(Evidence, HazardGrowsWithEveryPartOfTheEvidence) {
   }
 }
 
+TEST(Evidence, WhatFitsClearlyBetterElsewhereIsHalfOfAProof) {
+  Evidence evidence;
+  evidence.rival = 0.99 * std::log(kClearlyBetter);
+  EXPECT_EQ(hazard_beside_rival(evidence), hazard(evidence));
+  evidence.rival = 1.01 * std::log(kClearlyBetter);
+  EXPECT_EQ(hazard_beside_rival(evidence), 0.5);
+  evidence.misfit = evidence.contradiction = evidence.unconverged = 4.0;
+  EXPECT_EQ(hazard_beside_rival(evidence), hazard(evidence));  // which is more
+}
+
 TEST(Evidence, WhatIsMoreProbablyWrongThanAnyScanIsDoubtful) {
   EXPECT_FALSE(is_doubtful(hazard({})));
   EXPECT_FALSE(is_doubtful(0.99 * kVerdictBase / 10.0));
