@@ -7,7 +7,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surefoot {
 
@@ -34,6 +33,8 @@ SymmetricEigen<2> symmetric_eigen_direct(double xx, double xy, double yy) {
 }
 
 namespace {
+
+constexpr double kNothing = 1e-70;  // its fourth power is hardly a number any more
 
 /// c with 4 c^3 - 3 c = r for r from 0 to 1: the cosine of a third of an angle. Newton's steps from
 /// what is right to 4e-05.
@@ -66,7 +67,7 @@ SymmetricEigen<3> symmetric_eigen_direct(const Eigen::Matrix3d& H) {
   const double xy = H(1, 0), xz = H(2, 0), yz = H(2, 1);
   const double p =
       std::sqrt((xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)) * (1.0 / 6.0));
-  if (!(p > std::numeric_limits<double>::min())) {
+  if (!(p > kNothing)) {
     return {Eigen::Vector3d::Constant(mean), Eigen::Matrix3d::Identity()};
   }
   const double det = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);

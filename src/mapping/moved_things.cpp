@@ -49,8 +49,8 @@ std::shared_ptr<const ThingSight> MovedThings::sight(std::size_t piece) {
   const auto known = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const auto& entry) { return entry.first == piece; });
   if (known != kept_.end()) {
-    std::rotate(known, known + 1,
-                kept_.end());  // the one that was asked for longest ago goes first
+    // The one that was asked for longest ago goes first.
+    std::rotate(known, known + 1, kept_.end());
     return kept_.back().second;
   }
   if (kept_.size() == kKeptSights) kept_.erase(kept_.begin());

@@ -3,6 +3,7 @@
 #include "mapping/thing_sight.hpp"
 
 #include <array>
+#include <limits>
 
 namespace surefoot::mapping {
 

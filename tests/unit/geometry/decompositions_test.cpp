@@ -50,7 +50,7 @@ TEST(Decompositions, ClosedFormHoldsWhereValuesAgree) {
                                     {0.0, 0.0, 0.0},  {1e-9, 1.0, 1.0 + 1e-9}, {1e-9, 2e-9, 1.0},
                                     {-1.0, 0.0, 1.0}, {1.0, 1.0 + 1e-12, 2.0}, {-2.0, 1.0, 1.0}};
   for (const Eigen::Vector3d& shape : shapes) {
-    for (const double scale : {1e-8, 1.0, 1e6}) {
+    for (const double scale : {1e-60, 1e-8, 1.0, 1e6}) {
       const Eigen::Matrix3d R =
           Eigen::AngleAxisd(random.uniform(0.0, 3.0), random.unit_vector()).toRotationMatrix();
       for (const Eigen::Matrix3d& turn : {R, Eigen::Matrix3d(Eigen::Matrix3d::Identity())}) {
@@ -61,6 +61,12 @@ TEST(Decompositions, ClosedFormHoldsWhereValuesAgree) {
       }
     }
   }
+}
+
+TEST(Decompositions, ClosedFormOfWhatIsAsGoodAsNothing) {
+  const Eigen::Matrix3d H = Eigen::Vector3d(1e-130, 2e-130, 4e-130).asDiagonal();
+  const SymmetricEigen<3> eigen = symmetric_eigen_direct(H);
+  expect_decomposed<3>(H, eigen, 1e-15);
 }
 
 TEST(Decompositions, ClosedFormOfTwoDimensions) {

@@ -100,10 +100,15 @@ void expect_right_or_not_found(const MapLocalizer& localizer, const SceneWalk& w
   EXPECT_LT((found.translation - walk.truth[i].translation).norm(), 0.3) << "scan " << i;
 }
 
-TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
+SavedMap map_of_campus() {
   WalkOptions options;
   options.length = 90.0;
-  const SavedMap map = saved_map_of(mapped(test::walk_through("campus", 46, options)));
+  return saved_map_of(mapped(test::walk_through("campus", 46, options)));
+}
+
+TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
+  const SavedMap map = map_of_campus();
+  WalkOptions options;
   options.unknown_start = true;
   options.things = 99;
   options.length = 25.0;
@@ -125,9 +130,8 @@ TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
 /// Once the place is known, few scans are looked at: to make their points takes time. And it is
 /// still noticed where the map no longer agrees.
 TEST(LocalizerTest, AKnownPlaceIsCheckedByFewScans) {
+  const SavedMap map = map_of_campus();
   WalkOptions options;
-  options.length = 90.0;
-  const SavedMap map = saved_map_of(mapped(test::walk_through("campus", 46, options)));
   options.unknown_start = true;
   options.length = 80.0;
   const SceneWalk walk = test::walk_through("campus", 46, options);

@@ -77,7 +77,7 @@ TEST(Beams, ABeamBesideItDoesNot) {
     const Eigen::Vector3d ray =
         Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), random.uniform(-0.5, 0.5))
             .normalized();
-    const Eigen::Vector3d aside = ray.unitOrthogonal();
+    const Eigen::Vector3d aside = (i % 2 == 0 ? 1.0 : -1.0) * ray.unitOrthogonal();
     const double deviation = random.uniform(0.15, 0.3);  // more than the least
     const Eigen::Vector3d mean = kBeamOrigin + random.uniform(18.0, 29.0) * ray;
     const auto beam = [&](double off) { return one_beam(mean + off * deviation * aside, 50.0); };

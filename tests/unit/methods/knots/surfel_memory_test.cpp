@@ -180,13 +180,27 @@ TEST(SurfelMap, WhatMovedAwayIsForgotten) {
 }
 
 TEST(SurfelMap, WhatStoodForLongIsForgottenTheLater) {
-  Visitor visitor(2);
-  visitor.stand(60);
+  for (const int scans : {58, 59, 60}) {  // whoever's turn it is to be asked about
+    Visitor visitor(2);
+    visitor.stand(scans);
+    const int standing = visitor.left();
+    visitor.leave(16);  // a quarter of these, and 2, are more
+    EXPECT_EQ(visitor.left(), standing) << scans;
+    visitor.leave(30);
+    EXPECT_EQ(visitor.left(), 0) << scans;
+  }
+}
+
+TEST(SurfelMap, OfWhatIsHitAgainTheScansCountAnew) {
+  Visitor visitor(10);
+  visitor.stand(5);
   const int standing = visitor.left();
-  visitor.leave(16);  // a quarter of 60, and 2, are 17
-  EXPECT_EQ(visitor.left(), standing);
-  visitor.leave(30);
-  EXPECT_EQ(visitor.left(), 0);
+  for (int time = 0; time < 5; ++time) {
+    visitor.leave(8);
+    visitor.stand(1);
+  }
+  EXPECT_GE(visitor.left(), standing);
+  EXPECT_TRUE(visitor.emptied().empty());
 }
 
 TEST(SurfelMap, NothingIsForgottenIfNotAskedFor) {
