@@ -145,7 +145,7 @@ std::uint64_t unit_columns(const PlaceDescriptor& place, Eigen::Ref<Eigen::Vecto
   std::uint64_t occupied = 0;
   for (int column = 0; column < kSectors; ++column) {
     const float norm = place.bins.col(column).norm();
-    columns.segment<kRings>(kRings * column) = place.bins.col(column) / std::max(norm, 1e-6F);
+    columns.segment<kRings>(Eigen::Index{kRings} * column) = place.bins.col(column) / std::max(norm, 1e-6F);
     if (norm > 0.0F) occupied |= std::uint64_t{1} << column;
   }
   return occupied;
@@ -180,7 +180,7 @@ DescriptorDistance TurnedPlace::distance_from(const PlaceDescriptor& first) cons
   for (int shift = 0; shift < kSectors; ++shift) {
     const std::uint64_t turned = (occupied_ << shift | occupied_ >> (kSectors - shift)) & kAll;
     const int compared = std::popcount(occupied | turned);  // where nothing is on either side: not
-    const float* second = columns_.data() + kRings * (kSectors - shift);
+    const float* second = columns_.data() + Eigen::Index{kRings} * (kSectors - shift);
     const double likeness = dot_of_rounds(columns.data(), second);
     const double distance = compared > 0 ? 1.0 - likeness / compared : 1.0;
     if (distance < best.distance) best = {distance, shift};
