@@ -145,7 +145,8 @@ std::uint64_t unit_columns(const PlaceDescriptor& place, Eigen::Ref<Eigen::Vecto
   std::uint64_t occupied = 0;
   for (int column = 0; column < kSectors; ++column) {
     const float norm = place.bins.col(column).norm();
-    columns.segment<kRings>(Eigen::Index{kRings} * column) = place.bins.col(column) / std::max(norm, 1e-6F);
+    columns.segment<kRings>(Eigen::Index{kRings} * column) =
+        place.bins.col(column) / std::max(norm, 1e-6F);
     if (norm > 0.0F) occupied |= std::uint64_t{1} << column;
   }
   return occupied;
