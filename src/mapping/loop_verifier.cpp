@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/so3.hpp"
+#include "mapping/place_doubts.hpp"
 
 namespace surefoot::mapping {
 
@@ -154,6 +155,15 @@ double contradiction_between(const VerifiableSubmap& one, const VerifiableSubmap
       contradicted(other.free_space(), one.registration().standing(), T_one_other.inverse()));
 }
 
+double missing_between(const VerifiableSubmap& one, const VerifiableSubmap& other,
+                       const Pose& T_one_other) {
+  const Pose T_other_one = T_one_other.inverse();
+  const Outlook of_other(other.submap(), Eigen::Vector3d::Zero());
+  const Outlook of_one(one.submap(), T_one_other * of_other.eye());
+  return std::max(missing_in(of_other, one.registration(), T_other_one),
+                  missing_in(of_one, other.registration(), T_one_other));
+}
+
 LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& query,
                        const std::vector<Pose>& starts, const LoopLimits& limits) {
   LoopCheck check;
@@ -208,8 +218,11 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   check.bend = bend_of(check.alignment, bend_of_place + query.submap().covariance);
   if (check.bend > limits.bend) return check;
   check.contradicted = contradiction_between(place, query, T_place_query);
-  check.verdict =
-      check.contradicted > limits.contradicted ? LoopVerdict::free_space : LoopVerdict::taken;
+  if (limits.missing < 1.0) check.missing = missing_between(place, query, T_place_query);
+  if (limits.beside < 1.0) check.beside = beside_walls(target, source, T_place_query);
+  const bool refuted = check.contradicted > limits.contradicted || check.missing > limits.missing ||
+                       check.beside > limits.beside;
+  check.verdict = refuted ? LoopVerdict::free_space : LoopVerdict::taken;
   return check;
 }
 

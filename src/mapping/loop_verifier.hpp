@@ -57,6 +57,8 @@ struct LoopLimits {
   double overlap = 0.4;  ///< share of the standing points that lie on the other one's surfaces,
                          ///< and of those of floors and ceilings
   double contradicted = 0.03;  ///< of those that the other one can tell about, at most
+  double missing = 1.0;        ///< of those in free sight of the other one, at most; 1: not asked
+  double beside = 1.0;         ///< of the query's walls, beside the place's, at most; 1: not asked
   double gap_metres = 0.1;     ///< between registrations
   double gap_degrees = 1.0;
   int agreeing = 3;  ///< registrations, of both directions
@@ -73,6 +75,8 @@ struct LoopCheck {
   double overlap = 0.0;       ///< the smaller one of both directions
   double level = 0.0;         ///< the same of what lies
   double contradicted = 0.0;  ///< the larger one
+  double missing = 0.0;       ///< the larger one
+  double beside = 0.0;        ///< of the query's walls: beside_walls()
   double bend = 0.0;          ///< of both together: standard deviation, kLever away [m]
   int agreeing = 0;           ///< registrations that ended at the same pose
   int started = 0;
@@ -82,6 +86,11 @@ struct LoopCheck {
 /// tell about; the larger one of both directions. 1 where it can tell about none.
 [[nodiscard]] double contradiction_between(const VerifiableSubmap& one,
                                            const VerifiableSubmap& other, const Pose& T_one_other);
+
+/// Share of the planes' points of one that stand in free sight of the other and are not seen there;
+/// the larger one of both directions. What is too little to tell counts as none.
+[[nodiscard]] double missing_between(const VerifiableSubmap& one, const VerifiableSubmap& other,
+                                     const Pose& T_one_other);
 
 /// `starts`: T_place_query, several; none: the odometry leaves none open.
 [[nodiscard]] LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& query,

@@ -28,7 +28,7 @@ MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
 void MapLocalizer::add(const PlacedScan& scan, const ScanPoints& points) {
   if (scan.restarted) {
     T_map_world_.reset();
-    agreed_.clear();
+    agreed_.reset();
     forget();
     message_ = "the odometry began anew";
   }
@@ -96,7 +96,7 @@ std::shared_ptr<const VerifiableSubmap> MapLocalizer::submap_of(std::size_t plac
 }
 
 /// The one pose that passes every question; none if there is none, or if there are two.
-std::optional<Pose> MapLocalizer::only_place(const Surroundings& here) {
+std::optional<MapLocalizer::OnlyPlace> MapLocalizer::only_place(const Surroundings& here) {
   std::vector<AskedPlace> asked;
   const Pose T_here_world = here.T_world_seen.inverse();
   const auto matches =
@@ -117,25 +117,33 @@ std::optional<Pose> MapLocalizer::only_place(const Surroundings& here) {
   if (choice.several) message_ = "not found yet: several places fit";
   if (!choice.chosen && !choice.several) message_ = "not found yet: no place fits";
   if (!choice.chosen) return std::nullopt;
-  return asked[*choice.chosen].T_map_world;
+  return OnlyPlace{asked[*choice.chosen].T_map_world, choice.fit};
+}
+
+/// While the robot stands it sees the same, and what looks alike by chance stays alike: then it has
+/// to fit well.
+bool MapLocalizer::is_enough(const Agreed& agreed) const {
+  return agreed.searches >= options_.agreeing &&
+         (way_ - agreed.since >= options_.agreeing_way || agreed.fit >= options_.fit_standing);
 }
 
 void MapLocalizer::search() {
   const auto here = surroundings();
   if (!here) message_ = "not found yet: the odometry is not sure of its way";
   const auto found = here ? only_place(*here) : std::nullopt;
-  if (!found) {
-    agreed_.clear();
-    return;
+  if (!found) return agreed_.reset();
+  if (!agreed_ || !agree_here(agreed_->T_map_world, found->T_map_world)) {
+    agreed_ = Agreed{.T_map_world = found->T_map_world, .since = way_};
   }
-  if (!agreed_.empty() && !agree_here(agreed_.back(), *found)) agreed_.clear();
-  agreed_.push_back(*found);
-  if (static_cast<int>(agreed_.size()) < options_.agreeing) {
+  agreed_->T_map_world = found->T_map_world;
+  agreed_->fit = std::min(agreed_->fit, found->fit);
+  ++agreed_->searches;
+  if (!is_enough(*agreed_)) {
     message_ = "not found yet: a place fits, and is asked again";
     return;
   }
-  T_map_world_ = agreed_.back();
-  agreed_.clear();
+  T_map_world_ = agreed_->T_map_world;
+  agreed_.reset();
   checked_at_ = succeeded_at_ = way_;
   message_ = "found";
 }
@@ -163,13 +171,17 @@ std::optional<Pose> MapLocalizer::confirmed() {
   const auto nearest = nearest_place(*T_map_world_ * piece.T_world_piece.translation);
   if (!nearest) return std::nullopt;
   // Two pieces alone: while the place is known, little time may be spent on it.
-  const RegistrationSubmap place(make_submap(map_.pieces[*nearest]));
-  const RegistrationSubmap seen(make_submap(piece));
+  const VerifiableSubmap place(make_submap(map_.pieces[*nearest]));
+  const VerifiableSubmap seen(make_submap(piece));
   const Pose& T_map_place = map_.pieces[*nearest].T_world_piece;
   const Pose expected = T_map_place.inverse() * *T_map_world_ * piece.T_world_piece;
-  const SubmapAlignment found = align_submaps(place, seen, expected, 1);
+  const SubmapAlignment found =
+      align_submaps(place.registration(), seen.registration(), expected, 1);
   const Pose T_map_world = T_map_place * found.T_target_source * piece.T_world_piece.inverse();
   if (found.matched < options_.confirming || !agree_here(*T_map_world_, T_map_world)) {
+    return std::nullopt;
+  }
+  if (missing_between(place, seen, found.T_target_source) > options_.missing_at_most) {
     return std::nullopt;
   }
   // What the registration does not hold (the way along a corridor) stays as it was.

@@ -25,7 +25,9 @@ namespace surefoot::mapping {
   limits.partial = true;
   limits.overlap = 0.6;
   limits.contradicted = 0.06;  // cars, what people carry about: see choose_place()
-  limits.agreeing = 2;         // of three starts: one that ends elsewhere fits clearly worse
+  limits.agreeing = 1;         // of three starts: those that end elsewhere fit clearly worse
+  limits.missing = 0.05;       // what grew or was parked since; of houses that are not there 0.1
+  limits.beside = 0.15;        // of houses that stand farther back 0.2
   limits.bend = 0.13;          // of scans that the odometry was sure of: see collect()
   return limits;
 }
@@ -35,6 +37,9 @@ namespace surefoot::mapping {
   LoopLimits limits;
   limits.partial = true;
   limits.overlap = 0.65;
+  limits.missing = 0.1;  // of a car park: cars
+  limits.beside = 0.15;
+  limits.bend = 0.1;
   return limits;
 }
 
@@ -55,17 +60,20 @@ namespace surefoot::mapping {
 struct LocalizerOptions {
   PieceOptions pieces = sparse_pieces();
   LoopLimits limits = part_of_a_place();
-  int agreeing = 4;  ///< searches in a row that must say the same
+  int agreeing = 4;            ///< searches in a row that must say the same,
+  double agreeing_way = 1.0;   ///< over so much way [m],
+  double fit_standing = 0.75;  ///< or so well in every one of them
   ChoiceLimits choice;
   LoopLimits roofed_limits = part_of_a_roofed_place();
   ChoiceLimits roofed_choice = mapping::roofed_choice();
-  std::size_t candidates = 6;  ///< places that are verified in a search
-  std::size_t every = 3;       ///< scans between two searches
-  double check_every = 8.0;    ///< of way, once the place is known [m];
-  double check_again = 2.0;    ///< where the last look did not confirm it
-  double look_back = 3.0;      ///< of way that a check looks at [m]; more is not collected for it
-  double confirming = 0.4;     ///< share of what stands that lies on the map, while it is known
-  double lost_after = 12.0;    ///< of way on which no check succeeded [m]
+  std::size_t candidates = 6;    ///< places that are verified in a search
+  std::size_t every = 3;         ///< scans between two searches
+  double check_every = 8.0;      ///< of way, once the place is known [m];
+  double check_again = 2.0;      ///< where the last look did not confirm it
+  double look_back = 3.0;        ///< of way that a check looks at [m]; more is not collected for it
+  double confirming = 0.4;       ///< share of what stands that lies on the map, while it is known
+  double missing_at_most = 0.1;  ///< and of what would be in free sight
+  double lost_after = 12.0;      ///< of way on which no check succeeded [m]
 };
 
 class MapLocalizer {
@@ -90,6 +98,19 @@ class MapLocalizer {
   };
 
   [[nodiscard]] double to_check() const;
+  /// What the last searches agreed on.
+  struct Agreed {
+    Pose T_map_world;
+    double since = 0.0;  // way
+    double fit = 1.0;    // the worst
+    int searches = 0;
+  };
+  [[nodiscard]] bool is_enough(const Agreed& agreed) const;
+  struct OnlyPlace {
+    Pose T_map_world;
+    double fit = 0.0;
+  };
+
   void collect(const PlacedScan& scan, const ScanPoints& points);
   void forget();
   [[nodiscard]] std::optional<Surroundings> surroundings() const;
@@ -98,7 +119,7 @@ class MapLocalizer {
   [[nodiscard]] std::optional<Pose> confirmed();
   [[nodiscard]] std::optional<std::size_t> nearest_place(const Eigen::Vector3d& at) const;
   [[nodiscard]] std::shared_ptr<const VerifiableSubmap> submap_of(std::size_t place);
-  [[nodiscard]] std::optional<Pose> only_place(const Surroundings& here);
+  [[nodiscard]] std::optional<OnlyPlace> only_place(const Surroundings& here);
   [[nodiscard]] bool agree_here(const Pose& one, const Pose& other) const;
 
   SavedMap map_;
@@ -107,7 +128,7 @@ class MapLocalizer {
   std::vector<std::pair<std::size_t, std::shared_ptr<const VerifiableSubmap>>> places_;
   PieceBuilder builder_;
   std::vector<Piece> recent_;  // finished ones before it
-  std::vector<Pose> agreed_;   // what the last searches said
+  std::optional<Agreed> agreed_;
   std::optional<Pose> T_map_world_;
   std::string message_ = "no scan yet";
   std::size_t scans_ = 0;

@@ -14,6 +14,12 @@ namespace {
 // lay on the place half by 0.08. What the right ones lie on the place more pays for it twice.
 constexpr double kContradiction = 2.0;
 
+/// By how much a place has to fit better than any other: the less it fits, the more.
+double needed_margin(double fit, const ChoiceLimits& limits) {
+  const double well = (fit - limits.fit_alone) / (limits.fit - limits.fit_alone);
+  return limits.alone + std::clamp(well, 0.0, 1.0) * (limits.clearly - limits.alone);
+}
+
 }  // namespace
 
 double fit_of(const LoopCheck& check) {
@@ -47,10 +53,10 @@ PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
     }
     next = std::max(next, fit_of(other.check));
   }
-  const bool alone = next <= best - limits.alone;
-  const bool enough = alone || best >= limits.fit;
-  choice.several = enough && next > best - limits.clearly;
-  if (!enough || choice.several) choice.chosen.reset();
+  const bool clear = next <= best - needed_margin(best, limits);
+  choice.several = !clear && best >= limits.fit;
+  if (!clear) choice.chosen.reset();
+  choice.fit = best;
   return choice;
 }
 

@@ -21,10 +21,10 @@ struct AskedPlace {
 };
 
 struct ChoiceLimits {
-  double fit = 0.7;        ///< of the place chosen, at least,
+  double fit = 0.7;        ///< of the place chosen,
   double clearly = 0.05;   ///< and by so much it fits better than any other;
-  double fit_alone = 0.6;  ///< or so much,
-  double alone = 0.3;      ///< where nothing else comes near
+  double fit_alone = 0.6;  ///< or so much at least,
+  double alone = 0.2;      ///< where nothing else comes so near; between them what is between
   double agree_metres = 0.3;
   double agree_degrees = 2.0;
 };
@@ -40,6 +40,7 @@ struct ChoiceLimits {
 
 struct PlaceChoice {
   std::optional<std::size_t> chosen;  ///< index
+  double fit = 0.0;                   ///< of it
   bool several = false;               ///< one fits, and another nearly as well
 };
 [[nodiscard]] PlaceChoice choose_place(const std::vector<AskedPlace>& asked,

@@ -27,7 +27,7 @@ TEST(PlaceChoice, WhatContradictsIsPaidForTwice) {
   EXPECT_DOUBLE_EQ(fit_of(asked(0.0, 0.8, 0.05, LoopVerdict::taken).check), 0.7);
   EXPECT_EQ(fit_of(asked(0.0, 0.1, 0.2, LoopVerdict::taken).check), 0.0);
   EXPECT_EQ(choice_of({asked(0.0, 0.81, 0.05, LoopVerdict::taken)}).chosen, 0U);
-  const AskedPlace other = asked(30.0, 0.5, 0.0, LoopVerdict::no_overlap);
+  const AskedPlace other = asked(30.0, 0.64, 0.0, LoopVerdict::no_overlap);
   EXPECT_EQ(choice_of({asked(0.0, 0.81, 0.05, LoopVerdict::taken), other}).chosen, 0U);
   EXPECT_FALSE(choice_of({asked(0.0, 0.79, 0.05, LoopVerdict::taken), other}).chosen);
 }
@@ -58,13 +58,20 @@ TEST(PlaceChoice, NoneIsChosenWhereAnotherFitsNearlyAsWell) {
   }
 }
 
-TEST(PlaceChoice, LessIsEnoughWhereNothingElseComesNear) {
-  const AskedPlace best = asked(0.0, 0.62, 0.0, LoopVerdict::taken);
-  EXPECT_EQ(choice_of({best, asked(30.0, 0.31, 0.0, LoopVerdict::no_overlap)}).chosen, 0U);
-  const PlaceChoice choice = choice_of({best, asked(30.0, 0.33, 0.0, LoopVerdict::no_overlap)});
-  EXPECT_FALSE(choice.chosen);
-  EXPECT_FALSE(choice.several);
-  EXPECT_FALSE(choice_of({asked(0.0, 0.59, 0.0, LoopVerdict::taken)}).chosen);
+/// Between 0.05 at 0.7 and 0.2 at 0.6.
+TEST(PlaceChoice, TheLessAPlaceFitsTheFartherOthersHaveToBe) {
+  const auto chosen = [](double fit, double other) {
+    const PlaceChoice choice = choice_of({asked(0.0, fit, 0.0, LoopVerdict::taken),
+                                          asked(30.0, other, 0.0, LoopVerdict::no_overlap)});
+    EXPECT_FALSE(choice.several);
+    EXPECT_FALSE(choice.chosen && choice.fit != fit);
+    return choice.chosen.has_value();
+  };
+  EXPECT_TRUE(chosen(0.61, 0.42));
+  EXPECT_FALSE(chosen(0.61, 0.43));
+  EXPECT_TRUE(chosen(0.65, 0.52));
+  EXPECT_FALSE(chosen(0.65, 0.53));
+  EXPECT_FALSE(chosen(0.59, 0.0));
 }
 
 TEST(PlaceChoice, ATurnCountsWhereTheRobotIs) {

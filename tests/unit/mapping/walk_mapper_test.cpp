@@ -158,6 +158,32 @@ TEST(LocalizerTest, AKnownPlaceIsCheckedByFewScans) {
   EXPECT_FALSE(localizer.T_map_world());
 }
 
+/// What fits badly is found once searches have agreed on some way, what fits well at once.
+TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
+  WalkOptions options;
+  options.length = 60.0;
+  const SavedMap map = saved_map_of(mapped(test::walk_through("campus", 46, options)));
+  options.unknown_start = true;
+  options.from = 20.0;
+  options.length = 14.0;
+  const SceneWalk walk = test::walk_through("campus", 46, options);
+  for (const double fit_standing : {0.0, 1.1}) {
+    LocalizerOptions asked;
+    asked.fit_standing = fit_standing;
+    asked.agreeing_way = 6.0;
+    MapLocalizer localizer(map, asked);
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+      localizer.add(walk.scans[i], walk.points[i]);
+      expect_right_or_not_found(localizer, walk, i);
+      before += localizer.T_map_world() ? 0 : 1;
+    }
+    EXPECT_TRUE(localizer.T_map_world()) << localizer.message();
+    const double way = static_cast<double>(before) * options.step;
+    EXPECT_EQ(way >= asked.agreeing_way, fit_standing > 1.0) << way;
+  }
+}
+
 TEST(LocalizerTest, AnotherSceneIsNotFound) {
   WalkOptions options;
   options.length = 60.0;
