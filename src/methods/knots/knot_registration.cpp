@@ -22,8 +22,12 @@ namespace {
 constexpr double kWide = 2.0;
 constexpr std::size_t kEnough = 700, kMostStride = 3;
 
-// A kernel so many times as wide as what it ends at tells as much of a fit.
-constexpr double kNarrow = 1.1;
+// Where no knot moved by more than this share of the kernel, what a narrower one would still have
+// found is near: it narrows by two steps at once.
+constexpr double kCalm = 0.02;
+
+// A kernel that is no wider than so many times what it ends at tells of a hopeless fit already.
+constexpr double kNarrow = 1.6;
 
 // No robot moves so far in one step of the solver: what does is a singular system's rounding.
 constexpr double kImpossible = 1e3;  // [m, rad]
@@ -187,7 +191,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
       result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);
       return result;
     }
-    kernel *= annealing.decay;
+    kernel *= *change < kCalm * kernel ? annealing.decay * annealing.decay : annealing.decay;
   }
   return result;
 }

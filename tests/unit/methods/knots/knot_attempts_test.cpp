@@ -50,9 +50,10 @@ KnotWindow turned(const KnotWindow& window, const Eigen::Vector3d& degrees) {
   return start;
 }
 
-// Four swings and six turns begin with a kernel of 0.2 m, which narrows to 0.1 in four iterations,
-// the wide one with 3 m, in sixteen. Where all lead to the same place, that is seen then.
-constexpr int kLeastSearches = 10 * 4 + 16, kMostSearches = 10 * 5 + 18;
+// Four swings and six turns begin with a kernel of 0.2 m, which narrows to 0.1 in two to four
+// iterations, the wide one with 3 m, in nine to sixteen. Where all lead to the same place, that is
+// seen then.
+constexpr int kLeastSearches = 10 * 2 + 9, kMostSearches = 10 * 4 + 16;
 
 TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
   // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.
@@ -125,8 +126,8 @@ TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
   usual.misfit_of_seen = -1.0;  // wrong, whatever is found
   int searches_with = 0;
   (void)attempts_from(truth, prior, usual, &searches_with);
-  // Two, patiently: half as fast from 3 m to 0.1.
-  EXPECT_GE(searches_with - searches, 2 * 31);
+  // Two, patiently: half as fast from 3 m to 0.1, or as fast as usual where nothing moves.
+  EXPECT_GE(searches_with - searches, 2 * 15);
   EXPECT_LE(searches_with - searches, 2 * 37);
 }
 
