@@ -102,9 +102,9 @@ double hazard_beside_rival(const Evidence& evidence) {
 
 bool is_doubtful(double hazard) { return hazard > kVerdictBase / kScans; }
 
-bool has_settled(bool converged, int iterations, bool slides) {
-  constexpr int kSoon = 25;  // some 13 of them until the kernel is narrow
-  return converged && (iterations <= kSoon || slides);
+bool has_settled(bool converged, int settling, bool slides) {
+  constexpr int kSoon = 12;
+  return converged && (settling <= kSoon || slides);
 }
 
 Evidence evidence_where_lost(Evidence evidence, bool slides, bool large) {

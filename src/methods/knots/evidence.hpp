@@ -81,9 +81,10 @@ inline constexpr double kClearlyBetter = 1.15;
 /// look at other places.
 [[nodiscard]] bool is_doubtful(double hazard);
 
-/// Whether a registration found its place soon. Where it slides, along a direction that nothing
-/// holds, it may take its time: that direction is named.
-[[nodiscard]] bool has_settled(bool converged, int iterations, bool slides);
+/// Whether a registration found its place soon: `settling` iterations after the kernel had
+/// narrowed. Where it slides, along a direction that nothing holds, it may take its time: that
+/// direction is named.
+[[nodiscard]] bool has_settled(bool converged, int settling, bool slides);
 
 /// What speaks against a registration of one who is lost. That he was lost is known. How well the
 /// scan holds the position tells nothing of which place it is; but where it may slide, or where the

@@ -157,7 +157,7 @@ double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
                            Registered& registered) const {
   const KnotRegistration& found = registered.found;
   const bool slides = !registered.estimate.degenerate.empty();
-  const bool settled = has_settled(found.converged, found.iterations, slides);
+  const bool settled = has_settled(found.converged, found.settling, slides);
   registered.signs = {found.misfit_of_seen(), found.unseen, views_.contradiction(view),
                       registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);

@@ -172,6 +172,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     problem.prior.add_to(system, result.window);
     problem.model.add_to(system, result.window, problem.prior.means[1].rotation);
     result.iterations = t;
+    result.settling += ratio <= 1.0 ? 1 : 0;
     const BandedSystem assumed = system;
     result.solved = system.factorise();
     if (!result.solved) return result;

@@ -49,6 +49,7 @@ struct KnotRegistration {
   bool solved = false;  ///< every step had a finite solution
   bool converged = false;
   int iterations = 0;
+  int settling = 0;  ///< of them, those whose kernel had narrowed to its end
   int matches = 0;
   double misfit = 1.0;                 ///< 0: every point lies on its surfel; 1: no point near any
   double unseen = 1.0;                 ///< share of the points where the map has no surfel

@@ -121,9 +121,9 @@ TEST(Evidence, TenScansHazardsMakeOneProbability) {
 }
 
 TEST(Evidence, WhatTakesLongHasNotSettledUnlessItSlides) {
-  EXPECT_TRUE(has_settled(true, 25, false));
-  EXPECT_FALSE(has_settled(true, 26, false));
-  EXPECT_TRUE(has_settled(true, 26, true));
+  EXPECT_TRUE(has_settled(true, 12, false));
+  EXPECT_FALSE(has_settled(true, 13, false));
+  EXPECT_TRUE(has_settled(true, 13, true));
   EXPECT_FALSE(has_settled(false, 10, false));
   EXPECT_FALSE(has_settled(false, 100, true));
 }
