@@ -24,11 +24,11 @@ namespace surefoot::mapping {
   LoopLimits limits;
   limits.partial = true;
   limits.overlap = 0.6;
-  limits.contradicted = 0.06;  // cars, what people carry about: see choose_place()
-  limits.agreeing = 1;         // of three starts: those that end elsewhere fit clearly worse
-  limits.missing = 0.05;       // what grew or was parked since; of houses that are not there 0.1
-  limits.beside = 0.15;        // of houses that stand farther back 0.2
-  limits.bend = 0.13;          // of scans that the odometry was sure of: see collect()
+  limits.contradicted = 0.1;  // cars, what people carry about; it is paid for: see fit_of()
+  limits.agreeing = 1;        // of three starts: those that end elsewhere fit clearly worse
+  limits.missing = 0.05;      // what grew or was parked since; of houses that are not there 0.1
+  limits.beside = 0.15;       // of houses that stand farther back 0.2
+  limits.bend = 0.13;         // of scans that the odometry was sure of: see collect()
   return limits;
 }
 

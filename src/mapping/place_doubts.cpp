@@ -12,9 +12,19 @@ namespace {
 
 constexpr std::size_t kEnoughKnown = 100;  // points
 
-double share(std::size_t part, std::size_t all) {
-  return all < kEnoughKnown ? 0.0 : static_cast<double>(part) / static_cast<double>(all);
+double share(std::size_t part, std::size_t all, std::size_t least) {
+  return all < least ? 0.0 : static_cast<double>(part) / static_cast<double>(all);
 }
+
+struct Sightings {
+  std::size_t missing = 0;
+  std::size_t known = 0;
+
+  void add(Outlook::Sight sight) {
+    known += sight != Outlook::Sight::unknown ? 1 : 0;
+    missing += sight == Outlook::Sight::missing ? 1 : 0;
+  }
+};
 
 bool is_wall(const Gaussian* surface) {
   return surface != nullptr && surface->counted == 1 && !surface->level;
@@ -44,17 +54,22 @@ double to_wall(const RegistrationSubmap& walls, const Eigen::Vector3d& place,
 
 double missing_in(const Outlook& outlook, const RegistrationSubmap& seen,
                   const Pose& T_outlook_seen) {
-  std::size_t missing = 0;
-  std::size_t known = 0;
+  constexpr double kFarOff = 30.0;    // [m]
+  constexpr double kFarCounts = 0.5;  // of right places 0.04 of it was missing at most
+  // So many points are taken to be seen there anyway: some that are missing are no house.
+  constexpr std::size_t kFewFar = 20;
+  Sightings all, far;
   for (const SubmapPoint& point : seen.standing()) {
     const Gaussian* surface = seen.grid(2).inside(point.at);
     if (surface == nullptr) surface = seen.grid(1).inside(point.at);
     if (!is_wall(surface)) continue;  // leaves and wires are met by some beams only
-    const Outlook::Sight sight = outlook.at(T_outlook_seen * point.at);
-    known += sight != Outlook::Sight::unknown ? 1 : 0;
-    missing += sight == Outlook::Sight::missing ? 1 : 0;
+    const Eigen::Vector3d at = T_outlook_seen * point.at;
+    const Outlook::Sight sight = outlook.at(at);
+    all.add(sight);
+    if ((at - outlook.eye()).norm() > kFarOff) far.add(sight);
   }
-  return share(missing, known);
+  return std::max(share(all.missing, all.known, kEnoughKnown),
+                  kFarCounts * share(far.missing, far.known + kFewFar, kFewFar));
 }
 
 double beside_walls(const RegistrationSubmap& other, const RegistrationSubmap& seen,
@@ -73,7 +88,7 @@ double beside_walls(const RegistrationSubmap& other, const RegistrationSubmap& s
     on += apart <= kOn ? 1 : 0;
     beside += apart > kBeside && apart < kFar ? 1 : 0;
   }
-  return share(beside, on + beside);
+  return share(beside, on + beside, kEnoughKnown);
 }
 
 }  // namespace surefoot::mapping

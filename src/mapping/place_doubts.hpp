@@ -10,8 +10,9 @@
 
 namespace surefoot::mapping {
 
-/// Share of what stands and is flat that is not seen in an outlook, of what would be; 0 where that
-/// is too little to tell.
+/// Share of what stands and is flat that is not seen in an outlook, of what would be; or half of
+/// that share of what is far away, if that is more: what moves is small and shows near by. 0 where
+/// too little would be seen to tell.
 [[nodiscard]] double missing_in(const Outlook& outlook, const RegistrationSubmap& seen,
                                 const Pose& T_outlook_seen);
 

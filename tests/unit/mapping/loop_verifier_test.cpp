@@ -88,6 +88,21 @@ TEST(LoopVerifier, AHouseThatIsMissingRefutes) {
   }
 }
 
+/// A house far away has few points, and is no less a house.
+TEST(LoopVerifier, AHouseFarAwayRefutesByItself) {
+  const VerifiableSubmap bare(corner(false));
+  Submap with_house = corner(false);
+  for (float s = -2.0F; s < 2.0F; s += 0.2F) {
+    for (float z = 0.0F; z < 3.0F; z += 0.2F) {
+      with_house.points.emplace_back(s, -32.0F, z);
+      with_house.eyes.emplace_back(0.0F, 0.0F, 0.5F);
+    }
+  }
+  const double missing = missing_between(bare, VerifiableSubmap(with_house), Pose{});
+  EXPECT_GT(missing, 0.4);
+  EXPECT_LT(missing, 0.5);
+}
+
 TEST(LoopVerifier, AWallThatStandsFartherBackRefutes) {
   const VerifiableSubmap place(corner(false));
   const auto check_with = [&](float set_back, const LoopLimits& limits) {
