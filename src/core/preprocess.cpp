@@ -32,26 +32,31 @@ std::string check_sizes(const Scan& scan) {
   return {};
 }
 
-/// Whether stamp and times add up within 64 bits.
-std::string check_stamp(const Scan& scan) {
+/// [ns] from the stamp to the first and to the last instant; of all points, so that what is out of
+/// range does not move mid-scan.
+struct Interval {
+  std::int32_t first = 0, last = 0;
+};
+
+Interval interval_of(const Scan& scan) {
   if (scan.times_ns.empty()) return {};
-  const auto [first, last] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
+  Interval interval{scan.times_ns.front(), scan.times_ns.front()};
+  for (const std::int32_t time : scan.times_ns) {  // minmax_element() goes one by one
+    interval.first = std::min(interval.first, time);
+    interval.last = std::max(interval.last, time);
+  }
+  return interval;
+}
+
+/// Whether stamp and times add up within 64 bits.
+std::string check_stamp(const Scan& scan, const Interval& interval) {
   using Limits = std::numeric_limits<std::int64_t>;
-  if (scan.stamp_ns <= Limits::max() - std::max(*last, 0) &&
-      scan.stamp_ns >= Limits::min() - std::min(*first, 0)) {
+  if (scan.stamp_ns <= Limits::max() - std::max(interval.last, 0) &&
+      scan.stamp_ns >= Limits::min() - std::min(interval.first, 0)) {
     return {};
   }
   return "scan's stamp is " + std::to_string(scan.stamp_ns) +
          " ns; with its points' times it leaves the range of 64 bits";
-}
-
-/// First and last instant; from all points, so that what is out of range does not move mid-scan.
-void find_interval(const Scan& scan, PreparedScan& prepared) {
-  prepared.start_ns = prepared.end_ns = scan.stamp_ns;
-  if (scan.times_ns.empty()) return;
-  const auto [first, last] = std::minmax_element(scan.times_ns.begin(), scan.times_ns.end());
-  prepared.start_ns += *first;
-  prepared.end_ns += *last;
 }
 
 /// Those of the values that are of valid points; none of none.
@@ -79,9 +84,11 @@ std::string check_extent(const PreparedScan& prepared, double min_extent) {
 PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
   PreparedScan prepared;
   prepared.rejection = check_sizes(scan);
-  if (prepared.rejection.empty()) prepared.rejection = check_stamp(scan);
+  const Interval interval = interval_of(scan);
+  if (prepared.rejection.empty()) prepared.rejection = check_stamp(scan, interval);
   if (!prepared.rejection.empty()) return prepared;
-  find_interval(scan, prepared);
+  prepared.start_ns = scan.stamp_ns + interval.first;
+  prepared.end_ns = scan.stamp_ns + interval.last;
 
   const auto duration = static_cast<double>(prepared.end_ns - prepared.start_ns);
   const bool timed = duration > 0.0;  // all times equal: nothing to deskew

@@ -112,20 +112,6 @@ Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& 
   find_clear();
 }
 
-Beams::Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& ends)
-    : sensor_(sensor) {
-  std::vector<Eigen::Vector3d> rays;
-  std::vector<double> ranges;
-  rays.reserve(ends.size());
-  ranges.reserve(ends.size());
-  for (const Eigen::Vector3d& end : ends) {
-    const Eigen::Vector3d ray = end - sensor;
-    ranges.push_back(ray.norm());
-    rays.emplace_back(ray / ranges.back());
-  }
-  *this = Beams(sensor, rays, ranges);
-}
-
 void Beams::find_clear() {
   constexpr float kNone = std::numeric_limits<float>::max();
   // Of each cell; then of it and its neighbours in its row; then of the rows about it, too.

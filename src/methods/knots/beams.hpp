@@ -16,8 +16,6 @@ class Beams {
   /// `rays`: unit vectors from the sensor [map frame], and how far each went [m].
   Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& rays,
         const std::vector<double>& ranges);
-  /// By where they ended [m, map frame].
-  Beams(const Eigen::Vector3d& sensor, const std::vector<Eigen::Vector3d>& ends);
 
   /// A quick answer for a place [m, map frame]: false only where no beam that points about there
   /// ends well behind it.

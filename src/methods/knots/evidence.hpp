@@ -8,23 +8,11 @@
 
 #include <Eigen/Core>
 #include <deque>
-#include <utility>
-#include <vector>
 
-#include "methods/knots/beams.hpp"
+#include "methods/knots/view.hpp"
 #include "surefoot/estimate.hpp"
 
 namespace surefoot {
-
-/// What a scan saw, from where it is taken to be [m, map frame].
-struct View {
-  View(const Eigen::Vector3d& from, std::vector<Eigen::Vector3d> seen)
-      : sensor(from), points(std::move(seen)), beams(sensor, points) {}
-
-  Eigen::Vector3d sensor;
-  std::vector<Eigen::Vector3d> points;
-  Beams beams;
-};
 
 /// The views of some of the last second's scans, which a new one is held against.
 class LastViews {

@@ -307,7 +307,7 @@ View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_
 
 void KnotFrontEnd::integrate(View view) {
   map_.remove_far(view.sensor);
-  emptied_ = map_.insert(view.points, view.sensor, session_.workers, &view.beams);
+  emptied_ = map_.insert(view, session_.workers);
   views_.add(std::move(view));
 }
 

@@ -46,7 +46,7 @@ void KnownFrontEnd::map(const PreparedScan& scan, const Pose& middle) {
     points.push_back(middle * last_scan_.points[i].cast<double>());
   }
   map_.remove_far(middle.translation);
-  emptied_ = map_.insert(points, middle.translation, session_.workers);
+  emptied_ = map_.insert({middle.translation, std::move(points)}, session_.workers);
 }
 
 }  // namespace surefoot

@@ -11,8 +11,8 @@
 #include "core/parallel.hpp"
 #include "core/voxel_key.hpp"
 #include "core/voxel_table.hpp"
-#include "methods/knots/beams.hpp"
 #include "methods/knots/surfel.hpp"
+#include "methods/knots/view.hpp"
 #include "surefoot/config.hpp"
 #include "surefoot/odometry.hpp"
 
@@ -63,11 +63,10 @@ class SurfelMap {
     return last.surfel;
   }
 
-  /// Adds a scan's points [m, map frame] that were seen from `sensor`, fits the voxels that changed
-  /// and empties those that the beams went through: `beams`, or if null the points' own. Returns
-  /// those that were emptied on both sides, of the finest grid that asks the beams.
-  Cubes insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
-               const Workers& workers = Workers(1), const Beams* beams = nullptr);
+  /// Adds what a scan saw, fits the voxels that changed and empties those that its beams went
+  /// through. Returns those that were emptied on both sides, of the finest grid that asks the
+  /// beams.
+  Cubes insert(const View& view, const Workers& workers = Workers(1));
   /// Drops the voxels that lie farther than the radius, or than what their grid holds, from the
   /// sensor: a part of them is asked at every call, all of them within kRound calls.
   void remove_far(const Eigen::Vector3d& sensor);

@@ -4,7 +4,6 @@
 // A scan enters the map: its points, and what its beams say of what is there.
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "core/prefetch.hpp"
@@ -30,17 +29,10 @@ constexpr int kMost = 60'000;
 }  // namespace
 
 struct SurfelMap::Sweep {
-  Sweep(const std::vector<Eigen::Vector3d>& of, const Eigen::Vector3d& sensor,
-        double inverse_finest_size)
-      : points(of) {
-    indices.reserve(points.size());
-    rays.reserve(points.size());
-    ranges.reserve(points.size());
-    for (const Eigen::Vector3d& point : points) {
+  Sweep(const View& of, double inverse_finest_size) : view(of) {
+    indices.reserve(view.points.size());
+    for (const Eigen::Vector3d& point : view.points) {
       indices.push_back(voxel_index(point, inverse_finest_size));
-      const Eigen::Vector3d ray = point - sensor;
-      ranges.push_back(ray.norm());
-      rays.emplace_back(ray / ranges.back());
     }
   }
 
@@ -50,10 +42,8 @@ struct SurfelMap::Sweep {
     return {finest.x() >> level, finest.y() >> level, finest.z() >> level};
   }
 
-  const std::vector<Eigen::Vector3d>& points;
+  const View& view;
   std::vector<VoxelIndex> indices;  // in the finest grid
-  std::vector<Eigen::Vector3d> rays;
-  std::vector<double> ranges;
 };
 
 /// A voxel, or its back, of which there is none yet.
@@ -82,11 +72,12 @@ std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex
 
 /// Those of a scan's points that enter a grid.
 std::vector<std::uint32_t> SurfelMap::taken_by(std::size_t level, const Sweep& sweep) const {
-  std::vector<std::uint32_t> taken(sweep.points.size());
+  std::vector<std::uint32_t> taken(sweep.indices.size());
   std::iota(taken.begin(), taken.end(), 0U);
   if (level >= finest_whole()) return taken;
   const double reach = reach_of(grids_[level]);
-  std::erase_if(taken, [&](std::uint32_t i) { return sweep.ranges[i] > reach; });
+  const std::vector<double>& ranges = sweep.view.sighting.ranges;
+  std::erase_if(taken, [&](std::uint32_t i) { return ranges[i] > reach; });
   leave_undivided(level + 1, sweep, taken);
   return taken;
 }
@@ -118,6 +109,7 @@ void SurfelMap::leave_undivided(std::size_t level, const Sweep& sweep,
 void SurfelMap::add(std::size_t level, const Sweep& sweep,
                     const std::vector<std::uint32_t>& taken) {
   Grid& grid = grids_[level];
+  const auto& [rays, ranges] = sweep.view.sighting;
   const std::size_t n = taken.size();
   std::vector<VoxelIndex> indices(n);
   std::vector<std::uint64_t> keys(n);
@@ -140,16 +132,16 @@ void SurfelMap::add(std::size_t level, const Sweep& sweep,
       prefetch(grid.voxels[sides[i + kAhead]]);
     }
     const std::uint32_t point = taken[i];
-    if (grid.surfels[sides[i]].from_behind(sweep.rays[point])) {
+    if (grid.surfels[sides[i]].from_behind(rays[point])) {
       sides[i] = side_of(grid, keys[i] | kBack, indices[i]);
     }
     Sight& sight = grid.sights[sides[i]];
     note_hit(sight);
     if (sight.full) continue;
     Voxel& voxel = grid.voxels[sides[i]];
-    const Eigen::Vector3d place = sweep.points[point] - middle_of(indices[i], grid.size);
-    voxel.moments.add(place.cast<float>(), sweep.rays[point].cast<float>(),
-                      static_cast<float>(sweep.ranges[point]));
+    const Eigen::Vector3d place = sweep.view.points[point] - middle_of(indices[i], grid.size);
+    voxel.moments.add(place.cast<float>(), rays[point].cast<float>(),
+                      static_cast<float>(ranges[point]));
     const int count = voxel.moments.count();
     if (count == config_.points_per_voxel) filled.push_back(sides[i]);
     if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
@@ -245,16 +237,9 @@ void SurfelMap::empty_divided(const std::vector<Eigen::Vector3d>& centres) {
   }
 }
 
-Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor,
-                        const Workers& workers, const Beams* beams) {
+Cubes SurfelMap::insert(const View& view, const Workers& workers) {
   ++scan_;
-  const Sweep sweep(points, sensor, grids_.front().inverse_size);
-  std::optional<Beams> own;
-  if (config_.gone_after == 0) {
-    beams = nullptr;
-  } else if (beams == nullptr) {
-    beams = &own.emplace(sensor, sweep.rays, sweep.ranges);
-  }
+  const Sweep sweep(view, grids_.front().inverse_size);
   std::vector<std::vector<std::uint32_t>> taken(grids_.size());
   for (std::size_t level = 0; level < grids_.size(); ++level) taken[level] = taken_by(level, sweep);
   const std::size_t finest = finest_whole();
@@ -264,8 +249,8 @@ Cubes SurfelMap::insert(const std::vector<Eigen::Vector3d>& points, const Eigen:
     Grid& grid = grids_[level];
     add(level, sweep, taken[level]);
     fit(grid);
-    if (beams == nullptr || level < finest) return;
-    std::vector<Eigen::Vector3d> here = empty_passed(grid, *beams);
+    if (config_.gone_after == 0 || level < finest) return;
+    std::vector<Eigen::Vector3d> here = empty_passed(grid, view.beams);
     if (level == finest) emptied.centres = std::move(here);
   });
   if (divides()) empty_divided(emptied.centres);

@@ -117,7 +117,7 @@ void WholeWay::map_all() {
     for (const Eigen::Vector3f& point : deskew(scans_[s].scan, motion, session_.workers)) {
       points.push_back(middle * point.cast<double>());
     }
-    map_.insert(points, middle.translation, session_.workers);
+    map_.insert({middle.translation, std::move(points)}, session_.workers);
   }
 }
 

@@ -73,7 +73,7 @@ double deskew_error(const Halves& halves, const ScanTrajectory& motion) {
 KnotRegistration find_motion(const Halves& halves) {
   const Config::Knots config = Config().knots;
   SurfelMap map(config, 100.0);
-  map.insert(halves.map, Eigen::Vector3d::Zero());
+  map.insert({Eigen::Vector3d::Zero(), halves.map});
   const double step = 1e-9 * static_cast<double>(halves.scan.end_ns - halves.scan.start_ns) /
                       static_cast<double>(config.segments);
   const KnotWindow still{std::vector<Pose>(static_cast<std::size_t>(config.segments) + 2), step,

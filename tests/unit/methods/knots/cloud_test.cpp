@@ -34,7 +34,7 @@ Config::Knots cloud_config() {
 
 SurfelMap cloud_map_of(const Points& points, const Config::Knots& config = cloud_config()) {
   SurfelMap map(config, 100.0);
-  map.insert(points, kCloudSensor);
+  map.insert({kCloudSensor, points});
   return map;
 }
 
@@ -143,7 +143,7 @@ TEST(Cloud, OneRingIsWorthNothingAlongItsRaysAndWhatFillsAVoxelNothingInIt) {
   Points ring;  // sweeps the voxel from end to end, at one range
   for (int i = 0; i < 40; ++i) ring.emplace_back(0.2, 0.005 + 0.01 * i, 0.2);
   SurfelMap map(cloud_config(), 100.0);
-  map.insert(ring, ahead);
+  map.insert({ahead, ring});
   SurfelMap::Place fresh;
   const Surfel* const cloud = map.find(kMiddle, kMiddle - ahead, 0, fresh);
   ASSERT_NE(cloud, nullptr);

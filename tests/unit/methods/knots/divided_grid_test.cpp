@@ -45,30 +45,30 @@ int level_at_wall(const SurfelMap& map, double x) { return level_found(map, {x, 
 
 TEST(DividedGrid, AVoxelIsDividedOnceItIsFull) {
   SurfelMap map(dividing(), 100.0);
-  map.insert(wall(5.1, 1000), kHere);
+  map.insert({kHere, wall(5.1, 1000)});
   EXPECT_EQ(level_at_wall(map, 5.1), 1);
-  map.insert(wall(5.1, 1000), kHere);
+  map.insert({kHere, wall(5.1, 1000)});
   EXPECT_EQ(level_at_wall(map, 5.1), 0);
 }
 
 TEST(DividedGrid, AVoxelOfFewPointsIsNot) {
   SurfelMap map(dividing(), 100.0);
-  map.insert(wall(5.1, 10), kHere);    // not two in a voxel of 0.4 m
-  map.insert(wall(5.1, 1000), kHere);  // had they been enough, this would do
+  map.insert({kHere, wall(5.1, 10)});    // not two in a voxel of 0.4 m
+  map.insert({kHere, wall(5.1, 1000)});  // had they been enough, this would do
   EXPECT_EQ(level_at_wall(map, 5.1), 1);
 }
 
 TEST(DividedGrid, WhatIsFarIsNot) {
   for (const double x : {15.1, 25.1}) {
     SurfelMap map(dividing(), 100.0);
-    for (int i = 0; i < 3; ++i) map.insert(wall(x, 1000), kHere);
+    for (int i = 0; i < 3; ++i) map.insert({kHere, wall(x, 1000)});
     EXPECT_EQ(level_at_wall(map, x), x < 20.0 ? 0 : 1) << x;
   }
 }
 
 TEST(DividedGrid, WhatGoesFarLosesItAndKeepsTheNext) {
   SurfelMap map(dividing(), 100.0);
-  for (int i = 0; i < 2; ++i) map.insert(wall(5.1, 1000), kHere);
+  for (int i = 0; i < 2; ++i) map.insert({kHere, wall(5.1, 1000)});
   remove_all_far(map, kHere);
   ASSERT_EQ(level_at_wall(map, 5.1), 0);
   remove_all_far(map, kHere - Eigen::Vector3d(20.0, 0.0, 0.0));
@@ -77,11 +77,11 @@ TEST(DividedGrid, WhatGoesFarLosesItAndKeepsTheNext) {
 
 TEST(DividedGrid, WhatTheNextEmptiesIsEmpty) {
   SurfelMap map(dividing(), 100.0);
-  for (int i = 0; i < 3; ++i) map.insert(wall(5.1, 1000), kHere);
+  for (int i = 0; i < 3; ++i) map.insert({kHere, wall(5.1, 1000)});
   ASSERT_EQ(level_at_wall(map, 5.1), 0);
   Cubes emptied;
   for (int i = 0; i < 6 && emptied.centres.empty(); ++i) {
-    emptied = map.insert(wall(12.1, 4000), kHere);
+    emptied = map.insert({kHere, wall(12.1, 4000)});
   }
   ASSERT_FALSE(emptied.centres.empty());
   EXPECT_EQ(emptied.side, 0.4);
@@ -98,11 +98,11 @@ TEST(DividedGrid, WithoutItTheFinestTakesAllAndAsksTheBeams) {
   Config::Knots config = dividing();
   config.divided_at = 0;
   SurfelMap map(config, 100.0);
-  map.insert(wall(25.1, 1000), kHere);
+  map.insert({kHere, wall(25.1, 1000)});
   EXPECT_EQ(level_at_wall(map, 25.1), 0);
   Cubes emptied;
   for (int i = 0; i < 6 && emptied.centres.empty(); ++i) {
-    emptied = map.insert(wall(40.1, 20'000), kHere);
+    emptied = map.insert({kHere, wall(40.1, 20'000)});
   }
   EXPECT_FALSE(emptied.centres.empty());
   EXPECT_EQ(emptied.side, 0.2);

@@ -28,7 +28,7 @@ SurfelMap map_of_the_hall() {
     const Pose pose{Eigen::Quaterniond::Identity(), {x, 0.5, 0.45}};
     std::vector<Eigen::Vector3d> points;
     for (const Eigen::Vector3d& point : points_from(pose)) points.push_back(pose * point);
-    map.insert(points, pose.translation);
+    map.insert({pose.translation, points});
   }
   return map;
 }

@@ -35,7 +35,7 @@ inline Config::Knots knots_config() {
 inline SurfelMap map_of(const Points& points, const Config::Knots& config = knots_config(),
                         const Eigen::Vector3d& sensor = kSensor) {
   SurfelMap map(config, 100.0);
-  map.insert(points, sensor);
+  map.insert({sensor, points});
   return map;
 }
 

@@ -140,7 +140,7 @@ TEST(SurfelMap, ThePlaneThatARingSweepsIsNoSurfel) {
   const Points points = ring_through_foliage(random, sensor);
   const auto surfels = [&points](const Eigen::Vector3d& seen_from) {
     SurfelMap map(knots_config(), 100.0);
-    map.insert(points, seen_from);
+    map.insert({seen_from, points});
     return std::count_if(points.begin(), points.end(), [&map](const Eigen::Vector3d& point) {
       return find(map, point) != nullptr;
     });
@@ -155,11 +155,11 @@ TEST(SurfelMap, AWallHasTwoSides) {
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   const Eigen::Vector3d here(-4.0, 1.0, 0.5), there(5.0, -1.0, 0.5), half(0.0, 0.19, 0.19);
   SurfelMap map(knots_config(), 100.0);
-  map.insert(cloud(random, 60, {0.10, 0.2, 0.2}, axes, half, 0.002), here);
+  map.insert({here, cloud(random, 60, {0.10, 0.2, 0.2}, axes, half, 0.002)});
   const Eigen::Vector3d place(0.16, 0.2, 0.2);
   ASSERT_NE(find(map, place, 0, here), nullptr);
   EXPECT_EQ(find(map, place, 0, there), nullptr);  // nobody saw that side yet
-  map.insert(cloud(random, 60, {0.25, 0.2, 0.2}, axes, half, 0.002), there);
+  map.insert({there, cloud(random, 60, {0.25, 0.2, 0.2}, axes, half, 0.002)});
   const Surfel* const front = find(map, place, 0, here);
   const Surfel* const back = find(map, place, 0, there);
   ASSERT_NE(front, nullptr);

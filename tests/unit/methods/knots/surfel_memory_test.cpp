@@ -32,7 +32,7 @@ TEST(SurfelMap, AFullVoxelKeepsWhatItSawFirst) {
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   SurfelMap map = map_of(cloud(random, 50, {0.2, 0.2, 0.1}, axes, {0.19, 0.19, 0.0}), config);
   const Surfel before = *find(map, kCentre);
-  map.insert(cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0}), kSensor);
+  map.insert({kSensor, cloud(random, 500, {0.2, 0.2, 0.3}, axes, {0.19, 0.19, 0.0})});
   const Surfel after = *find(map, kCentre);
   EXPECT_EQ(after.mean, before.mean);
   EXPECT_EQ(after.variance(0), before.variance(0));
@@ -70,7 +70,7 @@ TEST(SurfelMap, FarVoxelsLeave) {
   EXPECT_NEAR(map.points().front().x(), 160.2, 0.1);
   EXPECT_EQ(find(map, near), nullptr);
   EXPECT_NE(find(map, far), nullptr);  // the table still leads to its voxel
-  map.insert(cloud(random, 60, near, axes, {0.19, 0.19, 0.0}), kSensor);
+  map.insert({kSensor, cloud(random, 60, near, axes, {0.19, 0.19, 0.0})});
   EXPECT_NE(find(map, near), nullptr);
   map.clear();
   EXPECT_TRUE(map.empty());
@@ -103,7 +103,7 @@ TEST(SurfelMap, WhatWasDroppedLeavesItsMemoryForWhatComes) {
     const Eigen::Vector3d sensor(place * 200.0, 0.0, 1.0);
     remove_all_far(map, sensor);
     EXPECT_TRUE(map.empty());
-    map.insert(floor_at(sensor.x()), sensor);
+    map.insert({sensor, floor_at(sensor.x())});
     const SurfelMap fresh = map_of(floor_at(sensor.x()), knots_config(), sensor);
     EXPECT_NEAR(static_cast<double>(map.points().size()),
                 static_cast<double>(fresh.points().size()),
@@ -147,7 +147,7 @@ class Visitor {
         const Points body = cloud(random_, 200, kPlace, axes, {0.2, 0.2, 0.5});
         points.insert(points.end(), body.begin(), body.end());
       }
-      const Points gone = map_.insert(points, {0.0, 0.0, 0.6}).centres;
+      const Points gone = map_.insert({{0.0, 0.0, 0.6}, points}).centres;
       emptied_.insert(emptied_.end(), gone.begin(), gone.end());
     }
   }

@@ -33,7 +33,7 @@ const SurfelMap& true_map() {
         if (scan.points[i].isZero()) continue;
         points.emplace_back(swaying(seconds(scan, i)) * scan.points[i].cast<double>());
       }
-      made.insert(points, swaying(seconds(scan, 0)).translation);
+      made.insert({swaying(seconds(scan, 0)).translation, points});
     }
     return made;
   }();
