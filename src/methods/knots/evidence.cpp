@@ -27,7 +27,7 @@ constexpr std::array<double Signs::*, 5> kSigns = {
     &Signs::misfit, &Signs::unseen, &Signs::unconverged, &Signs::contradiction, &Signs::motion};
 
 // A sign counts up to so many times the usual (logarithm: 55 times), and no more beyond.
-constexpr double kMost = 4.0;
+constexpr double kStrongest = 4.0;
 
 // The pose is held against those of so many scans before: Estimate::wrong_probability.
 constexpr std::size_t kScans = 10;
@@ -64,7 +64,7 @@ double LastViews::contradiction(const View& view) const {
   return answers.given > 0 ? static_cast<double>(answers.free) / answers.given : 0.0;  // [K25]
 }
 
-double strength(double ratio) { return std::clamp(std::log(ratio), 0.0, kMost); }
+double strength(double ratio) { return std::clamp(std::log(ratio), 0.0, kStrongest); }
 
 Evidence UsualSigns::compare(const Signs& signs) const {
   const auto ratio = [&](double Signs::*sign) {

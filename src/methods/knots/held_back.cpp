@@ -17,6 +17,9 @@ constexpr double kAsMuch = 0.5, kLeast = 0.1;
 // The usual counts as so many of this pose's own.
 constexpr double kUsual = 0.5;
 
+// The mean fades so much slower than the usual square.
+constexpr double kSlower = 0.5;
+
 }  // namespace
 
 Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
@@ -24,14 +27,15 @@ Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
   Matrix6 turn = Matrix6::Zero();
   turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation.toRotationMatrix();
   const double tilt = std::max({fluctuation[3], fluctuation[4], kLeast});
+  const Twist own = held_back - turn * mean_;
   // [K23]
-  return tilt / kAsMuch *
-         (held_back * held_back.transpose() + kUsual * turn * usual_ * turn.transpose());
+  return tilt / kAsMuch * (own * own.transpose() + kUsual * turn * usual_ * turn.transpose());
 }
 
 void HeldBack::learn(const Twist& held_back, const Eigen::Quaterniond& rotation, double rate) {
-  const Twist own = rotated(rotation.conjugate(), held_back);
+  const Twist own = rotated(rotation.conjugate(), held_back) - mean_;
   usual_ += rate * (own * own.transpose() - usual_);
+  if (!counts_mean_) mean_ += kSlower * rate * own;
 }
 
 }  // namespace surefoot

@@ -7,9 +7,14 @@
 namespace surefoot {
 
 /// How far poses are held back from what their scans say, by the velocity model: an error that goes
-/// with the gait. docs/method.md.
+/// with the gait. What all of them are held back by alike is no error of the motion between two.
+/// docs/method.md.
 class HeldBack {
  public:
+  /// What all poses are held back by alike.
+  enum class Mean { left_out, counted };
+  explicit HeldBack(Mean mean) : counts_mean_(mean == Mean::counted) {}
+
   /// Mean square of this pose's error.
   /// `held_back`: KnotRegistration::held_back_at(), `fluctuation`: VelocityModel::fluctuation(),
   /// both in the map's axes; `rotation`: of the pose. In the map's axes, too.
@@ -20,7 +25,10 @@ class HeldBack {
   void learn(const Twist& held_back, const Eigen::Quaterniond& rotation, double rate);
 
  private:
-  Matrix6 usual_ = Matrix6::Zero();  // fading mean square, in the sensor's axes
+  bool counts_mean_;
+  // Fading means in the sensor's axes.
+  Twist mean_ = Twist::Zero();
+  Matrix6 usual_ = Matrix6::Zero();  // square of what differs from that
 };
 
 }  // namespace surefoot

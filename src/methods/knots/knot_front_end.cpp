@@ -161,8 +161,7 @@ double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
   registered.signs = {found.misfit_of_seen(), found.unseen, views_.contradiction(view),
                       registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
-  const Matrix6& covariance = registered.estimate.covariance;
-  evidence.uncertainty = strength(std::sqrt(covariance.diagonal().head<3>().maxCoeff()) / kKnown);
+  evidence.uncertainty = strength(registered.deviation / kKnown);
   const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
   evidence.gap = strength(seconds(mid_ns - last_pose_->stamp_ns) / kUsualPeriod);
   const double speed = model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
@@ -189,10 +188,12 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
   lost_in_a_row_ = 0;
   ++agreed_;
   usual_signs_.learn(registered.signs, right, knots.usual_rate);
-  dependence_ += knots.usual_rate * (found.dependence - dependence_);
-  held_back_.learn(found.held_back_at(registered.trajectory.mid_ns()),
-                   registered.trajectory.at(0.5).rotation,
-                   std::max(knots.usual_rate, 1.0 / agreed_));
+  const Eigen::Quaterniond rotation = registered.trajectory.at(0.5).rotation;
+  dependence_.learn(found, rotation, knots.usual_rate);
+  const Twist held_back = found.held_back_at(registered.trajectory.mid_ns());
+  for (HeldBack* usual : {&held_back_, &held_back_in_all_}) {
+    usual->learn(held_back, rotation, std::max(knots.usual_rate, 1.0 / agreed_));
+  }
   usual_.learn(found, first_scan_ ? 1.0 : knots.usual_rate, knots);
   model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
   finish(found.window, found.last_two);
@@ -218,10 +219,15 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   estimate.message = std::move(judgement.message);
   if (judgement.status != Status::ok) return;
   const std::int64_t mid_ns = trajectory.mid_ns();
+  const Eigen::Quaterniond& rotation = T_map_lidar.rotation;
+  const Twist held_back = found.held_back_at(mid_ns), fluctuation = model_.fluctuation();
+  const Matrix6 independent = residual_variance(found, config_.knots) * found.covariance_at(mid_ns);
   // [K22]
-  estimate.covariance =
-      dependence_ * residual_variance(found, config_.knots) * found.covariance_at(mid_ns) +
-      held_back_.covariance(found.held_back_at(mid_ns), model_.fluctuation(), T_map_lidar.rotation);
+  estimate.covariance = dependence_.applied(independent, rotation) +
+                        held_back_.covariance(held_back, fluctuation, rotation);
+  const Matrix6 in_all = dependence_.mean() * independent +
+                         held_back_in_all_.covariance(held_back, fluctuation, rotation);
+  registered.deviation = std::sqrt(in_all.diagonal().head<3>().maxCoeff());
   NormalEquations<6> held = found.rigid;
   held.H -= found.doubtful;
   report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/front_end.hpp"
+#include "methods/knots/dependence.hpp"
 #include "methods/knots/evidence.hpp"
 #include "methods/knots/held_back.hpp"
 #include "methods/knots/knot_attempts.hpp"
@@ -47,6 +48,7 @@ class KnotFrontEnd : public FrontEnd {
     ScanTrajectory trajectory;
     Estimate estimate;
     Signs signs;
+    double deviation = 0.0;  // [m] of the worst held position, with what all scans err by alike
   };
   /// How a map's first scan moved, and the second one's registration on a map of that.
   struct Beginning {
@@ -136,8 +138,9 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<StampedPose> last_pose_;
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
-  double dependence_;
-  HeldBack held_back_;
+  Dependence dependence_;
+  HeldBack held_back_{HeldBack::Mean::left_out};
+  HeldBack held_back_in_all_{HeldBack::Mean::counted};
   LastViews views_;
   UsualSigns usual_signs_;
   Verdict verdict_;

@@ -63,26 +63,6 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
   }
 }
 
-/// How much more the sums of neighbours' residuals vary than they would were all residuals
-/// independent: the clusters' outer products B against s^2 H.
-double dependence_of(const std::vector<SegmentSum>& sums, const NormalEquations<6>& rigid,
-                     double independence) {
-  Matrix6 B = Matrix6::Zero();
-  for (const SegmentSum& sum : sums) {
-    for (const Twist& gradient : sum.surfels.neighbours) B += gradient * gradient.transpose();
-  }
-  const double variance = rigid.weighted_squares / std::max(rigid.count, 1);
-  const Eigen::LDLT<Matrix6> solver(rigid.H);
-  if (variance <= 0.0 || solver.info() != Eigen::Success || !solver.isPositive()) {
-    return 1.0 / independence;
-  }
-  // What six degrees of freedom have been fitted to varies less than it would have.
-  const double clusters = 3.0 * static_cast<double>(sums.size());
-  const double freedom = clusters / std::max(clusters - 6.0, 1.0);
-  const double ratio = freedom * solve(solver, B).trace() / (6.0 * variance);  // [K21]
-  return std::isfinite(ratio) ? ratio : 1.0 / independence;
-}
-
 /// Moves the knots; returns the largest change of one of the new scan's, or none if no robot can
 /// have moved so.
 std::optional<double> move_knots(const std::vector<Twist>& steps, KnotWindow& window) {
@@ -188,7 +168,7 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
       result.last_two = system.last_two_information();
-      result.dependence = dependence_of(sums, result.rigid, config.independence);
+      for (const SegmentSum& sum : sums) result.neighbours.push_back(sum.surfels.neighbours);
       result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);
       return result;
     }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
+#include <vector>
 
 #include "core/normal_equations.hpp"
 #include "core/parallel.hpp"
@@ -53,10 +55,11 @@ struct KnotRegistration {
   int matches = 0;
   double misfit = 1.0;                 ///< 0: every point lies on its surfel; 1: no point near any
   double unseen = 1.0;                 ///< share of the points where the map has no surfel
-  double dependence = 1.0;             ///< of neighbours' residuals: so many count as one
   NormalEquations<6> rigid;            ///< of the scan as one rigid body, at the last iteration
   Matrix6 doubtful = Matrix6::Zero();  ///< of its H, what clouds claim and are not worth
   double squared_distance = 0.0;       ///< weighted sum of |s|^2 over the matches
+  /// SegmentSums::neighbours of each segment, at the last iteration.
+  std::vector<std::array<Twist, 3>> neighbours;
 
   /// Information of the window's last two knots, all others integrated out; valid if solved.
   Matrix12 last_two = Matrix12::Zero();

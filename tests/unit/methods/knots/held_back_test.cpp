@@ -21,7 +21,7 @@ Twist tilting(double rate) { return (Twist() << 0.2, 0.2, 0.2, rate, rate, 0.2).
 TEST(HeldBack, IsThePosesOwnAndHalfTheUsual) {
   Random random(1);
   const Twist now = random.twist(0.01, 0.01), before = random.twist(0.01, 0.01);
-  HeldBack held_back;
+  HeldBack held_back(HeldBack::Mean::counted);
   const Matrix6 own = now * now.transpose();
   EXPECT_LT((held_back.covariance(now, tilting(0.5), kLevel) - own).norm(), 1e-15);
   held_back.learn(before, kLevel, 0.25);
@@ -32,7 +32,7 @@ TEST(HeldBack, IsThePosesOwnAndHalfTheUsual) {
 TEST(HeldBack, CountsTheMoreTheMoreTheTiltFluctuates) {
   const Twist now = Twist::Constant(0.01);
   const auto variance = [&now](double tilt) {
-    return HeldBack().covariance(now, tilting(tilt), kLevel)(0, 0);
+    return HeldBack(HeldBack::Mean::left_out).covariance(now, tilting(tilt), kLevel)(0, 0);
   };
   EXPECT_NEAR(variance(1.0), 2.0 * variance(0.5), 1e-15);
   EXPECT_LT(variance(0.1), variance(0.5));
@@ -45,7 +45,7 @@ TEST(HeldBack, TheUsualTurnsWithTheSensor) {
     const Eigen::Quaterniond attitude = so3_exp(random.twist(1.0, 1.0).tail<3>());
     const Eigen::Quaterniond turn = so3_exp({0.0, 0.0, random.uniform(-3.0, 3.0)});
     const Twist before = random.twist(0.01, 0.01), now = random.twist(0.01, 0.01);
-    HeldBack here, there;
+    HeldBack here(HeldBack::Mean::left_out), there(HeldBack::Mean::left_out);
     here.learn(before, attitude, 0.5);
     there.learn(rotated(turn, before), turn * attitude, 0.5);
     Matrix6 both = Matrix6::Zero();
@@ -54,6 +54,20 @@ TEST(HeldBack, TheUsualTurnsWithTheSensor) {
     const Matrix6 found = there.covariance(rotated(turn, now), tilting(0.3), turn * attitude);
     EXPECT_LT((found - expected).norm(), 1e-15);
   }
+}
+
+TEST(HeldBack, WhatAllPosesAreHeldBackByAlikeIsNoErrorOfAMotion) {
+  Random random(3);
+  const Twist always = random.twist(0.01, 0.01), now = random.twist(0.01, 0.01);
+  HeldBack left_out(HeldBack::Mean::left_out), counted(HeldBack::Mean::counted);
+  for (int i = 0; i < 400; ++i) {
+    left_out.learn(always, kLevel, 0.1);
+    counted.learn(always, kLevel, 0.1);
+  }
+  const Twist own = now - always;
+  EXPECT_LT((left_out.covariance(now, tilting(0.5), kLevel) - own * own.transpose()).norm(), 1e-9);
+  const Matrix6 all = now * now.transpose() + 0.5 * always * always.transpose();
+  EXPECT_LT((counted.covariance(now, tilting(0.5), kLevel) - all).norm(), 1e-9);
 }
 
 }  // namespace

@@ -281,10 +281,8 @@ double normalised_error(const Estimate& a, const Estimate& b, const MotionFuncti
 
 TEST(KnotRuns, TheCovarianceIsAsLargeAsTheErrors) {
   // Of motions of 0.8 m, ten scans, once the velocity model has learnt the gait. One in the mean
-  // would be right. This hall of planes without footprints is kinder than the recordings that the
-  // covariance is held to (docs/benchmarks.md), where surfels are not what they claim, so that it
-  // is 5 to 6 times too large here: measured 0.18 at a trot and at a smooth walk. Variances ten
-  // times larger or smaller are outside.
+  // would be right: measured 0.43 at a trot and 0.99 at a smooth walk. Variances ten times larger
+  // or smaller are outside.
   for (const auto& motion : {trotting(kStart, 0.8, 2.5), straight_walk(0.8)}) {
     Odometry odometry;
     const auto estimates = add_scans(odometry, take_scans(furnished_hall(), motion, 60));
@@ -294,8 +292,8 @@ TEST(KnotRuns, TheCovarianceIsAsLargeAsTheErrors) {
       sum += normalised_error(estimates[i], estimates[i + 10], motion);
     }
     std::printf("normalised error squared: %.2f\n", sum / count);
-    EXPECT_GT(sum / count, 0.07);
-    EXPECT_LT(sum / count, 1.0);
+    EXPECT_GT(sum / count, 0.2);
+    EXPECT_LT(sum / count, 2.0);
   }
 }
 
