@@ -5,15 +5,25 @@
 // on the way out.
 #include "surefoot/odometry.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/front_end.hpp"
 #include "core/information.hpp"
 #include "core/preprocess.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot {
 
 namespace {
+
+// One scan refused for its stamp came late, or twice: the next one's stamp tells all. After so many
+// the clock was set.
+constexpr int kClockWasSet = 2;
+
+std::int64_t mid_ns_of(const PreparedScan& scan) {
+  return scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+}
 
 const Config& validated(const Config& config) {
   validate(config);
@@ -33,8 +43,12 @@ struct Odometry::State {
   std::unique_ptr<FrontEnd> front_end;
   PreparedScan accepted;                    // the last one, kept for the front-end
   std::optional<std::int64_t> last_mid_ns;  // of the scans that were not rejected
+  double period = 0.0;                      // [s] between the last two of them
+  int early = 0;                            // scans in a row refused for their stamps
 
   [[nodiscard]] std::string objection(const PreparedScan& scan) const;
+  [[nodiscard]] std::string stamp_objection(const PreparedScan& scan) const;
+  Estimate accept(PreparedScan&& scan);
   [[nodiscard]] Estimate reject(const PreparedScan& scan, std::string reason) const;
   [[nodiscard]] Estimate in_world(Estimate estimate) const;
 };
@@ -57,10 +71,9 @@ Estimate Odometry::add_scan(const Scan& scan) {
   const auto points = static_cast<int>(prepared.points.size());
   Estimate estimate;
   if (objection.empty()) {
-    std::swap(state_->accepted, prepared);
-    estimate = state_->front_end->add(state_->accepted);
-    state_->last_mid_ns = estimate.trajectory.mid_ns();
+    estimate = state_->accept(std::move(prepared));
   } else {
+    state_->early += prepared.rejection.empty() ? 1 : 0;
     estimate = state_->reject(prepared, std::move(objection));
   }
   estimate.points = points;
@@ -68,9 +81,31 @@ Estimate Odometry::add_scan(const Scan& scan) {
   return state_->in_world(std::move(estimate));
 }
 
+/// Scans refused for their stamps took time, too, which the stamps of those about them do not tell
+/// where the clock was set back.
+Estimate Odometry::State::accept(PreparedScan&& scan) {
+  const std::int64_t mid_ns = mid_ns_of(scan);
+  if (last_mid_ns) {
+    const double told = seconds(mid_ns - *last_mid_ns);
+    if (early >= kClockWasSet) {
+      scan.unstamped = std::max((early + 1) * period - told, 0.0);
+    } else {
+      period = told;
+    }
+  }
+  early = 0;
+  accepted = std::move(scan);
+  Estimate estimate = front_end->add(accepted);
+  last_mid_ns = estimate.trajectory.mid_ns();
+  return estimate;
+}
+
 std::string Odometry::State::objection(const PreparedScan& scan) const {
-  if (!scan.rejection.empty()) return scan.rejection;
-  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  return scan.rejection.empty() ? stamp_objection(scan) : scan.rejection;
+}
+
+std::string Odometry::State::stamp_objection(const PreparedScan& scan) const {
+  const std::int64_t mid_ns = mid_ns_of(scan);
   if (!last_mid_ns) return {};
   constexpr std::int64_t kLongest = std::int64_t{1} << 61;
   if (mid_ns / 2 - *last_mid_ns / 2 > kLongest) {
@@ -90,7 +125,7 @@ Estimate Odometry::State::reject(const PreparedScan& scan, std::string reason) c
   estimate.message = std::move(reason);
   estimate.covariance = unregistered_covariance(session.config.health);
   estimate.twist = front_end->velocity();
-  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  const std::int64_t mid_ns = mid_ns_of(scan);
   const StampedPose last = front_end->last_pose().value_or(StampedPose{});
   estimate.trajectory = ScanTrajectory(last.pose, mid_ns);
   return estimate;

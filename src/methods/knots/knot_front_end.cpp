@@ -64,6 +64,7 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   emptied_.centres.clear();
+  unstamped_ += scan.unstamped;
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
   session_.begin_step(Step::downsample);
@@ -130,6 +131,7 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   let_drift(registered);
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
+  unstamped_ = 0.0;
   return publish(trajectory, std::move(registered.estimate));
 }
 
@@ -152,6 +154,11 @@ KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
   return {map_, begin.prior, model_, config_.knots, session_.workers, session_.begin_step};
 }
 
+/// [s] from the last trusted pose to an instant.
+double KnotFrontEnd::since_trusted(std::int64_t instant_ns) const {
+  return seconds(instant_ns - last_pose_->stamp_ns) + unstamped_;
+}
+
 /// What speaks against a registration; returns how probably this scan went wrong.
 double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
                            Registered& registered) const {
@@ -163,7 +170,7 @@ double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
   evidence.uncertainty = strength(registered.deviation / kKnown);
   const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
-  evidence.gap = strength(seconds(mid_ns - last_pose_->stamp_ns) / kUsualPeriod);
+  evidence.gap = strength(since_trusted(mid_ns) / kUsualPeriod);
   const double speed = model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
   evidence.frozen = seen_again_ ? std::min(speed / kWalks, 1.0) : 0.0;
   return hazard(evidence);

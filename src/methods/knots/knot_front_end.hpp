@@ -85,6 +85,7 @@ class KnotFrontEnd : public FrontEnd {
                                  Registered& registered) const;
   [[nodiscard]] double objection_of(const Estimate& estimate, double hazard_now) const;
   [[nodiscard]] bool is_lost(double objection, double of_all) const;
+  [[nodiscard]] double since_trusted(std::int64_t instant_ns) const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 Registered registered);
@@ -136,6 +137,7 @@ class KnotFrontEnd : public FrontEnd {
   PointChoice choice_;
   KnotEnd end_;
   std::optional<StampedPose> last_pose_;
+  double unstamped_ = 0.0;  // [s] since then, besides what stamps tell
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
   Dependence dependence_;

@@ -70,7 +70,7 @@ double hazard_in(const SearchRegion& region, Estimate& estimate) {
 
 /// Where it may be, the longer after the last trusted scan the farther from it.
 SearchRegion KnotFrontEnd::region_about(std::int64_t instant_ns) const {
-  const double since = seconds(instant_ns - last_pose_->stamp_ns);
+  const double since = since_trusted(instant_ns);
   // [K30]
   return {end_.prior.means[1], std::min(kReach + kReachSpeed * since, kMostReach),
           std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
@@ -149,7 +149,7 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
 /// garbage is no reason to look elsewhere.
 std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
                                             const std::vector<std::uint32_t>& thinned) {
-  const double since = seconds(scan.start_ns - last_pose_->stamp_ns);
+  const double since = since_trusted(scan.start_ns);
   if (seen_again_ || since > config_.motion_prior.max_extrapolation) return std::nullopt;
   Registered next = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
   if (!next.estimate.trusted()) return std::nullopt;

@@ -163,6 +163,37 @@ TEST(KnotFaults, OneScanOfGarbageDoesNotLoseIt) {
 }
 
 // As one who looks about with a sensor in the hand, of which every fifth scan was kept.
+// Scans that are refused since the clock was set back by a second are a hole of a second, whatever
+// the stamps say of it.
+TEST(KnotFaults, AClockThatIsSetBackLeavesAHole) {
+  std::vector<Scan> scans = walk_scans();
+  for (std::size_t i = kEvent; i < scans.size(); ++i) scans[i].stamp_ns -= 1'000'000'000;
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  for (std::size_t i = kEvent; i < kEvent + 10; ++i) {
+    EXPECT_EQ(all[i].status, Status::rejected) << i;
+  }
+  const Estimate& next = all[kEvent + 10];
+  EXPECT_TRUE(next.trusted());
+  EXPECT_NEAR(next.evidence.gap, std::log(11.0), 1e-6);
+  EXPECT_LT(all[kEvent + 11].evidence.gap, 1e-6);
+  const Pose moved = all[kEvent - 1].T_world_lidar.inverse() * next.T_world_lidar;
+  EXPECT_NEAR(moved.translation.norm(), 0.5 * 1.1, 0.05);
+}
+
+// Sent late or twice, a scan takes no time of its own.
+TEST(KnotFaults, AScanThatComesLateOrTwiceLeavesNone) {
+  std::vector<Scan> scans = walk_scans();
+  std::swap(scans[kEvent], scans[kEvent + 1]);
+  scans.insert(scans.begin() + kEvent + 5, scans[kEvent + 4]);
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  EXPECT_EQ(all[kEvent + 1].status, Status::rejected);
+  EXPECT_EQ(all[kEvent + 5].status, Status::rejected);
+  EXPECT_LT(all[kEvent + 2].evidence.gap, 1e-6);
+  EXPECT_LT(all[kEvent + 6].evidence.gap, 1e-6);
+}
+
 TEST(KnotFaults, TurnsByHandAreRightOrNotOk) {
   std::vector<Scan> scans(walk_scans().begin(), walk_scans().begin() + kEvent);
   std::vector<Pose> turns(kEvent);
