@@ -285,6 +285,21 @@ def within_scans(column):
     return f"{statistics.mean(float(row[-column]) for row in Kept('within_scans').rows[1:]):.0f}"
 
 
+GAITS = ("wheel", "handheld", "walk", "stairs", "trot", "run")
+
+
+def within_scans_unseen():
+    """A gait a row: means over its recordings, before and now; then over all."""
+    kept = Kept("within_scans_unseen")
+    lines = []
+    for gait in (*GAITS, "all"):
+        rows = [row for row in kept.rows[1:] if gait in ("all", row[0].split("-")[-2])]
+        lines.append([gait, str(len(rows)),
+                      *(f"{statistics.mean(float(row[column]) for row in rows):.{digits}f}"
+                        for column, digits in zip(range(1, 7), (2, 0, 0) * 2))])
+    return f"{markdown(['gait', 'recordings', *kept.rows[0][1:]], lines)}\n\n{kept_by(kept)}"
+
+
 def tuning():
     """A change of the paper's constants a row; the last column is the geometric mean ratio."""
     kept = Results("tuning-paper")
@@ -385,6 +400,7 @@ TABLES = {
     "before-count": before_count,
     "readme": readme,
     "finer-grid": finer_grid,
+    "within_scans_unseen": within_scans_unseen,
     "loops": loops,
     "detectors": detectors,
     "reference": reference,
