@@ -114,15 +114,19 @@ std::optional<MapLocalizer::OnlyPlace> MapLocalizer::only_place(const Surroundin
   }
   const PlaceChoice choice = choose_place(asked, last_.value_or(Eigen::Vector3d::Zero()),
                                           roofed ? options_.roofed_choice : options_.choice);
-  if (choice.several) message_ = "not found yet: several places fit";
+  if (choice.several) {
+    message_ = "not found yet: several places fit";
+    alike_at_ = way_;
+  }
   if (!choice.chosen && !choice.several) message_ = "not found yet: no place fits";
   if (!choice.chosen) return std::nullopt;
   return OnlyPlace{asked[*choice.chosen].T_map_world, choice.fit};
 }
 
 /// While the robot stands it sees the same, and what looks alike by chance stays alike: then it has
-/// to fit well.
+/// to fit well. And of two that were alike one that is not named any more is no less alike.
 bool MapLocalizer::is_enough(const Agreed& agreed) const {
+  if (alike_at_ && way_ - *alike_at_ < options_.alike_way) return false;
   return agreed.searches >= options_.agreeing &&
          (way_ - agreed.since >= options_.agreeing_way || agreed.fit >= options_.fit_standing);
 }

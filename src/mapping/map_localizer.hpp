@@ -63,6 +63,7 @@ struct LocalizerOptions {
   int agreeing = 4;            ///< searches in a row that must say the same,
   double agreeing_way = 1.0;   ///< over so much way [m],
   double fit_standing = 0.75;  ///< or so well in every one of them
+  double alike_way = 5.0;      ///< of way since places fitted alike [m]: then other things are seen
   ChoiceLimits choice;
   LoopLimits roofed_limits = part_of_a_roofed_place();
   ChoiceLimits roofed_choice = mapping::roofed_choice();
@@ -129,6 +130,7 @@ class MapLocalizer {
   PieceBuilder builder_;
   std::vector<Piece> recent_;  // finished ones before it
   std::optional<Agreed> agreed_;
+  std::optional<double> alike_at_;  // way
   std::optional<Pose> T_map_world_;
   std::string message_ = "no scan yet";
   std::size_t scans_ = 0;

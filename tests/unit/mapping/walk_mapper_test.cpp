@@ -184,6 +184,34 @@ TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
   }
 }
 
+/// Two places fit at first. That the other one is not named any more says little.
+TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
+  WalkOptions options;
+  options.length = 60.0;
+  const SavedMap map = saved_map_of(mapped(test::walk_through("street", 46, options)));
+  options.unknown_start = true;
+  options.from = 4.0;
+  options.length = 14.0;
+  options.things = 99;
+  const SceneWalk walk = test::walk_through("street", 46, options);
+  for (const double alike_way : {0.0, 6.0}) {
+    LocalizerOptions asked;
+    asked.alike_way = alike_way;
+    MapLocalizer localizer(map, asked);
+    bool alike = false;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+      localizer.add(walk.scans[i], walk.points[i]);
+      alike = alike || localizer.message().find("several") != std::string::npos;
+      before += localizer.T_map_world() ? 0 : 1;
+    }
+    EXPECT_TRUE(alike);
+    EXPECT_TRUE(localizer.T_map_world()) << localizer.message();
+    const double way = static_cast<double>(before) * options.step;
+    EXPECT_EQ(way >= 6.0, alike_way > 0.0) << way;
+  }
+}
+
 TEST(LocalizerTest, AnotherSceneIsNotFound) {
   WalkOptions options;
   options.length = 60.0;
