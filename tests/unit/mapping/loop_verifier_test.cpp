@@ -115,6 +115,8 @@ TEST(LoopVerifier, AWallThatStandsFartherBackRefutes) {
   EXPECT_EQ(check_with(0.6F, limits).beside, 0.0);
   limits.beside = 0.1;
   EXPECT_EQ(check_with(0.15F, limits).verdict, LoopVerdict::taken);
+  const LoopCheck more = check_places(place, VerifiableSubmap(corner(true)), {Pose{}}, limits);
+  EXPECT_EQ(more.beside, 0.0) << "a house beside which no wall stands";
   for (const float set_back : {0.6F, -0.6F, 1.2F}) {
     const LoopCheck check = check_with(set_back, limits);
     EXPECT_EQ(check.verdict, LoopVerdict::free_space) << set_back;
