@@ -27,6 +27,10 @@ constexpr double kFreer = 0.9;  // disagreements' ratio
 // one iteration to the next, is not going to end better than it.
 constexpr double kHopeless = 1.5, kGetsBetter = 0.9;  // disagreements' ratios
 
+// Shares of the matches that are clouds, up to which planes and poles hold a scan, and from which
+// on nothing does.
+constexpr double kAllFirm = 0.3, kNoneFirm = 0.5;
+
 // Iterations once the kernel has narrowed: where it leads is seen then, whether it converges is not
 // asked.
 constexpr int kSettling = 6;
@@ -195,11 +199,12 @@ void add_turns(Attempts& attempts, const KnotProblem& problem, const KnotWindow&
   }
 }
 
-/// Whether a registration ended worse than usual.
-bool is_suspicious(const KnotRegistration& found, const UsualFit& usual,
-                   const Config::Knots& config) {
-  return !found.converged || found.misfit > config.suspicious * usual.misfit ||
-         found.disagreement(config.unseen_weight) > config.suspicious * usual.disagreement;
+/// By how many times a misfit is suspicious. Planes and poles tell a wrong place clearly; where
+/// most points lie in clouds, a scan fits nearly as well some degrees off.
+double most_of_usual(const KnotRegistration& found, const Config::Knots& config) {
+  const double clouds = static_cast<double>(found.clouds) / std::max(found.matches, 1);
+  const double firm = std::clamp((kNoneFirm - clouds) / (kNoneFirm - kAllFirm), 0.0, 1.0);
+  return 1.0 + (config.suspicious - 1.0) * firm;
 }
 
 }  // namespace
@@ -212,6 +217,13 @@ void UsualFit::learn(const KnotRegistration& found, double rate, const Config::K
 
 double UsualFit::most_misfit_of_seen(const Config::Knots& config) const {
   return 2.0 * misfit_of_seen + config.misfit_margin;  // [K14]
+}
+
+bool is_suspicious(const KnotRegistration& found, const UsualFit& usual,
+                   const Config::Knots& config) {
+  const double most = most_of_usual(found, config);
+  return !found.converged || found.misfit > most * usual.misfit ||
+         found.disagreement(config.unseen_weight) > most * usual.disagreement;
 }
 
 KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& problem,

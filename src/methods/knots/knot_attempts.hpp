@@ -18,6 +18,10 @@ struct UsualFit {
   [[nodiscard]] double most_misfit_of_seen(const Config::Knots& config) const;
 };
 
+/// Whether a registration ended worse than usual, so that others are tried.
+[[nodiscard]] bool is_suspicious(const KnotRegistration& found, const UsualFit& usual,
+                                 const Config::Knots& config);
+
 /// The best of as many registrations as the scan needs. Most need one. One that ends worse than
 /// usual is tried again from several motions: a map has many wrong places where a scan almost fits.
 /// docs/method.md, "Convergence".

@@ -42,6 +42,7 @@ void add_blocks(BandedSystem& system, std::size_t segment, const SegmentSums& su
 void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
                  KnotRegistration& result) {
   result.matches = 0;
+  result.clouds = 0;
   result.misfit = 0.0;
   result.rigid = {};
   result.doubtful.setZero();
@@ -52,6 +53,7 @@ void add_surfels(BandedSystem& system, const std::vector<SegmentSum>& sums,
     system.add(s + 1, sum.first_gradient);
     system.add(s + 2, sum.last_gradient);
     result.matches += sums[s].matches;
+    result.clouds += sums[s].clouds;
     result.misfit += sum.misfit + sums[s].unseen;
     result.rigid.H += sum.rigid();
     result.doubtful += sums[s].doubtful.rigid();

@@ -53,6 +53,7 @@ struct KnotRegistration {
   int iterations = 0;
   int settling = 0;  ///< of them, those whose kernel had narrowed to its end
   int matches = 0;
+  int clouds = 0;                      ///< of the matches, those that are no plane and no pole
   double misfit = 1.0;                 ///< 0: every point lies on its surfel; 1: no point near any
   double unseen = 1.0;                 ///< share of the points where the map has no surfel
   NormalEquations<6> rigid;            ///< of the scan as one rigid body, at the last iteration

@@ -59,6 +59,7 @@ SegmentSum sum_segment(KnotPoints& points, std::size_t segment, const SurfelMap&
   for_surfels(points, segment, map, window, look, [&](const SurfelMap::Question& point, double u) {
     const Surfel* const surfel = point.last->surfel;
     ++(surfel == nullptr ? sum.unseen : sum.matches);
+    if (surfel != nullptr && surfel->cloud()) ++sum.clouds;
     for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
       SurfelResidual residual = residual_of(point.place, *surfel, d, look, config);
       residual.arm = point.ray;

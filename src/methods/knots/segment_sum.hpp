@@ -17,7 +17,8 @@ struct SegmentSum {
   SegmentSums surfels;
   SegmentSums doubtful;  // of these what clouds are not worth, of a look that may be the last one
   int matches = 0;       // points
-  int unseen = 0;        // likewise, where the map has no surfel
+  int clouds = 0;        // of these, on what is no plane and no pole
+  int unseen = 0;        // others, where the map has no surfel
 };
 
 /// How an iteration looks at the map.

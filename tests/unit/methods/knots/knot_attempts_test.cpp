@@ -131,6 +131,31 @@ TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
   EXPECT_LE(searches_with - searches, 2 * 37);
 }
 
+/// 1.25 times the usual on planes and poles; in clouds all that is more than usual.
+TEST(KnotAttempts, InCloudsLittleIsSuspicious) {
+  const Config::Knots config = Config().knots;
+  KnotRegistration found;
+  found.converged = true;
+  found.matches = 1000;
+  found.unseen = 0.0;
+  UsualFit usual;
+  usual.misfit = usual.disagreement = 0.4;
+  const auto suspicious = [&](double misfit, int clouds) {
+    found.misfit = misfit;
+    found.clouds = clouds;
+    return is_suspicious(found, usual, config);
+  };
+  EXPECT_FALSE(suspicious(0.49, 0));
+  EXPECT_TRUE(suspicious(0.51, 0));
+  EXPECT_FALSE(suspicious(0.49, 290));
+  EXPECT_FALSE(suspicious(0.44, 400));  // half way
+  EXPECT_TRUE(suspicious(0.46, 400));
+  EXPECT_TRUE(suspicious(0.41, 510));
+  EXPECT_FALSE(suspicious(0.39, 700));
+  found.converged = false;
+  EXPECT_TRUE(is_suspicious(found, usual, config));
+}
+
 TEST(KnotAttempts, TheUsualFadesAndWhatIsUnseenCountsLittle) {
   const Config::Knots config = Config().knots;
   KnotRegistration found;
