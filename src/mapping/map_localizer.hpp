@@ -98,7 +98,6 @@ class MapLocalizer {
     Pose T_world_seen;
   };
 
-  [[nodiscard]] double to_check() const;
   /// What the last searches agreed on.
   struct Agreed {
     Pose T_map_world;
@@ -106,12 +105,14 @@ class MapLocalizer {
     double fit = 1.0;    // the worst
     int searches = 0;
   };
-  [[nodiscard]] bool is_enough(const Agreed& agreed) const;
+  /// The one place that passed every question.
   struct OnlyPlace {
     Pose T_map_world;
     double fit = 0.0;
   };
 
+  [[nodiscard]] double to_check() const;
+  [[nodiscard]] bool is_enough(const Agreed& agreed) const;
   void collect(const PlacedScan& scan, const ScanPoints& points);
   void forget();
   [[nodiscard]] std::optional<Surroundings> surroundings() const;

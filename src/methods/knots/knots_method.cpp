@@ -74,7 +74,7 @@ const ConfigField kFields[] = {
     {"knots.kernel_end", SLOT(knots.kernel_end), "0.1", "m", 1e-3, 10.0, "see knots.kernel_start",
      kMethod},
     {"knots.kernel_decay", SLOT(knots.kernel_decay), "0.8", "", 0.0, 0.99,
-     "factor on the kernel's width per iteration", kMethod},
+     "factor on the kernel's width per iteration, twice where nothing moves", kMethod},
     {"knots.max_iterations", SLOT(knots.max_iterations), "100", "", 1, 1000,
      "iterations at most: where nothing is flat points change their surfels for long", kMethod},
     {"knots.convergence", SLOT(knots.convergence), "0.001", "m, rad", 1e-9, 1.0,
@@ -82,7 +82,8 @@ const ConfigField kFields[] = {
     {"knots.second_attempt", SLOT(knots.second_attempt), "true", "", 0, 0,
      "try a registration with an unusual misfit again, more slowly", kMethod},
     {"knots.suspicious", SLOT(knots.suspicious), "1.25", "", 1.0, 100.0,
-     "a registration whose misfit or disagreement is so many times the usual is tried again",
+     "a registration whose misfit or disagreement is so many times the usual is tried again; fewer "
+     "where clouds hold it",
      kMethod},
     {"knots.misfit_margin", SLOT(knots.misfit_margin), "0.15", "", 0.0, 1.0,
      "beyond twice the usual misfit to what was seen and this, a registration is tried again with "

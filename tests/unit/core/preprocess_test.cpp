@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "support/random.hpp"
 
@@ -49,6 +50,19 @@ TEST(Preprocess, TimesBecomeSharesOfTheScan) {
       EXPECT_FLOAT_EQ(prepared.taus[i], static_cast<float>(i) / 100.0F);
     }
   }
+}
+
+/// A driver may send the points ring by ring, or backwards.
+TEST(Preprocess, TheFirstInstantIsFoundWhereverItStands) {
+  Scan scan = good_scan();
+  std::swap(scan.times_ns.front(), scan.times_ns[60]);
+  std::swap(scan.times_ns.back(), scan.times_ns[40]);
+  const PreparedScan prepared = preprocess(scan, test_config());
+  ASSERT_EQ(prepared.rejection, "");
+  EXPECT_EQ(prepared.start_ns, 1'000'000'000);
+  EXPECT_EQ(prepared.end_ns, 1'000'100'000);
+  EXPECT_EQ(prepared.taus[60], 0.0F);
+  EXPECT_EQ(prepared.taus[40], 1.0F);
 }
 
 TEST(Preprocess, ThrowsOutNoReturnsAndRangesAndKeepsTheRestInStep) {

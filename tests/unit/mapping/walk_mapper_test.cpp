@@ -158,6 +158,18 @@ TEST(LocalizerTest, AKnownPlaceIsCheckedByFewScans) {
   EXPECT_FALSE(localizer.T_map_world());
 }
 
+/// Way on which the place was not known yet [m]; looks(i) after every scan.
+template <typename Looks>
+double way_until_found(MapLocalizer& localizer, const SceneWalk& walk, const Looks& looks) {
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+    localizer.add(walk.scans[i], walk.points[i]);
+    looks(i);
+    before += localizer.T_map_world() ? 0 : 1;
+  }
+  return static_cast<double>(before) * WalkOptions{}.step;
+}
+
 /// What fits badly is found once searches have agreed on some way, what fits well at once.
 TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
   WalkOptions options;
@@ -172,14 +184,9 @@ TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
     asked.fit_standing = fit_standing;
     asked.agreeing_way = 6.0;
     MapLocalizer localizer(map, asked);
-    std::size_t before = 0;
-    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
-      localizer.add(walk.scans[i], walk.points[i]);
-      expect_right_or_not_found(localizer, walk, i);
-      before += localizer.T_map_world() ? 0 : 1;
-    }
+    const double way = way_until_found(
+        localizer, walk, [&](std::size_t i) { expect_right_or_not_found(localizer, walk, i); });
     EXPECT_TRUE(localizer.T_map_world()) << localizer.message();
-    const double way = static_cast<double>(before) * options.step;
     EXPECT_EQ(way >= asked.agreeing_way, fit_standing > 1.0) << way;
   }
 }
@@ -199,15 +206,11 @@ TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
     asked.alike_way = alike_way;
     MapLocalizer localizer(map, asked);
     bool alike = false;
-    std::size_t before = 0;
-    for (std::size_t i = 0; i < walk.scans.size(); ++i) {
-      localizer.add(walk.scans[i], walk.points[i]);
+    const double way = way_until_found(localizer, walk, [&](std::size_t) {
       alike = alike || localizer.message().find("several") != std::string::npos;
-      before += localizer.T_map_world() ? 0 : 1;
-    }
+    });
     EXPECT_TRUE(alike);
     EXPECT_TRUE(localizer.T_map_world()) << localizer.message();
-    const double way = static_cast<double>(before) * options.step;
     EXPECT_EQ(way >= 6.0, alike_way > 0.0) << way;
   }
 }

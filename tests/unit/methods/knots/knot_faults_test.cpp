@@ -162,7 +162,6 @@ TEST(KnotFaults, OneScanOfGarbageDoesNotLoseIt) {
   EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
 }
 
-// As one who looks about with a sensor in the hand, of which every fifth scan was kept.
 // Scans that are refused since the clock was set back by a second are a hole of a second, whatever
 // the stamps say of it.
 TEST(KnotFaults, AClockThatIsSetBackLeavesAHole) {
@@ -194,6 +193,7 @@ TEST(KnotFaults, AScanThatComesLateOrTwiceLeavesNone) {
   EXPECT_LT(all[kEvent + 6].evidence.gap, 1e-6);
 }
 
+// As one who looks about with a sensor in the hand, of which every fifth scan was kept.
 TEST(KnotFaults, TurnsByHandAreRightOrNotOk) {
   std::vector<Scan> scans(walk_scans().begin(), walk_scans().begin() + kEvent);
   std::vector<Pose> turns(kEvent);
