@@ -16,6 +16,7 @@
 #include "core/information.hpp"
 #include "core/level.hpp"
 #include "methods/knots/drift.hpp"
+#include "methods/knots/sweep_axis.hpp"
 #include "methods/knots/verdict_weights.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -51,6 +52,12 @@ std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
   return ((hashes[0] * kFactor) ^ hashes[1]) * kFactor ^ hashes[2];
 }
 
+void refuse_reversed(Estimate& estimate) {
+  estimate.status = Status::lost;
+  estimate.message =
+      "the scan's beams turn the other way than before: it is mirrored, or its times run backwards";
+}
+
 }  // namespace
 
 KnotFrontEnd::KnotFrontEnd(const Session& session)
@@ -67,6 +74,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   unstamped_ += scan.unstamped;
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
+  reversed_ = are_opposite(sweep_axis_, sweep_axis(scan));
   session_.begin_step(Step::downsample);
   const auto thinned = map_choice_.choose(scan, session_.workers);
   if (map_.empty()) return begin_map(scan, thinned);
@@ -74,6 +82,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
   Registered registered =
       first_scan_ ? register_second(scan, thinned) : register_next(scan, thinned);
+  if (reversed_) refuse_reversed(registered.estimate);
   if (!registered.estimate.trusted()) return lose(scan, thinned, std::move(registered));
   View view = look(scan, thinned, registered.trajectory);
   const double hazard_now = hazard_of(scan, thinned, view, registered);

@@ -146,10 +146,12 @@ class KnotFrontEnd : public FrontEnd {
   LastViews views_;
   UsualSigns usual_signs_;
   Verdict verdict_;
-  Verdict objections_;                   // of the same scans, what speaks for leaving the map
-  std::uint64_t last_print_ = 0;         // of the last scan's points
-  bool seen_again_ = false;              // this scan's are the same
-  std::optional<FirstScan> first_scan_;  // until its motion is known
+  Verdict objections_;            // of the same scans, what speaks for leaving the map
+  std::uint64_t last_print_ = 0;  // of the last scan's points
+  bool seen_again_ = false;       // this scan's are the same
+  Eigen::Vector3f sweep_axis_ = Eigen::Vector3f::Zero();  // of the map's first scan
+  bool reversed_ = false;                                 // this scan's beams turn the other way
+  std::optional<FirstScan> first_scan_;                   // until its motion is known
   LevelReport level_;
   // The last scan. Few of its points are needed here, all of them only by who asks.
   mutable ToDeskew to_deskew_;

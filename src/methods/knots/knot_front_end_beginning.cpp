@@ -10,6 +10,7 @@
 #include "core/level.hpp"
 #include "geometry/se3.hpp"
 #include "methods/knots/knot_front_end.hpp"
+#include "methods/knots/sweep_axis.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
@@ -66,6 +67,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   first_scan_ = FirstScan{scan, thinned};
   usual_ = {};
   usual_signs_ = {};
+  sweep_axis_ = sweep_axis(scan);
   forget_verdicts();
   integrate(look(scan, thinned, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <numbers>
 #include <random>
+#include <string>
 #include <utility>
 
 #include "geometry/so3.hpp"
@@ -46,6 +47,11 @@ void make_garbage(Scan& scan) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> range(1.0F, 15.0F);
   for (Eigen::Vector3f& point : scan.points) point *= range(random) / point.norm();
+}
+
+/// Left and right changed: its beams turn the other way.
+void make_mirrored(Scan& scan) {
+  for (Eigen::Vector3f& point : scan.points) point.y() = -point.y();
 }
 
 /// Nothing but a level floor.
@@ -236,6 +242,36 @@ TEST(KnotFaults, AFrozenSensorIsLost) {
   }
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
   EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
+}
+
+// The hall's mirror image is a hall as well, and times that run backwards bend a scan by little: it
+// is how the beams turn that tells.
+TEST(KnotFaults, WhatIsSweptTheOtherWayIsNotBelieved) {
+  std::vector<Scan> backwards = walk_scans(), mirrored = walk_scans();
+  for (std::size_t i = kEvent; i < kEvent + 10; ++i) {
+    for (std::int32_t& time : backwards[i].times_ns) time = 100'000'000 - time;
+    make_mirrored(mirrored[i]);
+  }
+  for (const std::vector<Scan>& scans : {backwards, mirrored}) {
+    Odometry odometry;
+    const auto all = add_scans(odometry, scans);
+    EXPECT_NE(all[kEvent].message.find("turn the other way"), std::string::npos);
+    for (std::size_t i = kEvent; i < kEvent + 10; ++i) EXPECT_FALSE(all[i].trusted()) << i;
+    EXPECT_TRUE(all.back().trusted()) << statuses(all);
+    EXPECT_EQ(all.back().segment, 0) << statuses(all);
+    EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
+  }
+}
+
+TEST(KnotFaults, WhatStaysMirroredIsASegmentOfItsOwn) {
+  Config config;
+  config.knots.search_scans = 5;
+  Odometry odometry(config);
+  std::vector<Scan> scans = walk_scans();
+  for (std::size_t i = kEvent; i < kFaultScans; ++i) make_mirrored(scans[i]);
+  const auto all = add_scans(odometry, scans);
+  EXPECT_EQ(all.back().segment, 1) << statuses(all);
+  EXPECT_TRUE(all.back().trusted()) << statuses(all);
 }
 
 // Its rings go with the sensor: of the way along it they tell nothing, and nothing says so but

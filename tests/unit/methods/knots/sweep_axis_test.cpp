@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/sweep_axis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace surefoot {
+namespace {
+
+constexpr int kPoints = 20000;
+
+/// Sixteen beams, at azimuths that a function of the normalised time tells.
+PreparedScan scan_of(const std::function<float(float tau)>& azimuth) {
+  PreparedScan scan;
+  for (int i = 0; i < kPoints; ++i) {
+    const float tau = static_cast<float>(i) / kPoints;
+    const float a = azimuth(tau), elevation = 0.035F * static_cast<float>(i % 16) - 0.26F;
+    const float range = 3.0F + 2.0F * std::sin(5.0F * a);
+    scan.points.push_back(range * Eigen::Vector3f(std::cos(elevation) * std::cos(a),
+                                                  std::cos(elevation) * std::sin(a),
+                                                  std::sin(elevation)));
+    scan.taus.push_back(tau);
+  }
+  return scan;
+}
+
+PreparedScan spinning() {
+  return scan_of([](float tau) { return -2.0F * std::numbers::pi_v<float> * tau; });
+}
+
+TEST(SweepAxis, ASpinningSensorTurnsAboutItsAxis) {
+  EXPECT_LT((sweep_axis(spinning()) + Eigen::Vector3f::UnitZ()).norm(), 0.02F);
+}
+
+TEST(SweepAxis, IsThatOfTheSensorHoweverItIsMounted) {
+  const Eigen::Matrix3f mount =
+      Eigen::AngleAxisf(2.0F, Eigen::Vector3f(1.0F, 2.0F, -0.5F).normalized()).matrix();
+  PreparedScan scan = spinning();
+  for (Eigen::Vector3f& point : scan.points) point = mount * point;
+  EXPECT_LT((sweep_axis(scan) + mount.col(2)).norm(), 0.02F);
+}
+
+TEST(SweepAxis, OfHalfATurnIsTheSame) {
+  PreparedScan scan;
+  const PreparedScan whole = spinning();
+  for (std::size_t i = 0; i < whole.points.size(); ++i) {
+    if (whole.points[i].x() < 0.0F) continue;
+    scan.points.push_back(whole.points[i]);
+    scan.taus.push_back(whole.taus[i]);
+  }
+  EXPECT_LT(sweep_axis(scan).z(), -0.8F);
+}
+
+TEST(SweepAxis, MirroredOrBackwardsIsOpposite) {
+  const Eigen::Vector3f axis = sweep_axis(spinning());
+  PreparedScan mirrored = spinning(), backwards = spinning();
+  for (Eigen::Vector3f& point : mirrored.points) point.y() = -point.y();
+  for (float& tau : backwards.taus) tau = 1.0F - tau;
+  EXPECT_TRUE(are_opposite(axis, sweep_axis(mirrored)));
+  EXPECT_TRUE(are_opposite(axis, sweep_axis(backwards)));
+  EXPECT_FALSE(are_opposite(axis, axis));
+}
+
+TEST(SweepAxis, WithoutTimesOrToAndFroNothingIsTold) {
+  PreparedScan untimed = spinning();
+  untimed.taus.clear();
+  const PreparedScan to_and_fro = scan_of([](float tau) { return 1.5F * std::sin(30.0F * tau); });
+  const Eigen::Vector3f axis = sweep_axis(spinning());
+  for (const PreparedScan& scan : {untimed, PreparedScan{}, to_and_fro}) {
+    EXPECT_LT(sweep_axis(scan).norm(), 0.5F);
+    EXPECT_FALSE(are_opposite(axis, sweep_axis(scan)));
+    EXPECT_FALSE(are_opposite(sweep_axis(scan), axis));
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
