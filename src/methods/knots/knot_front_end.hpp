@@ -89,6 +89,8 @@ class KnotFrontEnd : public FrontEnd {
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 Registered registered);
+  /// Whether the scan can tell where it was taken: it was not seen before, and is not reversed.
+  [[nodiscard]] bool can_be_placed() const { return !seen_again_ && !reversed_; }
   Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] SearchRegion region_about(std::int64_t instant_ns) const;
   [[nodiscard]] std::vector<PlaceFit> places_in(const PreparedScan& scan,

@@ -150,8 +150,7 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
 std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
                                             const std::vector<std::uint32_t>& thinned) {
   const double since = since_trusted(scan.start_ns);
-  if (seen_again_ || reversed_ || since > config_.motion_prior.max_extrapolation)
-    return std::nullopt;
+  if (!can_be_placed() || since > config_.motion_prior.max_extrapolation) return std::nullopt;
   Registered next = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
   if (!next.estimate.trusted()) return std::nullopt;
   View view = look(scan, thinned, next.trajectory);
@@ -173,12 +172,12 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   std::optional<Registered> best;
   if (confirms) {
     best = register_scan(scan, thinned, beginning_of(scan, *search_->found, model_, config_));
-  } else if (!seen_again_ && !reversed_) {
+  } else if (can_be_placed()) {
     best = find_place(scan, thinned);
   }
   ++search_->scans;
   bool right = false;
-  if (best && best->estimate.trusted() && !seen_again_ && !reversed_) {
+  if (best && best->estimate.trusted() && can_be_placed()) {
     View view = look(scan, thinned, best->trajectory);
     (void)judge(scan, view, *best);
     if (!confirms) best->estimate.evidence.motion = 0.0;
