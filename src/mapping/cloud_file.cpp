@@ -71,14 +71,15 @@ std::string CloudFile::read(std::uint64_t at, std::size_t size) const {
   return bytes;
 }
 
+StoredBytes put_into(const std::shared_ptr<CloudFile>& file, std::string bytes) {
+  std::uint64_t at = 0;
+  if (file && file->append(bytes, at)) return {file, at, bytes.size()};
+  return StoredBytes(std::move(bytes));
+}
+
 std::shared_ptr<const StoredCloud> store(const PieceCloud& cloud,
                                          const std::shared_ptr<CloudFile>& file) {
-  std::string bytes = pack(cloud);
-  std::uint64_t at = 0;
-  if (file && file->append(bytes, at)) {
-    return std::make_shared<const StoredCloud>(file, at, bytes.size());
-  }
-  return std::make_shared<const StoredCloud>(std::move(bytes));
+  return std::make_shared<const StoredCloud>(put_into(file, pack(cloud)));
 }
 
 }  // namespace surefoot::mapping

@@ -39,18 +39,17 @@ class CloudFile {
   std::uint64_t end_ = 0;
 };
 
-/// A packed cloud, wherever it is.
-class StoredCloud {
+/// Bytes, wherever they are.
+class StoredBytes {
  public:
   /// In memory.
-  explicit StoredCloud(std::string bytes) : bytes_(std::move(bytes)) {}
+  explicit StoredBytes(std::string bytes) : bytes_(std::move(bytes)) {}
   /// In a file.
-  StoredCloud(std::shared_ptr<const CloudFile> file, std::uint64_t at, std::size_t size)
+  StoredBytes(std::shared_ptr<const CloudFile> file, std::uint64_t at, std::size_t size)
       : file_(std::move(file)), at_(at), size_(size) {}
 
-  /// As pack() has written it. Throws std::runtime_error if the file cannot be read any more.
+  /// Throws std::runtime_error if the file cannot be read any more.
   [[nodiscard]] std::string packed() const { return file_ ? file_->read(at_, size_) : bytes_; }
-  [[nodiscard]] PieceCloud cloud() const { return unpack(packed()); }
 
  private:
   std::string bytes_;
@@ -59,8 +58,18 @@ class StoredCloud {
   std::size_t size_ = 0;
 };
 
+/// A packed cloud: as pack() has written it.
+class StoredCloud : public StoredBytes {
+ public:
+  using StoredBytes::StoredBytes;
+  explicit StoredCloud(StoredBytes bytes) : StoredBytes(std::move(bytes)) {}
+  [[nodiscard]] PieceCloud cloud() const { return unpack(packed()); }
+};
+
 /// Packs a cloud away, into the file if there is one.
 [[nodiscard]] std::shared_ptr<const StoredCloud> store(const PieceCloud& cloud,
                                                        const std::shared_ptr<CloudFile>& file);
+/// Puts bytes away, into the file if there is one.
+[[nodiscard]] StoredBytes put_into(const std::shared_ptr<CloudFile>& file, std::string bytes);
 
 }  // namespace surefoot::mapping

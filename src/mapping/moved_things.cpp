@@ -6,69 +6,86 @@
 #include <bit>
 
 #include "mapping/held_pieces.hpp"
+#include "mapping/piece_ground.hpp"
 #include "mapping/submap.hpp"
 
 namespace surefoot::mapping {
 
 namespace {
 
-constexpr float kAboveGround = 0.25F;   // [m] what moves stands out of it
-constexpr float kHighest = 2.5F;        // and is no higher
-constexpr double kWitnessReach = 15.0;  // [m] pieces that may have seen the same
+constexpr float kHighest = 2.5F;        // [m] what moves is no higher
+constexpr double kWitnessReach = 25.0;  // [m] pieces that may have seen the same
 constexpr std::size_t kMostWitnesses = 16;
-constexpr std::size_t kKeptSights = 160;  // pieces' sights, some 0.1 MB each
-constexpr int kWitnesses = 2;             // that have to have seen through
+constexpr std::size_t kKeptSights = 40;  // pieces' sights, some 0.5 MB each
 
-/// Heights over the ground of a piece, of places in its frame.
-class Ground {
- public:
-  explicit Ground(const Submap& submap)
-      : up_(submap.to_slope.toRotationMatrix().row(2).cast<float>()),
-        height_(static_cast<float>(submap.slope_ground)) {}
-  [[nodiscard]] bool stands(const Eigen::Vector3f& place) const {
-    const float above = up_.dot(place) - height_;
-    return above > kAboveGround && above < kHighest;
+// In so many moments beams have to have gone through, and in so many times fewer something hit.
+constexpr int kThrough = 3, kTimes = 2;
+// In so many from one piece's on something stood, oftener than not: it came and stays.
+constexpr int kStays = 4;
+// In so many, from so many pieces, later on: it went.
+constexpr int kThroughSince = 8, kPiecesSince = 2, kTimesSince = 9;
+
+/// Moments in which a place was seen, over the pieces from one on.
+struct SeenMoments {
+  int through = 0, hit = 0;
+  int pieces = 0;  // from which beams went through
+
+  void add(const ThingSight::Moments& of) {
+    through += of.through;
+    hit += of.hit;
+    pieces += of.through > 0 ? 1 : 0;
   }
-
- private:
-  Eigen::RowVector3f up_;
-  float height_;
+  [[nodiscard]] bool through_often(int least, int times) const {
+    return through >= least && through > times * hit;
+  }
 };
 
-/// Where something stood above the ground when a piece was walked, and what beams went through.
-std::shared_ptr<const ThingSight> seen_from(const Piece& piece) {
-  const Submap submap = make_submap(piece);
-  const Ground ground(submap);
-  return std::make_shared<const ThingSight>(
-      submap, [&](const Eigen::Vector3f& point) { return ground.stands(point); });
-}
+/// What all witnesses say of a place, asked from the last to the first.
+struct Said {
+  SeenMoments all;
+  bool went = false;   // later pieces see through it
+  bool stays = false;  // something stands there from the piece on that saw it
+
+  void add(const ThingSight::Moments& of, std::size_t witness, std::size_t piece) {
+    all.add(of);
+    if (witness > piece && all.pieces >= kPiecesSince) {
+      went = went || all.through_often(kThroughSince, kTimesSince);
+    }
+    if (witness == piece) stays = all.hit >= kStays && all.hit > all.through;
+  }
+  [[nodiscard]] bool gone() const {
+    return went || (all.through_often(kThrough, kTimes) && !stays);
+  }
+};
 
 }  // namespace
 
-std::shared_ptr<const ThingSight> MovedThings::sight(std::size_t piece) {
+const ThingSight* MovedThings::sight(std::size_t piece) {
+  if (!pieces_[piece].things) return nullptr;
   const auto known = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const auto& entry) { return entry.first == piece; });
   if (known != kept_.end()) {
     // The one that was asked for longest ago goes first.
     std::rotate(known, known + 1, kept_.end());
-    return kept_.back().second;
+  } else {
+    if (kept_.size() == kKeptSights) kept_.erase(kept_.begin());
+    kept_.emplace_back(piece, std::make_unique<const ThingSight>(pieces_[piece].things->packed()));
   }
-  if (kept_.size() == kKeptSights) kept_.erase(kept_.begin());
-  kept_.emplace_back(piece, seen_from(pieces_[piece]));
-  return kept_.back().second;
+  return kept_.back().second.get();
 }
 
-/// Pieces near one. Of many, every second, fourth, eighth one of all visits: those beside it are
-/// seen by the same.
+/// A piece and those near it. Of many, every second, fourth, eighth one of all visits: those beside
+/// it are seen by the same.
 std::vector<std::size_t> MovedThings::witnesses(std::size_t piece) const {
   std::vector<std::size_t> near;
   const Eigen::Vector3d& here = pieces_[piece].T_world_piece.translation;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Eigen::Vector3d apart = pieces_[i].T_world_piece.translation - here;
-    if (i != piece && held_[i] == held_[piece] && apart.norm() < kWitnessReach) near.push_back(i);
+    if (held_[i] == held_[piece] && apart.norm() < kWitnessReach) near.push_back(i);
   }
   if (near.size() <= kMostWitnesses) return near;
-  std::stable_sort(near.begin(), near.end(), [](std::size_t a, std::size_t b) {
+  std::stable_sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) {
+    if (a == piece || b == piece) return a == piece && b != piece;
     return std::countr_zero(a) > std::countr_zero(b);
   });
   near.resize(kMostWitnesses);
@@ -77,36 +94,27 @@ std::vector<std::size_t> MovedThings::witnesses(std::size_t piece) const {
 }
 
 std::vector<bool> MovedThings::gone(std::size_t piece, const std::vector<Eigen::Vector3f>& points) {
-  const Ground ground(make_submap(pieces_[piece]));
+  const PieceGround ground(make_submap(pieces_[piece]));
   std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (ground.stands(points[i])) asked.push_back(i);
+    if (ground.height(points[i]) < kHighest && ground.stands(points[i])) asked.push_back(i);
   }
-  struct Votes {
-    int empty = 0, something = 0;
-    int empty_since = 0;  // later than the last who saw something
-  };
-  std::vector<Votes> votes(asked.size());
-  for (const std::size_t witness : witnesses(piece)) {
-    const auto saw = sight(witness);
+  std::vector<Said> said(asked.size());
+  const std::vector<std::size_t> near = witnesses(piece);
+  for (auto witness = near.rbegin(); witness != near.rend(); ++witness) {
+    const ThingSight* saw = sight(*witness);
+    if (saw == nullptr) continue;
     const Pose T_witness_piece =
-        pieces_[witness].T_world_piece.inverse() * pieces_[piece].T_world_piece;
-    const bool later = pieces_[witness].stamp_ns > pieces_[piece].stamp_ns;
+        pieces_[*witness].T_world_piece.inverse() * pieces_[piece].T_world_piece;
+    const Eigen::Matrix3d R = T_witness_piece.rotation.toRotationMatrix();
     for (std::size_t k = 0; k < asked.size(); ++k) {
-      const auto there = saw->at(T_witness_piece * points[asked[k]].cast<double>());
-      const int empty = there == FreeSpace::Sight::empty ? 1 : 0;
-      const int something = there == FreeSpace::Sight::occupied ? 1 : 0;
-      votes[k].empty += empty;
-      votes[k].something += something;
-      if (later) votes[k].empty_since = something > 0 ? 0 : votes[k].empty_since + empty;
+      const Eigen::Vector3d place =
+          R * points[asked[k]].cast<double>() + T_witness_piece.translation;
+      said[k].add(saw->at(place), *witness, piece);
     }
   }
   std::vector<bool> result(points.size(), false);
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const Votes& of = votes[k];
-    result[asked[k]] =
-        of.empty_since >= kWitnesses || (of.empty >= kWitnesses && of.something == 0);
-  }
+  for (std::size_t k = 0; k < asked.size(); ++k) result[asked[k]] = said[k].gone();
   return result;
 }
 

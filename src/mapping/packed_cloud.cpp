@@ -8,6 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "mapping/bit_stream.hpp"
+
 namespace surefoot::mapping {
 
 namespace {
@@ -20,63 +22,6 @@ constexpr int kWithin = 6;                           // bits of a coordinate wit
 constexpr int kAcross = 9;                           // bits of a cube's number along an axis
 constexpr int kHalf = 1 << (kWithin + kAcross - 1);  // steps to either side of the origin
 constexpr std::uint32_t kMask = (1U << kWithin) - 1U;
-
-/// Bits, the lowest first.
-class BitWriter {
- public:
-  void put(std::uint32_t value, int bits) {
-    held_ |= static_cast<std::uint64_t>(value) << count_;
-    count_ += bits;
-    for (; count_ >= 8; count_ -= 8, held_ >>= 8) bytes_.push_back(static_cast<char>(held_ & 0xFF));
-  }
-  /// Elias' gamma code: small numbers take few bits.
-  void put_gamma(std::uint32_t value) {
-    const int digits = static_cast<int>(std::bit_width(value + 1));
-    put(0, digits - 1);
-    put(1, 1);
-    put((value + 1) & ((1U << (digits - 1)) - 1U), digits - 1);
-  }
-  std::string take() {
-    if (count_ > 0) bytes_.push_back(static_cast<char>(held_ & 0xFF));
-    return std::move(bytes_);
-  }
-
- private:
-  std::string bytes_;
-  std::uint64_t held_ = 0;
-  int count_ = 0;
-};
-
-class BitReader {
- public:
-  explicit BitReader(std::string_view bytes) : bytes_(bytes) {}
-
-  std::uint32_t get(int bits) {
-    while (count_ < bits) {
-      if (at_ == bytes_.size()) throw std::invalid_argument("points that are cut short");
-      held_ |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[at_++])) << count_;
-      count_ += 8;
-    }
-    const auto value = static_cast<std::uint32_t>(held_ & ((1ULL << bits) - 1ULL));
-    held_ >>= bits;
-    count_ -= bits;
-    return value;
-  }
-  std::uint32_t get_gamma() {
-    constexpr int kMostDigits = 28;
-    int digits = 0;
-    while (get(1) == 0) {
-      if (++digits > kMostDigits) throw std::invalid_argument("a cube that is too far away");
-    }
-    return ((1U << digits) | (digits > 0 ? get(digits) : 0U)) - 1U;
-  }
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-  std::uint64_t held_ = 0;
-  int count_ = 0;
-};
 
 struct Entry {
   std::uint32_t cube;

@@ -8,6 +8,8 @@
 
 #include "core/voxel_key.hpp"
 #include "geometry/se3.hpp"
+#include "mapping/submap.hpp"
+#include "mapping/thing_sight.hpp"
 
 namespace surefoot::mapping {
 
@@ -15,6 +17,8 @@ namespace {
 
 constexpr double kSway = 0.2;  // smaller steps are the body's sway, not way [m]
 constexpr std::size_t kMostEyes = std::numeric_limits<std::uint16_t>::max();
+constexpr std::size_t kMostLooks = 64;     // of a piece
+constexpr std::size_t kMostBeams = 30000;  // of a look
 
 }  // namespace
 
@@ -42,6 +46,9 @@ std::shared_ptr<const PieceCloud> cloud_of(const Piece& piece) {
 
 void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file) {
   if (piece.stored) return;
+  if (piece.things) {
+    piece.things = std::make_shared<const StoredBytes>(put_into(file, piece.things->packed()));
+  }
   piece.stored = store(piece, file);
   static_cast<PieceCloud&>(piece) = PieceCloud{};
 }
@@ -76,6 +83,37 @@ void PieceBuilder::begin(const PlacedScan& scan) {
   table_.clear();
   cubes_.clear();
   eyes_.clear();
+  looks_.clear();
+  between_looks_ns_ = 0;
+}
+
+/// Of many looks every second one is let go, and as seldom they are taken from then on.
+void PieceBuilder::look(const PlacedScan& scan, const DeskewedScan& points) {
+  if (looks_.size() == kMostLooks) {
+    for (std::size_t i = 0; 2 * i < kMostLooks; ++i) looks_[i] = std::move(looks_[2 * i]);
+    looks_.resize(kMostLooks / 2);
+    between_looks_ns_ = 2 * (scan.stamp_ns - begin_ns_) / std::int64_t{kMostLooks};
+  }
+  const Pose T_first_lidar = T_world_first_.inverse() * scan.T_world_lidar;
+  const Eigen::Matrix3f R = T_first_lidar.rotation.toRotationMatrix().cast<float>();
+  KeptScan look{scan.stamp_ns, T_first_lidar.translation.cast<float>(), {}};
+  const std::size_t every = points.points.size() / kMostBeams + 1;
+  look.points.reserve(points.points.size() / every + 1);
+  for (std::size_t i = 0; i < points.points.size(); i += every) {
+    look.points.emplace_back(R * points.points[i] + look.eye);
+  }
+  looks_.push_back(std::move(look));
+}
+
+std::string PieceBuilder::things_seen(const Piece& piece) {
+  const Pose T_piece_first = piece.T_world_piece.inverse() * T_world_first_;
+  const Eigen::Matrix3f R = T_piece_first.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_piece_first.translation.cast<float>();
+  for (KeptScan& look : looks_) {
+    look.eye = R * look.eye + t;
+    for (Eigen::Vector3f& point : look.points) point = R * point + t;
+  }
+  return seen_in(looks_, PieceGround(make_submap(piece)));
 }
 
 void PieceBuilder::insert(const PlacedScan& scan, const ScanPoints& points) {
@@ -86,6 +124,8 @@ void PieceBuilder::insert(const PlacedScan& scan, const ScanPoints& points) {
   const double moved = (scan.T_world_lidar.translation - last_inserted_.translation).norm();
   const double turn = scan.T_world_lidar.rotation.angularDistance(last_inserted_.rotation);
   const bool taken = scans_ <= options_.always || moved > options_.step || turn > options_.turn;
+  const bool looked = !looks_.empty() && scan.stamp_ns - looks_.back().stamp_ns < between_looks_ns_;
+  if (options_.things && !looked) look(scan, points());
   if (!taken || eyes_.size() >= kMostEyes) return;
   last_inserted_ = scan.T_world_lidar;
   const Pose T_first_lidar = T_world_first_.inverse() * scan.T_world_lidar;
@@ -138,6 +178,9 @@ std::optional<Piece> PieceBuilder::unfinished() const {
 
 std::optional<Piece> PieceBuilder::finish() {
   std::optional<Piece> piece = unfinished();
+  if (piece && options_.things) {
+    piece->things = std::make_shared<const StoredBytes>(things_seen(*piece));
+  }
   begun_ = false;
   return piece;
 }

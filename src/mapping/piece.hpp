@@ -13,6 +13,7 @@
 
 #include "core/voxel_table.hpp"
 #include "mapping/cloud_file.hpp"
+#include "mapping/kept_scan.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::mapping {
@@ -56,11 +57,13 @@ struct Piece : PieceCloud {
   bool restarted = false;                ///< where it lies against the piece before is not known
   /// The cloud, once it was put away; then the piece itself holds none.
   std::shared_ptr<const StoredCloud> stored;
+  /// As seen_in() tells it, if that was asked for.
+  std::shared_ptr<const StoredBytes> things;
 };
 
 /// What was seen from a piece, wherever it is. It must not outlive the piece.
 [[nodiscard]] std::shared_ptr<const PieceCloud> cloud_of(const Piece& piece);
-/// Packs a piece's cloud away, into the file if there is one.
+/// Packs a piece's cloud and what was seen of things away, into the file if there is one.
 void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file);
 
 struct PieceOptions {
@@ -70,6 +73,7 @@ struct PieceOptions {
   double step = 0.2;        ///< scans nearer to the last one add little and are passed over [m]
   double turn = 0.25;       ///< unless the LiDAR turned by so much [rad]
   std::size_t always = 10;  ///< scans of a piece: a robot that stands sees something, too
+  bool things = false;      ///< whether what moved will be asked about
 };
 
 /// Cuts the way into pieces while it is walked.
@@ -101,6 +105,8 @@ class PieceBuilder {
 
   void begin(const PlacedScan& scan);
   void insert(const PlacedScan& scan, const ScanPoints& points);
+  void look(const PlacedScan& scan, const DeskewedScan& points);
+  [[nodiscard]] std::string things_seen(const Piece& piece);
 
   PieceOptions options_;
   double way_ = 0.0;
@@ -118,6 +124,8 @@ class PieceBuilder {
   std::vector<Cube> cubes_;
   std::vector<Eigen::Vector3f> eyes_;
   Pose last_inserted_;
+  std::vector<KeptScan> looks_;
+  std::int64_t between_looks_ns_ = 0;  // at least, of a piece that takes long
 };
 
 }  // namespace surefoot::mapping

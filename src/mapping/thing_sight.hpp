@@ -1,32 +1,42 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// What was seen of single things: where something stood, and where beams went through. Dozens of
-// these are asked in turn, so that a cube is two bits of a block of 4 x 4 x 4.
+// What was seen of single things from a piece of way: in how many of its moments something was hit
+// in a cube, and in how many beams went through it and nothing stood near. Where others walk by at
+// another moment, it is still seen that nothing stays.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
-#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/voxel_table.hpp"
-#include "mapping/free_space.hpp"
+#include "mapping/kept_scan.hpp"
+#include "mapping/piece_ground.hpp"
 
 namespace surefoot::mapping {
 
+/// What looks in a piece's frame come to, as few bytes. They stand in the order of their stamps.
+[[nodiscard]] std::string seen_in(const std::vector<KeptScan>& looks, const PieceGround& ground);
+
 class ThingSight {
  public:
-  /// `stands`: whether a point [m, the submap's frame] is something; the others only end beams.
-  ThingSight(const Submap& submap, const std::function<bool(const Eigen::Vector3f& point)>& stands);
+  /// Of what seen_in() has written. Throws std::invalid_argument if that is no such thing.
+  explicit ThingSight(std::string_view bytes);
 
-  [[nodiscard]] FreeSpace::Sight at(const Eigen::Vector3d& place) const;
+  /// How many moments.
+  struct Moments {
+    int through = 0;  ///< beams went through, and nothing stood near
+    int hit = 0;
+  };
+  /// Of a place in the piece's frame [m].
+  [[nodiscard]] Moments at(const Eigen::Vector3d& place) const;
 
  private:
-  struct Block {
-    std::uint64_t occupied = 0;  ///< something was seen in the cube or a neighbouring one
-    std::uint64_t empty = 0;     ///< beams went through, unless it is occupied
-  };
+  using Block = std::array<std::uint8_t, 64>;  // of 4 x 4 x 4 cubes: 16 times through, and hit
 
   VoxelTable table_;  // index into blocks_
   std::vector<Block> blocks_;

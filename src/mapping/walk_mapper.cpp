@@ -16,11 +16,17 @@ LoopOptions with_file(LoopOptions options, const std::filesystem::path& folder) 
   return options;
 }
 
+/// What moved is asked about once the walk is over.
+PieceOptions with_things(PieceOptions options) {
+  options.things = true;
+  return options;
+}
+
 }  // namespace
 
 WalkMapper::WalkMapper(const MapperOptions& options)
     : options_(options),
-      builder_(options.pieces),
+      builder_(with_things(options.pieces)),
       finder_(with_file(options.loops, options.folder)) {}
 
 void WalkMapper::add(const PlacedScan& scan, const DeskewedScan& points) {

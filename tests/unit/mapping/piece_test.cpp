@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mapping/submap.hpp"
+#include "mapping/thing_sight.hpp"
 
 namespace surefoot::mapping {
 namespace {
@@ -65,6 +66,35 @@ TEST(Piece, ThatIsPutAwayIsStillThere) {
     const auto cloud = cloud_of(away[1]);
     ASSERT_EQ(cloud->points.size(), pieces[1].points.size());
     EXPECT_EQ(make_submap(away, 1).points.size(), points);
+  }
+}
+
+/// Scans of a robot that stands for half a minute; for the first half somebody stands before it.
+Piece stood(const PieceOptions& options) {
+  PieceBuilder builder(options);
+  for (int i = 0; i < 300; ++i) {
+    PlacedScan scan = scan_at(0.0, 0.001);
+    scan.stamp_ns = i * std::int64_t{100'000'000};
+    DeskewedScan points;
+    points.points = {{i < 150 ? 3.0F : 7.0F, 0.0F, 0.0F}, {2.0F, 2.0F, -0.5F}};
+    EXPECT_FALSE(builder.add(scan, points).has_value());
+  }
+  return builder.finish().value();
+}
+
+TEST(Piece, OfOneWhoStandsSeesWhoGoes) {
+  PieceOptions options;
+  EXPECT_EQ(stood(options).things, nullptr) << "nobody asked";
+  options.things = true;
+  Piece piece = stood(options);
+  for (int away = 0; away < 2; ++away) {
+    ASSERT_NE(piece.things, nullptr);
+    const ThingSight sight(piece.things->packed());
+    const ThingSight::Moments seen =
+        sight.at((piece.T_world_piece.inverse() * Eigen::Vector3d(0.0, 3.0, 0.0)));
+    EXPECT_NEAR(seen.hit, 7, 1);
+    EXPECT_NEAR(seen.through, 7, 1);
+    put_away(piece, CloudFile::make({}));
   }
 }
 
