@@ -65,12 +65,14 @@ TEST(ThingSight, WhatWasHitIsNotSeenThroughInThatMoment) {
 
 /// The ground under a cube is nothing that stands beside it, but is itself something that was hit.
 TEST(ThingSight, TheGroundHidesNothing) {
-  const Eigen::Vector3f low(3.0F, 0.0F, 0.02F), behind(7.5F, 0.0F, 0.55F);
+  const Eigen::Vector3f low(3.1F, 0.0F, 0.02F), behind(6.0F, 0.0F, -0.26F);
+  const Eigen::Vector3d above_low(3.1, 0.0, 0.35);  // there the beam passes
   const ThingSight sight(seen_in({look_at(0, {low, behind})}, floor_and_hill()));
   EXPECT_EQ(sight.at(low.cast<double>()).hit, 1);
-  EXPECT_EQ(sight.at({3.0, 0.0, 0.82}).through, 1);
-  const ThingSight beside(seen_in({look_at(0, {{3.0F, 0.0F, 0.5F}, behind})}, floor_and_hill()));
-  EXPECT_EQ(beside.at({3.0, 0.0, 0.82}).through, 0);
+  EXPECT_EQ(sight.at(above_low).through, 1);
+  const Eigen::Vector3f standing(3.1F, 0.0F, 0.55F);
+  const ThingSight beside(seen_in({look_at(0, {standing, behind})}, floor_and_hill()));
+  EXPECT_EQ(beside.at(above_low).through, 0);
 }
 
 /// A robot that stands for a minute has no more moments than one that walks.
