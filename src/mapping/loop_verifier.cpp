@@ -221,7 +221,7 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   if (limits.missing < 1.0) check.missing = missing_between(place, query, T_place_query);
   if (limits.beside < 1.0) check.beside = beside_walls(target, source, T_place_query);
   const bool refuted = check.contradicted > limits.contradicted || check.missing > limits.missing ||
-                       check.beside > limits.beside;
+                       check.beside > limits.beside || check.alignment.misfit > limits.misfit;
   check.verdict = refuted ? LoopVerdict::free_space : LoopVerdict::taken;
   return check;
 }

@@ -59,6 +59,7 @@ struct LoopLimits {
   double contradicted = 0.03;  ///< of those that the other one can tell about, at most
   double missing = 1.0;        ///< of those in free sight of the other one, at most; 1: not asked
   double beside = 1.0;         ///< of the query's walls, beside the place's, at most; 1: not asked
+  double misfit = 1.0;         ///< [m] RMS of what lies on the place, at most
   double gap_metres = 0.1;     ///< between registrations
   double gap_degrees = 1.0;
   int agreeing = 3;  ///< registrations, of both directions

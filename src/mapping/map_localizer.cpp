@@ -17,18 +17,23 @@ constexpr double kNearest = 8.0;    // a known pose is checked against a place s
 constexpr double kLeastStep = 0.2;  // smaller steps are no way [m]
 constexpr double kEnoughWay = 2.0;  // of the piece that is being walked, to be looked at alone [m]
 constexpr std::size_t kKept = 12;   // places of the map, some 8 MB each
+constexpr std::size_t kAskedAgain = 3;  // places in the next search
+constexpr double kWorthAsking = 0.4;    // that fitted so well
 
 }  // namespace
 
 MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
-    : map_(std::move(map)), options_(options), builder_(options.pieces) {
+    : map_(std::move(map)),
+      options_(options),
+      builder_(options.pieces),
+      agreement_(options.agreement) {
   for (const PlaceDescriptor& place : map_.places) index_.add(place);
 }
 
 void MapLocalizer::add(const PlacedScan& scan, const ScanPoints& points) {
   if (scan.restarted) {
     T_map_world_.reset();
-    agreed_.reset();
+    forget_places();
     forget();
     message_ = "the odometry began anew";
   }
@@ -95,10 +100,47 @@ std::shared_ptr<const VerifiableSubmap> MapLocalizer::submap_of(std::size_t plac
   return places_.back().second;
 }
 
+AskedPlace MapLocalizer::ask_place(std::size_t number, const Surroundings& here,
+                                   const Pose& T_place_seen, const LoopLimits& limits) {
+  const LoopCheck check =
+      check_places(*submap_of(number), here.seen, turned_both_ways(T_place_seen), limits);
+  const Pose& T_map_place = map_.pieces[number].T_world_piece;
+  return {T_map_place * check.alignment.T_target_source * here.T_world_seen.inverse(), check};
+}
+
+/// What fitted in the last search is asked once more where it lay: that a search does not name it
+/// any more says little.
+void MapLocalizer::ask_again(const Surroundings& here, const LoopLimits& limits,
+                             std::vector<AskedPlace>& asked) {
+  for (const Pose& T_map_world : fitted_) {
+    const bool known = std::any_of(asked.begin(), asked.end(), [&](const AskedPlace& place) {
+      return agree_here(place.T_map_world, T_map_world);
+    });
+    const Pose T_map_seen = T_map_world * here.T_world_seen;
+    const auto nearest = nearest_place(T_map_seen.translation);
+    if (known || !nearest) continue;
+    const Pose T_place_seen = map_.pieces[*nearest].T_world_piece.inverse() * T_map_seen;
+    asked.push_back(ask_place(*nearest, here, T_place_seen, limits));
+  }
+}
+
+void MapLocalizer::remember(std::vector<AskedPlace> asked) {
+  std::stable_sort(asked.begin(), asked.end(), [](const AskedPlace& a, const AskedPlace& b) {
+    return fit_of(a.check) > fit_of(b.check);
+  });
+  fitted_.clear();
+  for (const AskedPlace& place : asked) {
+    if (fitted_.size() == kAskedAgain || fit_of(place.check) < kWorthAsking) return;
+    const bool known = std::any_of(fitted_.begin(), fitted_.end(), [&](const Pose& pose) {
+      return agree_here(pose, place.T_map_world);
+    });
+    if (!known) fitted_.push_back(place.T_map_world);
+  }
+}
+
 /// The one pose that passes every question; none if there is none, or if there are two.
-std::optional<MapLocalizer::OnlyPlace> MapLocalizer::only_place(const Surroundings& here) {
+MapLocalizer::Answer MapLocalizer::only_place(const Surroundings& here) {
   std::vector<AskedPlace> asked;
-  const Pose T_here_world = here.T_world_seen.inverse();
   const auto matches =
       distinct_places(index_, map_.pieces, here.seen.submap(), options_.candidates);
   bool roofed = here.seen.submap().covered;
@@ -107,49 +149,46 @@ std::optional<MapLocalizer::OnlyPlace> MapLocalizer::only_place(const Surroundin
   }
   const LoopLimits& limits = roofed ? options_.roofed_limits : options_.limits;
   for (const PlaceIndex::Match& match : matches) {
-    const auto place = submap_of(match.place);
-    const LoopCheck check = check_match(match, *place, here.seen, limits);
-    const Pose& T_map_place = map_.pieces[match.place].T_world_piece;
-    asked.push_back({T_map_place * check.alignment.T_target_source * T_here_world, check});
+    const Pose rough = rough_pose(match, submap_of(match.place)->submap(), here.seen.submap());
+    asked.push_back(ask_place(match.place, here, rough, limits));
   }
+  ask_again(here, limits, asked);
   const PlaceChoice choice = choose_place(asked, last_.value_or(Eigen::Vector3d::Zero()),
                                           roofed ? options_.roofed_choice : options_.choice);
-  if (choice.several) {
-    message_ = "not found yet: several places fit";
-    alike_at_ = way_;
-  }
-  if (!choice.chosen && !choice.several) message_ = "not found yet: no place fits";
-  if (!choice.chosen) return std::nullopt;
-  return OnlyPlace{asked[*choice.chosen].T_map_world, choice.fit};
-}
-
-/// While the robot stands it sees the same, and what looks alike by chance stays alike: then it has
-/// to fit well. And of two that were alike one that is not named any more is no less alike.
-bool MapLocalizer::is_enough(const Agreed& agreed) const {
-  if (alike_at_ && way_ - *alike_at_ < options_.alike_way) return false;
-  return agreed.searches >= options_.agreeing &&
-         (way_ - agreed.since >= options_.agreeing_way || agreed.fit >= options_.fit_standing);
+  Answer answer{.place = std::nullopt, .several = choice.several};
+  if (choice.chosen) answer.place = OnlyPlace{asked[*choice.chosen].T_map_world, choice.fit};
+  if (choice.alike) agreement_.add_alike(way_);
+  remember(std::move(asked));
+  return answer;
 }
 
 void MapLocalizer::search() {
   const auto here = surroundings();
-  if (!here) message_ = "not found yet: the odometry is not sure of its way";
-  const auto found = here ? only_place(*here) : std::nullopt;
-  if (!found) return agreed_.reset();
-  if (!agreed_ || !agree_here(agreed_->T_map_world, found->T_map_world)) {
-    agreed_ = Agreed{.T_map_world = found->T_map_world, .since = way_};
+  if (!here) {
+    message_ = "not found yet: the odometry is not sure of its way";
+    return forget_places();
   }
-  agreed_->T_map_world = found->T_map_world;
-  agreed_->fit = std::min(agreed_->fit, found->fit);
-  ++agreed_->searches;
-  if (!is_enough(*agreed_)) {
+  const Answer answer = only_place(*here);
+  if (!answer.place) {
+    message_ =
+        answer.several ? "not found yet: several places fit" : "not found yet: no place fits";
+    return answer.several ? agreement_.forget() : agreement_.add_silence();
+  }
+  const auto& [T_map_world, fit] = *answer.place;
+  const Eigen::Vector3d robot = last_.value_or(Eigen::Vector3d::Zero());
+  if (!agreement_.add(T_map_world, fit, way_, robot, options_.choice)) {
     message_ = "not found yet: a place fits, and is asked again";
     return;
   }
-  T_map_world_ = agreed_->T_map_world;
-  agreed_.reset();
+  T_map_world_ = T_map_world;
+  forget_places();
   checked_at_ = succeeded_at_ = way_;
   message_ = "found";
+}
+
+void MapLocalizer::forget_places() {
+  agreement_.forget();
+  fitted_.clear();
 }
 
 /// The nearest place within reach; none: the map does not show it.

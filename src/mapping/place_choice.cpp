@@ -14,17 +14,50 @@ namespace {
 // lay on the place half by 0.08. What the right ones lie on the place more pays for it twice.
 constexpr double kContradiction = 2.0;
 
-/// By how much a place has to fit better than any other: the less it fits, the more.
-double needed_margin(double fit, const ChoiceLimits& limits) {
-  const double well = (fit - limits.fit_alone) / (limits.fit - limits.fit_alone);
-  return limits.alone + std::clamp(well, 0.0, 1.0) * (limits.clearly - limits.alone);
+// Where houses are built alike a twin fits nearly as well as the right place, but something is
+// missing there or stands beside: of 1,909 searches in two quarters that named the right place, it
+// fitted by less than 0.1 better than any wrong one in 188 by the two above alone, in 61 with
+// these.
+constexpr double kMissing = 1.0;
+constexpr double kMostMissing = 0.3;
+constexpr double kBeside = 0.5;
+
+double uncontradicted(const LoopCheck& check) {
+  return check.overlap - kContradiction * check.contradicted;
 }
 
 }  // namespace
 
 double fit_of(const LoopCheck& check) {
-  return std::max(0.0, check.overlap - kContradiction * check.contradicted);
+  const double against = kMissing * std::min(check.missing, kMostMissing) + kBeside * check.beside;
+  return std::max(0.0, uncontradicted(check) - against);
 }
+
+namespace {
+
+/// What lies on a place, unless something large speaks against it.
+double likeness_of(const LoopCheck& check) {
+  constexpr double kLarge = 0.2;
+  if (std::max(check.missing, check.beside) > kLarge) return fit_of(check);
+  return uncontradicted(check);
+}
+
+/// Whether two of the places look alike here.
+bool any_alike(const std::vector<AskedPlace>& asked, const Eigen::Vector3d& robot_in_world,
+               const ChoiceLimits& limits) {
+  constexpr double kLike = 0.65;
+  const auto less = [](const AskedPlace& a, const AskedPlace& b) {
+    return likeness_of(a.check) < likeness_of(b.check);
+  };
+  const auto most = std::max_element(asked.begin(), asked.end(), less);
+  if (most == asked.end() || likeness_of(most->check) < kLike) return false;
+  return std::any_of(asked.begin(), asked.end(), [&](const AskedPlace& other) {
+    return likeness_of(other.check) > likeness_of(most->check) - limits.alike &&
+           !agree(most->T_map_world, other.T_map_world, robot_in_world, limits);
+  });
+}
+
+}  // namespace
 
 bool agree(const Pose& one, const Pose& other, const Eigen::Vector3d& robot_in_world,
            const ChoiceLimits& limits) {
@@ -36,7 +69,8 @@ bool agree(const Pose& one, const Pose& other, const Eigen::Vector3d& robot_in_w
 PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
                          const Eigen::Vector3d& robot_in_world, const ChoiceLimits& limits) {
   PlaceChoice choice;
-  double best = std::min(limits.fit, limits.fit_alone);
+  choice.alike = any_alike(asked, robot_in_world, limits);
+  double best = limits.fit;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const LoopCheck& check = asked[i].check;
     if (check.verdict != LoopVerdict::taken || check.alignment.held < 6) continue;
@@ -53,9 +87,8 @@ PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
     }
     next = std::max(next, fit_of(other.check));
   }
-  const bool clear = next <= best - needed_margin(best, limits);
-  choice.several = !clear && best >= limits.fit;
-  if (!clear) choice.chosen.reset();
+  choice.several = next > best - limits.clearly;
+  if (choice.several) choice.chosen.reset();
   choice.fit = best;
   return choice;
 }

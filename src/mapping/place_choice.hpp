@@ -21,16 +21,16 @@ struct AskedPlace {
 };
 
 struct ChoiceLimits {
-  double fit = 0.7;        ///< of the place chosen,
-  double clearly = 0.05;   ///< and by so much it fits better than any other;
-  double fit_alone = 0.6;  ///< or so much at least,
-  double alone = 0.2;      ///< where nothing else comes so near; between them what is between
+  double fit = 0.5;      ///< of the place chosen,
+  double clearly = 0.1;  ///< and by so much it fits better than any other
+  double alike = 0.1;    ///< places look alike that differ by less in what lies on them
   double agree_metres = 0.3;
   double agree_degrees = 2.0;
 };
 
-/// Share of what stands that lies on the place, less what contradicts it. What was moved since
-/// contradicts a little even where the robot is: there the more has to lie on the place. 0 to 1.
+/// Share of what stands that lies on the place, less what speaks against it: what contradicts,
+/// walls that are missing, walls that stand beside. What was moved since contradicts a little even
+/// where the robot is: there the more has to lie on the place. 0 to 1.
 [[nodiscard]] double fit_of(const LoopCheck& check);
 
 /// Whether two poses have the robot at one place. At the robot: far from the origins a turn moves
@@ -42,6 +42,7 @@ struct PlaceChoice {
   std::optional<std::size_t> chosen;  ///< index
   double fit = 0.0;                   ///< of it
   bool several = false;               ///< one fits, and another nearly as well
+  bool alike = false;                 ///< two look alike, whatever else speaks against them
 };
 [[nodiscard]] PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
                                        const Eigen::Vector3d& robot_in_world,

@@ -124,5 +124,19 @@ TEST(LoopVerifier, AWallThatStandsFartherBackRefutes) {
   }
 }
 
+/// 0.15 m beside is near enough to lie on a wall, but not what lies on it where the place is right.
+TEST(LoopVerifier, WhatLiesFarOffItsWallsRefutes) {
+  const VerifiableSubmap place(corner(false));
+  LoopLimits limits;
+  limits.partial = true;
+  limits.contradicted = 1.0;
+  const VerifiableSubmap query(corner(false, 0.15F));
+  const LoopCheck check = check_places(place, query, {Pose{}}, limits);
+  EXPECT_EQ(check.verdict, LoopVerdict::taken);
+  limits.misfit = 0.9 * check.alignment.misfit;
+  EXPECT_EQ(check_places(place, query, {Pose{}}, limits).verdict, LoopVerdict::free_space);
+  EXPECT_EQ(check_places(place, place, {Pose{}}, limits).verdict, LoopVerdict::taken);
+}
+
 }  // namespace
 }  // namespace surefoot::mapping

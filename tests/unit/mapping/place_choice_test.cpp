@@ -23,23 +23,28 @@ PlaceChoice choice_of(const std::vector<AskedPlace>& places) {
   return choose_place(places, kRobot, {});
 }
 
-TEST(PlaceChoice, WhatContradictsIsPaidForTwice) {
+TEST(PlaceChoice, WhatSpeaksAgainstAPlaceIsPaidFor) {
   EXPECT_DOUBLE_EQ(fit_of(asked(0.0, 0.8, 0.05, LoopVerdict::taken).check), 0.7);
   EXPECT_EQ(fit_of(asked(0.0, 0.1, 0.2, LoopVerdict::taken).check), 0.0);
-  EXPECT_EQ(choice_of({asked(0.0, 0.81, 0.05, LoopVerdict::taken)}).chosen, 0U);
-  const AskedPlace other = asked(30.0, 0.64, 0.0, LoopVerdict::no_overlap);
-  EXPECT_EQ(choice_of({asked(0.0, 0.81, 0.05, LoopVerdict::taken), other}).chosen, 0U);
-  EXPECT_FALSE(choice_of({asked(0.0, 0.79, 0.05, LoopVerdict::taken), other}).chosen);
+  AskedPlace place = asked(0.0, 0.8, 0.0, LoopVerdict::taken);
+  place.check.missing = 0.04;
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.76);
+  place.check.beside = 0.1;
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.71);
+  place.check.missing = 0.5;
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.45) << "0.3 of it at most";
 }
 
 TEST(PlaceChoice, TheBestOfThoseThatPassedIsChosen) {
   const auto choice = choice_of({asked(50.0, 0.95, 0.0, LoopVerdict::no_overlap)});
   EXPECT_FALSE(choice.chosen);
   EXPECT_FALSE(choice.several);
-  EXPECT_EQ(choice_of({asked(0.0, 0.75, 0.0, LoopVerdict::taken),
-                       asked(0.1, 0.85, 0.0, LoopVerdict::taken)})
-                .chosen,
-            1U);
+  const auto best = choice_of(
+      {asked(0.0, 0.75, 0.0, LoopVerdict::taken), asked(0.1, 0.85, 0.0, LoopVerdict::taken)});
+  EXPECT_EQ(best.chosen, 1U);
+  EXPECT_EQ(best.fit, 0.85);
+  EXPECT_FALSE(choice_of({asked(0.0, 0.49, 0.0, LoopVerdict::taken)}).chosen);
+  EXPECT_TRUE(choice_of({asked(0.0, 0.51, 0.0, LoopVerdict::taken)}).chosen);
   AskedPlace slides = asked(0.0, 0.9, 0.0, LoopVerdict::taken);
   slides.check.alignment.held = 5;
   EXPECT_FALSE(choice_of({slides}).chosen);
@@ -49,29 +54,40 @@ TEST(PlaceChoice, NoneIsChosenWhereAnotherFitsNearlyAsWell) {
   const AskedPlace best = asked(0.0, 0.85, 0.0, LoopVerdict::taken);
   for (const LoopVerdict verdict :
        {LoopVerdict::taken, LoopVerdict::starts_disagree, LoopVerdict::free_space}) {
-    const PlaceChoice choice = choice_of({best, asked(30.0, 0.81, 0.0, verdict)});
+    const PlaceChoice choice = choice_of({best, asked(30.0, 0.76, 0.0, verdict)});
     EXPECT_FALSE(choice.chosen);
     EXPECT_TRUE(choice.several);
-    EXPECT_EQ(choice_of({best, asked(30.0, 0.79, 0.0, verdict)}).chosen, 0U);
+    EXPECT_EQ(choice_of({best, asked(30.0, 0.74, 0.0, verdict)}).chosen, 0U);
     EXPECT_EQ(choice_of({best, asked(30.0, 0.83, 0.05, verdict)}).chosen, 0U);
     EXPECT_EQ(choice_of({best, asked(0.2, 0.85, 0.0, verdict)}).chosen.has_value(), true);
   }
 }
 
-/// Between 0.05 at 0.7 and 0.2 at 0.6.
-TEST(PlaceChoice, TheLessAPlaceFitsTheFartherOthersHaveToBe) {
-  const auto chosen = [](double fit, double other) {
-    const PlaceChoice choice = choice_of({asked(0.0, fit, 0.0, LoopVerdict::taken),
-                                          asked(30.0, other, 0.0, LoopVerdict::no_overlap)});
-    EXPECT_FALSE(choice.several);
-    EXPECT_FALSE(choice.chosen && choice.fit != fit);
-    return choice.chosen.has_value();
-  };
-  EXPECT_TRUE(chosen(0.61, 0.42));
-  EXPECT_FALSE(chosen(0.61, 0.43));
-  EXPECT_TRUE(chosen(0.65, 0.52));
-  EXPECT_FALSE(chosen(0.65, 0.53));
-  EXPECT_FALSE(chosen(0.59, 0.0));
+/// Where walls are missing it is a street that is built like it.
+TEST(PlaceChoice, ATwinThatIsRefutedIsNoRival) {
+  const AskedPlace best = asked(0.0, 0.75, 0.0, LoopVerdict::taken);
+  AskedPlace twin = asked(30.0, 0.76, 0.0, LoopVerdict::free_space);
+  EXPECT_FALSE(choice_of({best, twin}).chosen);
+  twin.check.missing = 0.28;
+  EXPECT_EQ(choice_of({best, twin}).chosen, 0U);
+}
+
+/// Whatever speaks against one of them, unless it is large.
+TEST(PlaceChoice, TwoPlacesOnWhichNearlyAsMuchLiesAreAlike) {
+  const AskedPlace best = asked(0.0, 0.75, 0.0, LoopVerdict::taken);
+  AskedPlace twin = asked(30.0, 0.76, 0.0, LoopVerdict::free_space);
+  twin.check.missing = 0.18;
+  EXPECT_EQ(choice_of({best, twin}).chosen, 0U);
+  EXPECT_TRUE(choice_of({best, twin}).alike);
+  twin.check.missing = 0.22;
+  EXPECT_FALSE(choice_of({best, twin}).alike);
+  EXPECT_TRUE(choice_of({best, asked(30.0, 0.66, 0.0, LoopVerdict::taken)}).alike);
+  EXPECT_FALSE(choice_of({best, asked(30.0, 0.64, 0.0, LoopVerdict::taken)}).alike);
+  EXPECT_FALSE(choice_of({best, asked(0.2, 0.75, 0.0, LoopVerdict::taken)}).alike);
+  EXPECT_FALSE(choice_of({asked(0.0, 0.6, 0.0, LoopVerdict::taken),
+                          asked(30.0, 0.6, 0.0, LoopVerdict::taken)})
+                   .alike)
+      << "so little lies on many places";
 }
 
 TEST(PlaceChoice, ATurnCountsWhereTheRobotIs) {

@@ -181,17 +181,17 @@ TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
   const SceneWalk walk = test::walk_through("campus", 46, options);
   for (const double fit_standing : {0.0, 1.1}) {
     LocalizerOptions asked;
-    asked.fit_standing = fit_standing;
-    asked.agreeing_way = 6.0;
+    asked.agreement.fit_standing = fit_standing;
+    asked.agreement.way = 6.0;
     MapLocalizer localizer(map, asked);
     const double way = way_until_found(
         localizer, walk, [&](std::size_t i) { expect_right_or_not_found(localizer, walk, i); });
     EXPECT_TRUE(localizer.T_map_world()) << localizer.message();
-    EXPECT_EQ(way >= asked.agreeing_way, fit_standing > 1.0) << way;
+    EXPECT_EQ(way >= asked.agreement.way, fit_standing > 1.0) << way;
   }
 }
 
-/// Two places fit at first. That the other one is not named any more says little.
+/// Two places look alike at first. That the other one is not named any more says little.
 TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
   WalkOptions options;
   options.length = 60.0;
@@ -203,16 +203,34 @@ TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
   const SceneWalk walk = test::walk_through("street", 46, options);
   for (const double alike_way : {0.0, 6.0}) {
     LocalizerOptions asked;
-    asked.alike_way = alike_way;
+    asked.agreement.alike_way = alike_way;
     MapLocalizer localizer(map, asked);
-    bool alike = false;
-    const double way = way_until_found(localizer, walk, [&](std::size_t) {
-      alike = alike || localizer.message().find("several") != std::string::npos;
-    });
-    EXPECT_TRUE(alike);
+    const double way = way_until_found(
+        localizer, walk, [&](std::size_t i) { expect_right_or_not_found(localizer, walk, i); });
     EXPECT_TRUE(localizer.T_map_world()) << localizer.message();
     EXPECT_EQ(way >= 6.0, alike_way > 0.0) << way;
   }
+}
+
+/// Every search names a single place: that another one fitted before is not forgotten.
+TEST(LocalizerTest, WhatASearchNamesNoMoreIsAskedAgain) {
+  WalkOptions options;
+  options.length = 60.0;
+  const SavedMap map = saved_map_of(mapped(test::walk_through("street", 48, options)));
+  options.unknown_start = true;
+  options.from = 4.0;
+  options.length = 14.0;
+  options.things = 99;
+  const SceneWalk walk = test::walk_through("street", 48, options);
+  LocalizerOptions asked;
+  asked.candidates = 1;
+  MapLocalizer localizer(map, asked);
+  bool several = false;
+  way_until_found(localizer, walk, [&](std::size_t i) {
+    expect_right_or_not_found(localizer, walk, i);
+    several = several || localizer.message().find("several") != std::string::npos;
+  });
+  EXPECT_TRUE(several);
 }
 
 TEST(LocalizerTest, AnotherSceneIsNotFound) {
