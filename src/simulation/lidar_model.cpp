@@ -164,6 +164,13 @@ LidarModel hesai_xt16_model() {
   return model;
 }
 
+/// In the mode of 2048 columns a turn, of the same period.
+LidarModel with_2048_columns(LidarModel model) {
+  model.name += "-2048";
+  model.sequence_ns = model.turn_ns / 2048;
+  return model;
+}
+
 /// Rings by elevation, 0 the lowest.
 LidarModel with_rings(LidarModel model) {
   for (Laser& laser : model.lasers) {
@@ -177,8 +184,8 @@ LidarModel with_rings(LidarModel model) {
 }  // namespace
 
 const std::vector<std::string>& lidar_names() {
-  static const std::vector<std::string> names = {"vlp16", "vlp32", "os1-64", "os1-128",
-                                                 "hesai-xt16"};
+  static const std::vector<std::string> names = {
+      "vlp16", "vlp32", "os1-64", "os1-64-2048", "os1-128", "os1-128-2048", "hesai-xt16"};
   return names;
 }
 
@@ -187,6 +194,8 @@ LidarModel lidar_model(const std::string& name) {
   if (name == "vlp32") return with_rings(vlp32_model());
   if (name == "os1-64") return with_rings(os1_64_model());
   if (name == "os1-128") return with_rings(os1_128_model());
+  if (name == "os1-64-2048") return with_rings(with_2048_columns(os1_64_model()));
+  if (name == "os1-128-2048") return with_rings(with_2048_columns(os1_128_model()));
   if (name == "hesai-xt16") return with_rings(hesai_xt16_model());
   std::string known;
   for (const std::string& other : lidar_names()) known += (known.empty() ? "" : ", ") + other;

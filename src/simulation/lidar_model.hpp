@@ -39,7 +39,8 @@ struct LidarModel {
   double pulse_length = 0.0;  ///< two surfaces nearer than this blend into one return [m]
 };
 
-/// Names: vlp16, vlp32, os1-64, os1-128, hesai-xt16.
+/// Names: vlp16, vlp32, os1-64 and os1-128 (1024 columns a turn, with -2048 behind them as many),
+/// hesai-xt16.
 [[nodiscard]] const std::vector<std::string>& lidar_names();
 /// @throws std::invalid_argument that names the models there are.
 [[nodiscard]] LidarModel lidar_model(const std::string& name);

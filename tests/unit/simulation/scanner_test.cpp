@@ -96,6 +96,10 @@ TEST(LidarModelTest, LasersAreTheMakersToTheDigit) {
 
 TEST(LidarModelTest, OthersKeepToTheirPeriodsAndUnknownNamesAreRefused) {
   EXPECT_DOUBLE_EQ(lidar_model("os1-64").sequence_ns * 1024.0, 1e8);
+  EXPECT_DOUBLE_EQ(lidar_model("os1-64-2048").sequence_ns * 2048.0, 1e8);
+  EXPECT_EQ(lidar_model("os1-64-2048").lasers.size(), 64U);
+  EXPECT_DOUBLE_EQ(lidar_model("os1-128-2048").sequence_ns * 2048.0, 1e8);
+  EXPECT_EQ(lidar_model("os1-128-2048").lasers.size(), 128U);
   EXPECT_DOUBLE_EQ(lidar_model("hesai-xt16").sequence_ns * 2000.0, 1e8);
   for (const std::string& name : lidar_names()) {
     const LidarModel model = lidar_model(name);
