@@ -107,7 +107,13 @@ bool has_settled(bool converged, int settling, bool slides) {
   return converged && (settling <= kSoon || slides);
 }
 
+Evidence after_gap(Evidence evidence) {
+  evidence.unseen = std::max(evidence.unseen - evidence.gap, 0.0);
+  return evidence;
+}
+
 Evidence evidence_where_lost(Evidence evidence, bool slides, bool large) {
+  if (!large) evidence = after_gap(evidence);
   evidence.gap = 0.0;
   if (!slides && !large) evidence.uncertainty = 0.0;
   return evidence;

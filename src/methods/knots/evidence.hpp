@@ -74,6 +74,10 @@ inline constexpr double kClearlyBetter = 1.15;
 /// direction is named.
 [[nodiscard]] bool has_settled(bool converged, int settling, bool slides);
 
+/// What speaks against a registration some time after the last one. What is new to the map comes
+/// with the way: n times as much after n periods.
+[[nodiscard]] Evidence after_gap(Evidence evidence);
+
 /// What speaks against a registration of one who is lost. That he was lost is known. How well the
 /// scan holds the position tells nothing of which place it is; but where it may slide, or where the
 /// region to look in is large, only what is held well is believed: there are places that look

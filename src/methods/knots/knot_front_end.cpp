@@ -112,10 +112,26 @@ bool KnotFrontEnd::is_lost(double objection, double of_all) const {
   return of_all > most || (agreed_ < kAgree && most < 1.0 && objection > kVerdictBase);
 }
 
-/// A scan from where the last one ended.
+/// A scan from where the last one ended; after a hole, from where it would be had it walked
+/// straight on, unless it fits clearly better where it was. Of equal bays none fits better than the
+/// next.
 KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned) {
-  return register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
+  Registered here = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
+  if (!is_after_hole(scan) || region_walked(scan.end_ns).large()) return here;
+  const SearchRegion ahead = straight_on(scan.start_ns);
+  const Twist going = model_.mean(ahead.centre.rotation);
+  const auto chosen = choice_.choose(scan, thinned, session_.workers);
+  std::optional<Registered> there = register_at(ahead.centre, going, scan, chosen);
+  const bool clear =
+      !there || !there->estimate.trusted() ||
+      (here.estimate.trusted() && kClearlyBetter * disagreement_of(here) < disagreement_of(*there));
+  return clear ? std::move(here) : std::move(*there);
+}
+
+/// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.
+bool KnotFrontEnd::is_after_hole(const PreparedScan& scan) const {
+  return since_trusted(scan.start_ns) > config_.motion_prior.max_extrapolation;
 }
 
 /// A scan from where it is taken to begin, and what is known of the pose by itself.
@@ -140,6 +156,7 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   let_drift(registered);
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
+  way_.add(last_pose_->pose);
   unstamped_ = 0.0;
   return publish(trajectory, std::move(registered.estimate));
 }
@@ -168,9 +185,13 @@ double KnotFrontEnd::since_trusted(std::int64_t instant_ns) const {
   return seconds(instant_ns - last_pose_->stamp_ns) + unstamped_;
 }
 
-/// What speaks against a registration; returns how probably this scan went wrong.
-double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
-                           Registered& registered) const {
+/// [m/s]
+double KnotFrontEnd::mean_speed() const {
+  return model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
+}
+
+/// What speaks against a registration.
+void KnotFrontEnd::judge(const PreparedScan& scan, const View& view, Registered& registered) const {
   const KnotRegistration& found = registered.found;
   const bool slides = !registered.estimate.degenerate.empty();
   const bool settled = has_settled(found.converged, found.settling, slides);
@@ -180,17 +201,17 @@ double KnotFrontEnd::judge(const PreparedScan& scan, const View& view,
   evidence.uncertainty = strength(registered.deviation / kKnown);
   const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
   evidence.gap = strength(since_trusted(mid_ns) / kUsualPeriod);
-  const double speed = model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
-  evidence.frozen = seen_again_ ? std::min(speed / kWalks, 1.0) : 0.0;
-  return hazard(evidence);
+  evidence.frozen = seen_again_ ? std::min(mean_speed() / kWalks, 1.0) : 0.0;
 }
 
-/// Likewise, and where that leaves doubt, whether another place fits better.
+/// How probably a scan went wrong; where what speaks against it leaves doubt, whether another place
+/// fits better is asked, too.
 double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                                const View& view, Registered& registered) const {
-  const double alone = judge(scan, view, registered);
-  if (!is_doubtful(alone)) return alone;
+  judge(scan, view, registered);
   Estimate& estimate = registered.estimate;
+  const double alone = hazard(estimate.evidence);
+  if (!is_doubtful(alone)) return alone;
   estimate.evidence.rival = rival_of(scan, thinned, registered);
   // Along a weak direction the scan fits everywhere; that it is weak is told.
   if (!estimate.degenerate.empty()) return hazard(estimate.evidence);
@@ -266,7 +287,7 @@ Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uin
                        std::to_string(config_.knots.lost_probability);
     estimate.degenerate.clear();
   }
-  if (wrong || lost_in_a_row_ > config_.health.restart_after) {
+  if (wrong || is_after_hole(scan) || lost_in_a_row_ > config_.health.restart_after) {
     if (config_.knots.search_scans == 0) return begin_map(scan, thinned);
     search_ = PoseSearch{};
   }
@@ -329,6 +350,7 @@ View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_
 
 void KnotFrontEnd::integrate(View view) {
   map_.remove_far(view.sensor);
+  way_.remove_far(view.sensor, config_.map.radius);
   emptied_ = map_.insert(view, session_.workers);
   views_.add(std::move(view));
 }

@@ -14,6 +14,7 @@
 #include "methods/knots/knot_search.hpp"
 #include "methods/knots/surfel_map.hpp"
 #include "methods/knots/velocity_model.hpp"
+#include "methods/knots/walked_way.hpp"
 
 namespace surefoot {
 
@@ -66,6 +67,7 @@ class KnotFrontEnd : public FrontEnd {
   struct PoseSearch {
     int scans = 0;
     std::optional<KnotEnd> found;  // where it may be: to be confirmed
+    bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
   };
 
@@ -78,21 +80,26 @@ class KnotFrontEnd : public FrontEnd {
                                          const std::vector<std::uint32_t>& thinned,
                                          const KnotEnd& begin);
   void conclude(const PreparedScan& scan, std::size_t points, Registered& registered) const;
-  [[nodiscard]] double judge(const PreparedScan& scan, const View& view,
-                             Registered& registered) const;
+  void judge(const PreparedScan& scan, const View& view, Registered& registered) const;
   [[nodiscard]] double hazard_of(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned, const View& view,
                                  Registered& registered) const;
   [[nodiscard]] double objection_of(const Estimate& estimate, double hazard_now) const;
   [[nodiscard]] bool is_lost(double objection, double of_all) const;
   [[nodiscard]] double since_trusted(std::int64_t instant_ns) const;
+  [[nodiscard]] bool is_after_hole(const PreparedScan& scan) const;
+  [[nodiscard]] double mean_speed() const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                 Registered registered);
   /// Whether the scan can tell where it was taken: it was not seen before, and is not reversed.
   [[nodiscard]] bool can_be_placed() const { return !seen_again_ && !reversed_; }
   Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] SearchRegion region_about(std::int64_t instant_ns) const;
+  [[nodiscard]] SearchRegion region_within(double speed, std::int64_t instant_ns) const;
+  [[nodiscard]] SearchRegion region_walked(std::int64_t instant_ns) const;
+  [[nodiscard]] SearchRegion region_carried(std::int64_t instant_ns) const;
+  [[nodiscard]] SearchRegion straight_on(std::int64_t instant_ns) const;
+  [[nodiscard]] std::optional<SearchRegion> region_of_turn(std::int64_t instant_ns) const;
   [[nodiscard]] std::vector<PlaceFit> places_in(const PreparedScan& scan,
                                                 const std::vector<std::uint32_t>& chosen,
                                                 const SearchRegion& region) const;
@@ -100,7 +107,8 @@ class KnotFrontEnd : public FrontEnd {
       const Pose& place, const Twist& velocity, const PreparedScan& scan,
       const std::vector<std::uint32_t>& chosen) const;
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
-                                                     const std::vector<std::uint32_t>& thinned);
+                                                     const std::vector<std::uint32_t>& thinned,
+                                                     const SearchRegion& region);
   [[nodiscard]] double disagreement_of(const Registered& registered) const;
   [[nodiscard]] std::optional<Estimate> go_on(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& thinned);
@@ -134,6 +142,7 @@ class KnotFrontEnd : public FrontEnd {
 
   // Everything that outlives a scan.
   SurfelMap map_;
+  WalkedWay way_;  // within its reach
   VelocityModel model_;
   PointChoice map_choice_;
   PointChoice choice_;

@@ -16,16 +16,18 @@ namespace surefoot {
 
 namespace {
 
-// The region grows from so far [m, rad] by so much a second, up to so far.
-constexpr double kReach = 1.0, kReachSpeed = 4.0, kMostReach = 20.0;
+// The region grows from so far [m, rad], up to so far, by the speed [m/s] of who is carried, or by
+// so many times the mean speed of who walks on, and at least so much; it turns by so much a second.
+constexpr double kReach = 1.0, kMostReach = 25.0, kCarried = 5.0, kHurries = 1.25, kSlowest = 0.5;
 constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
+constexpr double kAhead = 1.5, kAheadTurn = 0.4;  // of who walked straight on
 
-// Another place than the registration's is looked for as if so much more time had passed: who was
-// carried, or turned by hand, went faster than it walks.
+// Another place than the registration's is looked for so much farther away [m]: who was carried, or
+// turned by hand, went faster than it walks.
+constexpr double kLeeway = 2.0;
 constexpr std::int64_t kLeewayNs = 500'000'000;
 
 // A large region is gone through at every so many-th scan.
-constexpr double kLarge = 6.0;  // [m]
 constexpr int kSeldom = 5;
 
 constexpr std::size_t kPoints = 150;  // to look with, coarsely
@@ -56,24 +58,52 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
   return points;
 }
 
-/// How probably a registration in the region is wrong.
-double hazard_in(const SearchRegion& region, Estimate& estimate) {
+/// How probably a registration of who is lost is wrong. `far`: it was looked for in a large region.
+double hazard_where_lost(bool far, Estimate& estimate) {
   const auto slides = [](const DegenerateDirection& weak) {
     return weak.name != "roll" && weak.name != "pitch";
   };
   const bool any = std::any_of(estimate.degenerate.begin(), estimate.degenerate.end(), slides);
-  estimate.evidence = evidence_where_lost(estimate.evidence, any, region.radius > kLarge);
+  estimate.evidence = evidence_where_lost(estimate.evidence, any, far);
   return hazard(estimate.evidence);
 }
 
 }  // namespace
 
-/// Where it may be, the longer after the last trusted scan the farther from it.
-SearchRegion KnotFrontEnd::region_about(std::int64_t instant_ns) const {
-  const double since = since_trusted(instant_ns);
+/// Where one may be who goes so fast, the longer after the last trusted scan the farther from it.
+SearchRegion KnotFrontEnd::region_within(double speed, std::int64_t instant_ns) const {
+  const double since = std::max(since_trusted(instant_ns), 0.0);
   // [K30]
-  return {end_.prior.means[1], std::min(kReach + kReachSpeed * since, kMostReach),
+  return {end_.prior.means[1], std::min(kReach + speed * since, kMostReach),
           std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
+}
+
+/// Where it may be if it went on as it walked.
+SearchRegion KnotFrontEnd::region_walked(std::int64_t instant_ns) const {
+  return region_within(std::max(kHurries * mean_speed(), kSlowest), instant_ns);
+}
+
+/// Where it may be if it was carried.
+SearchRegion KnotFrontEnd::region_carried(std::int64_t instant_ns) const {
+  return region_within(kCarried, instant_ns);
+}
+
+/// About where it would be had it walked straight on.
+SearchRegion KnotFrontEnd::straight_on(std::int64_t instant_ns) const {
+  const Pose& last = end_.prior.means[1];
+  const Eigen::Vector3d way = since_trusted(instant_ns) * model_.mean(last.rotation).head<3>();
+  const double heading = roll_pitch_yaw(last.rotation).z();
+  return {way_.stand_at((last.translation + way).head<2>(), heading), kAhead, kAheadTurn};
+}
+
+/// Where a lost one is looked for by the scan whose turn it is; nowhere by some of those for which
+/// it would be far.
+std::optional<SearchRegion> KnotFrontEnd::region_of_turn(std::int64_t instant_ns) const {
+  const SearchRegion carried = region_carried(instant_ns), walked = region_walked(instant_ns);
+  const int turn = search_->scans % kSeldom;
+  if (!carried.large() || turn == kSeldom - 1) return carried;
+  if (!walked.large() || turn == 0) return walked;
+  return std::nullopt;
 }
 
 /// The places of a region that a scan fits best, coarsely: best first.
@@ -81,11 +111,12 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& chosen,
                                               const SearchRegion& region) const {
   session_.begin_step(Step::search);
-  return search_places(map_, some_of(scan, chosen), region, kPlaces, session_.workers);
+  return search_places(map_, some_of(scan, chosen), region, way_, kPlaces, session_.workers);
 }
 
 /// A scan registered where a coarse look told that it may be, at first by one velocity; none if
-/// that is not solved.
+/// that is not solved. From so far away it takes its time: whether it settles is told by a second
+/// one, from where the first ended.
 std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
     const Pose& place, const Twist& velocity, const PreparedScan& scan,
     const std::vector<std::uint32_t>& chosen) const {
@@ -93,9 +124,12 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
   Registered here{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
   here.predicted = here.predicted.at_velocity(velocity);
   KnotPoints points = sort_points(scan, chosen, here.predicted);
-  here.found =
-      register_knots(points, problem(begin), here.predicted, usual_annealing(config_.knots));
-  if (!here.found.solved) return std::nullopt;
+  here.found.window = here.predicted;
+  for (int time = 0; time < 2 && !here.found.converged; ++time) {
+    here.found =
+        register_knots(points, problem(begin), here.found.window, usual_annealing(config_.knots));
+    if (!here.found.solved) return std::nullopt;
+  }
   conclude(scan, points.points.size(), here);
   return here;
 }
@@ -110,7 +144,9 @@ double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::u
                               const Registered& registered) const {
   PointChoice choice = choice_;  // what is asked here must not change the next scan
   const auto chosen = choice.choose(scan, thinned, session_.workers);
-  const auto places = places_in(scan, chosen, region_about(scan.end_ns + kLeewayNs));
+  SearchRegion region = region_walked(scan.end_ns + kLeewayNs);
+  region.radius += kLeeway;
+  const auto places = places_in(scan, chosen, region);
   const Pose here = registered.trajectory.at(0.5);
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
   const std::optional<Registered> other = register_at(places[0].pose, Twist::Zero(), scan, chosen);
@@ -121,12 +157,14 @@ double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::u
 
 /// The place of the region that fits best, if there is one that fits clearly best.
 std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
-    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
-  const SearchRegion region = region_about(scan.end_ns);
-  if (region.radius > kLarge && search_->scans % kSeldom != 0) return std::nullopt;
+    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+    const SearchRegion& region) {
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
   std::vector<Registered> found;
-  for (const PlaceFit& place : places_in(scan, chosen, region)) {
+  std::vector<PlaceFit> places = places_in(scan, chosen, region);
+  const auto ahead = places_in(scan, chosen, straight_on(scan.start_ns));
+  if (!ahead.empty()) places.push_back(ahead.front());
+  for (const PlaceFit& place : places) {
     // Whoever was carried stands; whoever lost himself in a turn still goes.
     const Twist going = model_.mean(place.pose.rotation);
     for (const Twist& velocity : {Twist(Twist::Zero()), going}) {
@@ -149,13 +187,12 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
 /// garbage is no reason to look elsewhere.
 std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
                                             const std::vector<std::uint32_t>& thinned) {
-  const double since = since_trusted(scan.start_ns);
-  if (!can_be_placed() || since > config_.motion_prior.max_extrapolation) return std::nullopt;
+  if (!can_be_placed() || is_after_hole(scan)) return std::nullopt;
   Registered next = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
   if (!next.estimate.trusted()) return std::nullopt;
   View view = look(scan, thinned, next.trajectory);
-  (void)judge(scan, view, next);
-  const double hazard_now = hazard_in(region_about(scan.end_ns), next.estimate);
+  judge(scan, view, next);
+  const double hazard_now = hazard_where_lost(false, next.estimate);
   if (is_doubtful(hazard_now / kStraightOn)) return std::nullopt;
   search_.reset();
   forget_verdicts();
@@ -172,17 +209,18 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   std::optional<Registered> best;
   if (confirms) {
     best = register_scan(scan, thinned, beginning_of(scan, *search_->found, model_, config_));
-  } else if (can_be_placed()) {
-    best = find_place(scan, thinned);
+  } else if (const auto region = region_of_turn(scan.end_ns); region && can_be_placed()) {
+    best = find_place(scan, thinned, *region);
+    search_->far = region->large();
   }
   ++search_->scans;
   bool right = false;
   if (best && best->estimate.trusted() && can_be_placed()) {
     View view = look(scan, thinned, best->trajectory);
-    (void)judge(scan, view, *best);
+    judge(scan, view, *best);
     if (!confirms) best->estimate.evidence.motion = 0.0;
     const double hazard_now = best->estimate.wrong_probability =
-        hazard_in(region_about(scan.end_ns), best->estimate);
+        hazard_where_lost(search_->far, best->estimate);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     if (right && search_->agreed + 1 >= kAgree) {
       search_.reset();

@@ -71,25 +71,46 @@ double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, 
   return sum / std::max(asked, 1);
 }
 
-Pose moved(const Pose& pose, double x, double y, double turn) {
-  const Eigen::AngleAxisd yaw(turn, Eigen::Vector3d::UnitZ());
-  return {(Eigen::Quaterniond(yaw) * pose.rotation).normalized(),
-          pose.translation + Eigen::Vector3d(x, y, 0.0)};
+double heading(const Pose& pose) { return roll_pitch_yaw(pose.rotation).z(); }
+
+Pose turned(const Pose& pose, double turn) {
+  const Eigen::AngleAxisd by(turn, Eigen::Vector3d::UnitZ());
+  return {(pose.rotation * by).normalized(), pose.translation};
 }
 
-std::vector<PlaceFit> grid_of(const SearchRegion& region, const Grain& grain) {
+/// On the ground of the way.
+std::vector<PlaceFit> places_of(const SearchRegion& region, const Grain& grain,
+                                const WalkedWay& way) {
   std::vector<PlaceFit> places;
   const int reach = static_cast<int>(region.radius / grain.step);
   const int turns = static_cast<int>(std::min(region.turn, std::numbers::pi) / grain.turn);
+  const double yaw = heading(region.centre);
   for (int x = -reach; x <= reach; ++x) {
     for (int y = -reach; y <= reach; ++y) {
-      if (std::sqrt(x * x + y * y) * grain.step > region.radius) continue;
+      const Eigen::Vector2d aside = grain.step * Eigen::Vector2d(x, y);
+      if (aside.norm() > region.radius) continue;
+      const Pose stand = way.stand_at(region.centre.translation.head<2>() + aside, yaw);
       for (int turn = -turns; turn <= turns; ++turn) {
-        places.push_back({moved(region.centre, x * grain.step, y * grain.step, turn * grain.turn)});
+        places.push_back({turned(stand, turn * grain.turn)});
       }
     }
   }
   return places;
+}
+
+/// About one of those before, and higher and lower: ground is not even.
+void add_places_about(const Pose& pose, const Grain& grain, std::vector<PlaceFit>& places) {
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int rise = -2; rise <= 2; ++rise) {
+        for (int turn = -1; turn <= 1; ++turn) {
+          Pose place = turned(pose, turn * grain.turn);
+          place.translation += grain.step * Eigen::Vector3d(x, y, rise);
+          places.push_back({place});
+        }
+      }
+    }
+  }
 }
 
 bool better(const PlaceFit& a, const PlaceFit& b) { return a.fit > b.fit; }
@@ -117,10 +138,10 @@ bool same_place(const Pose& a, const Pose& b) {
 
 std::vector<PlaceFit> search_places(const SurfelMap& map,
                                     const std::vector<Eigen::Vector3d>& points,
-                                    const SearchRegion& region, std::size_t most,
-                                    const Workers& workers) {
+                                    const SearchRegion& region, const WalkedWay& way,
+                                    std::size_t most, const Workers& workers) {
   Grain grain{kStep, kTurnStep, kScale};
-  std::vector<PlaceFit> places = grid_of(region, grain);
+  std::vector<PlaceFit> places = places_of(region, grain, way);
   const auto weigh = [&](std::size_t stride) {
     workers.for_each(places.size(), [&](std::size_t i) {
       places[i].fit = fit_of(map, points, stride, places[i].pose, grain);
@@ -135,11 +156,7 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
     const std::vector<PlaceFit> coarse = best_apart(std::move(places), kRefined);
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
-    for (const PlaceFit& place : coarse) {
-      const std::vector<PlaceFit> about =
-          grid_of({place.pose, 1.5 * grain.step, 1.5 * grain.turn}, grain);
-      places.insert(places.end(), about.begin(), about.end());
-    }
+    for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, places);
     weigh(2);
   }
   return best_apart(std::move(places), most);

@@ -9,17 +9,20 @@
 
 #include "core/parallel.hpp"
 #include "methods/knots/surfel_map.hpp"
+#include "methods/knots/walked_way.hpp"
 #include "surefoot/config.hpp"
 #include "surefoot/pose.hpp"
 
 namespace surefoot {
 
-/// Where to look: about a pose, so far away in the plane [m] and turned by so much [rad] about the
-/// vertical.
+/// Where to look: about a pose, so far away in the plane [m] and turned by so much [rad].
 struct SearchRegion {
   Pose centre;
   double radius = 0.0;
   double turn = 0.0;
+
+  /// Whether it may well hold places that look alike.
+  [[nodiscard]] bool large() const { return radius > 6.0; }
 };
 
 /// How well a scan fits a map, seen coarsely.
@@ -31,11 +34,11 @@ struct PlaceFit {
 /// Whether two poses are near enough to each other for a registration to go from one to the other.
 [[nodiscard]] bool same_place(const Pose& a, const Pose& b);
 
-/// The poses of a region where some of a scan's points [m, LiDAR frame], as one rigid body, fit
-/// best: best first, no two near each other, `most` at most.
+/// The poses of a region, on the ground of a way, where some of a scan's points [m, LiDAR frame],
+/// as one rigid body, fit best: best first, no two near each other, `most` at most.
 [[nodiscard]] std::vector<PlaceFit> search_places(const SurfelMap& map,
                                                   const std::vector<Eigen::Vector3d>& points,
-                                                  const SearchRegion& region, std::size_t most,
-                                                  const Workers& workers);
+                                                  const SearchRegion& region, const WalkedWay& way,
+                                                  std::size_t most, const Workers& workers);
 
 }  // namespace surefoot

@@ -128,6 +128,18 @@ TEST(Evidence, WhatTakesLongHasNotSettledUnlessItSlides) {
   EXPECT_FALSE(has_settled(false, 100, true));
 }
 
+TEST(Evidence, WhatIsNewToTheMapComesWithTheWay) {
+  Evidence evidence;
+  evidence.unseen = 2.0;
+  evidence.gap = std::log(3.0);
+  EXPECT_NEAR(after_gap(evidence).unseen, 2.0 - std::log(3.0), 1e-6) << "a third a period";
+  EXPECT_EQ(after_gap(evidence).gap, evidence.gap);
+  evidence.gap = 3.0;
+  EXPECT_EQ(after_gap(evidence).unseen, 0.0);
+  EXPECT_EQ(evidence_where_lost(evidence, false, false).unseen, 0.0);
+  EXPECT_EQ(evidence_where_lost(evidence, false, true).unseen, 2.0) << "it was carried";
+}
+
 // Of one who is lost: a wide covariance speaks against a place where others look like it.
 TEST(Evidence, OfWhoIsLost) {
   Evidence evidence;

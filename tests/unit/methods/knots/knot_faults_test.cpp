@@ -124,6 +124,19 @@ TEST(KnotFaults, CarriedItFindsItselfAgainInItsMap) {
   }
 }
 
+// 4.5 m on, farther than any registration may move a scan: it is looked for at once.
+TEST(KnotFaults, WhoWalkedOnUnseenIsFoundAtOnce) {
+  const MotionFunction motion =
+      constant_velocity(kFaultStart, (Twist() << 1.5, 0, 0, 0, 0, 0).finished());
+  std::vector<Scan> scans = take_scans(furnished_hall(), motion, 56);
+  scans.erase(scans.begin() + kEvent, scans.begin() + kEvent + 30);
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  EXPECT_TRUE(all[kEvent + 3].trusted()) << statuses(all);
+  EXPECT_EQ(all.back().segment, 0);
+  EXPECT_LT(end_error(all, all.back(), motion), 0.15) << statuses(all);
+}
+
 TEST(KnotFaults, AGarbageFirstScanIsDropped) {
   std::vector<Scan> scans = walk_scans();
   make_garbage(scans.front());

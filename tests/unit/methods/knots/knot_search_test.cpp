@@ -33,6 +33,13 @@ SurfelMap map_of_the_hall() {
   return map;
 }
 
+/// A way that has been where the map was made.
+WalkedWay level_way() {
+  WalkedWay way;
+  way.add(kMapped);
+  return way;
+}
+
 std::vector<Eigen::Vector3d> thinned(const std::vector<Eigen::Vector3d>& points) {
   std::vector<Eigen::Vector3d> some;
   for (std::size_t i = 0; i < points.size(); i += points.size() / 150) some.push_back(points[i]);
@@ -45,7 +52,7 @@ TEST(KnotSearch, FindsWhereAScanWasTaken) {
   const SearchRegion region{kMapped, 4.0, 1.5};
   for (const int threads : {1, 2}) {
     const auto places =
-        search_places(map, thinned(points_from(truth)), region, 4, Workers(threads));
+        search_places(map, thinned(points_from(truth)), region, level_way(), 4, Workers(threads));
     ASSERT_FALSE(places.empty());
     EXPECT_TRUE(same_place(places.front().pose, truth))
         << places.front().pose.translation.transpose() << ", fit " << places.front().fit;
@@ -56,11 +63,27 @@ TEST(KnotSearch, FindsWhereAScanWasTaken) {
   }
 }
 
+// Who was carried up a slope stands higher, and tilted.
+TEST(KnotSearch, FindsWhoStandsOnAnotherSlope) {
+  const SurfelMap map = map_of_the_hall();
+  const Pose truth{so3_exp({0.0, -0.15, 0.0}), {-2.3, 0.3, 1.3}};
+  WalkedWay up_there = level_way();
+  up_there.add({truth.rotation, {-2.0, 0.5, 0.9}});
+  const SearchRegion region{kMapped, 4.0, 0.5};
+  const auto points = thinned(points_from(truth));
+  const auto places = search_places(map, points, region, up_there, 4, Workers(1));
+  ASSERT_FALSE(places.empty());
+  EXPECT_TRUE(same_place(places.front().pose, truth))
+      << places.front().pose.translation.transpose();
+  // How much higher, and tilted, is what the way told: walls alone do not tell it.
+  EXPECT_NEAR(places.front().pose.translation.z(), 1.0, 0.6);
+}
+
 TEST(KnotSearch, LooksNoFartherThanItsRegion) {
   const SurfelMap map = map_of_the_hall();
   const Pose truth{so3_exp({0.0, 0.0, 0.7}), {-2.3, -0.4, 0.45}};
-  const auto places =
-      search_places(map, thinned(points_from(truth)), {kMapped, 1.0, 0.2}, 4, Workers(1));
+  const auto places = search_places(map, thinned(points_from(truth)), {kMapped, 1.0, 0.2},
+                                    level_way(), 4, Workers(1));
   for (const PlaceFit& place : places) {
     EXPECT_LT((place.pose.translation - kMapped.translation).norm(), 2.5);
     EXPECT_LT(place.pose.rotation.angularDistance(kMapped.rotation), 0.5);
@@ -72,8 +95,8 @@ TEST(KnotSearch, ItsRegionIsRound) {
   const Pose truth{Eigen::Quaterniond::Identity(), {-2.0, 0.0, 0.45}};
   Pose centre = truth;
   centre.translation += Eigen::Vector3d(-3.8, -3.8, 0.0);
-  const auto places =
-      search_places(map, thinned(points_from(truth)), {centre, 4.0, 0.2}, 4, Workers(1));
+  const auto places = search_places(map, thinned(points_from(truth)), {centre, 4.0, 0.2},
+                                    level_way(), 4, Workers(1));
   for (const PlaceFit& place : places) EXPECT_FALSE(same_place(place.pose, truth));
 }
 
@@ -81,7 +104,8 @@ TEST(KnotSearch, PointsOfNowhereFitNowhere) {
   const SurfelMap map = map_of_the_hall();
   std::vector<Eigen::Vector3d> far = thinned(points_from(kMapped));
   for (Eigen::Vector3d& point : far) point *= 50.0;
-  for (const PlaceFit& place : search_places(map, far, {kMapped, 2.0, 0.3}, 4, Workers(1))) {
+  for (const PlaceFit& place :
+       search_places(map, far, {kMapped, 2.0, 0.3}, level_way(), 4, Workers(1))) {
     EXPECT_LT(place.fit, 0.05);
   }
 }

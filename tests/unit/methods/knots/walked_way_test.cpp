@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "methods/knots/walked_way.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/so3.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr double kSlope = 0.3;  // [rad]
+
+/// Up a slope along x, on which the robot sways.
+Pose on_slope(double x, int scan) {
+  const Eigen::Vector3d sway(0.06 * (scan % 2 == 0 ? 1.0 : -1.0), -kSlope, 0.0);
+  return {so3_exp(sway), {x, 0.0, 0.45 + x * std::tan(kSlope)}};
+}
+
+WalkedWay way_up_the_slope() {
+  WalkedWay way;
+  for (int scan = 0; scan < 200; ++scan) way.add(on_slope(0.1 * scan, scan));
+  return way;
+}
+
+TEST(WalkedWay, WhoIsPutDownBesideItStandsOnItsGround) {
+  const WalkedWay way = way_up_the_slope();
+  for (const double yaw : {0.0, 1.0, -2.5}) {
+    const Pose pose = way.stand_at({12.4, 3.0}, yaw);
+    EXPECT_NEAR(pose.translation.x(), 12.4, 1e-12);
+    EXPECT_NEAR(pose.translation.y(), 3.0, 1e-12);
+    EXPECT_NEAR(pose.translation.z(), 0.45 + 12.4 * std::tan(kSlope), 0.15);
+    const Eigen::Vector3d up = pose.rotation * Eigen::Vector3d::UnitZ();
+    EXPECT_NEAR(up.x(), -std::sin(kSlope), 0.02);
+    EXPECT_NEAR(up.y(), 0.0, 0.03) << "the sway is averaged away";
+    const Eigen::Vector3d ahead = pose.rotation * Eigen::Vector3d::UnitX();
+    EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), yaw, 0.06);
+  }
+}
+
+TEST(WalkedWay, BeyondItsEndTheGroundGoesOn) {
+  const Pose pose = way_up_the_slope().stand_at({22.0, 0.0}, 0.0);
+  EXPECT_NEAR(pose.translation.z(), 0.45 + 22.0 * std::tan(kSlope), 0.15);
+}
+
+TEST(WalkedWay, ForgetsWhatIsFar) {
+  WalkedWay way = way_up_the_slope();
+  way.remove_far({0.0, 0.0, 0.0}, 5.0);
+  // Of what is left the last stands 4 m up the way; from there the plane goes on.
+  EXPECT_NEAR(way.stand_at({4.0, 0.0}, 0.0).translation.z(), 0.45 + 4.0 * std::tan(kSlope), 0.1);
+  way.clear();
+  way.add({Eigen::Quaterniond::Identity(), {1.0, 2.0, 7.0}});
+  EXPECT_EQ(way.stand_at({100.0, 50.0}, 0.0).translation, Eigen::Vector3d(100.0, 50.0, 7.0));
+}
+
+TEST(WalkedWay, OfTwoStoreysItIsTheNearestInThePlane) {
+  WalkedWay way;
+  way.add({Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.4}});
+  way.add({Eigen::Quaterniond::Identity(), {4.0, 0.0, 3.4}});
+  EXPECT_EQ(way.stand_at({1.5, 0.0}, 0.0).translation.z(), 0.4);
+  EXPECT_EQ(way.stand_at({2.5, 0.0}, 0.0).translation.z(), 3.4);
+}
+
+}  // namespace
+}  // namespace surefoot
