@@ -28,9 +28,7 @@ struct Pair {
 
 MotionError error_between(const Pair& from, const Pair& to) {
   if (from.place != to.place) return {1e3, 180.0};
-  const Pose off =
-      (from.truth.inverse() * to.truth).inverse() * (from.estimate.inverse() * to.estimate);
-  return {off.translation.norm(), so3_log(off.rotation).norm() * 180.0 / std::numbers::pi};
+  return motion_error(from.estimate.inverse() * to.estimate, from.truth.inverse() * to.truth);
 }
 
 /// A pose that was called ok, and whether it was wrong.
@@ -100,6 +98,20 @@ FaultWalk::FaultWalk(const WalkSpec& spec)
     return scanner_->motion().T_map_lidar(seconds(since_start_ns));
   };
 }
+
+simulation::Scanner FaultWalk::on_the_way(const simulation::Motion& motion,
+                                          std::uint64_t seed) const {
+  simulation::ScannerOptions options = scanner_->options();
+  options.seed = seed;
+  return {rays_, scanner_->model(), motion, options};
+}
+
+MotionError motion_error(const Pose& estimated, const Pose& truth) {
+  const Pose off = truth.inverse() * estimated;
+  return {off.translation.norm(), so3_log(off.rotation).norm() * 180.0 / std::numbers::pi};
+}
+
+Pose mount() { return kMount; }
 
 std::vector<JudgedScan> run_fault(const FaultWalk& walk, const FaultWalk& elsewhere,
                                   const simulation::Fault& fault, std::uint64_t scans,

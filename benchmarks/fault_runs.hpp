@@ -44,11 +44,16 @@ class FaultWalk {
 
   [[nodiscard]] const WalkSpec& spec() const { return spec_; }
   [[nodiscard]] const simulation::FaultSource& source() const { return source_; }
+  /// [s] since the first scan's begin.
+  [[nodiscard]] const simulation::Motion& motion() const { return scanner_->motion(); }
+  /// Who goes another way through the same scene, and measures with noise of its own.
+  [[nodiscard]] simulation::Scanner on_the_way(const simulation::Motion& motion,
+                                               std::uint64_t seed) const;
 
  private:
   WalkSpec spec_;
   simulation::Scene scene_;
-  simulation::RayCaster rays_;
+  mutable simulation::RayCaster rays_;
   std::unique_ptr<simulation::Scanner> scanner_;
   std::map<std::uint64_t, Scan> made_;
   simulation::FaultSource source_;
@@ -60,6 +65,12 @@ struct MotionError {
   double angle = 0.0;     ///< [deg]
   [[nodiscard]] bool wrong() const { return !(distance <= kWrongDistance && angle <= kWrongAngle); }
 };
+
+/// An estimated motion between two instants against the true one.
+[[nodiscard]] MotionError motion_error(const Pose& estimated, const Pose& truth);
+
+/// How the LiDAR is mounted on whoever walks.
+[[nodiscard]] Pose mount();
 
 /// One scan of a run beside the truth.
 struct JudgedScan {

@@ -99,6 +99,21 @@ def reliability_alike():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
+def home_again():
+    """What happened a row: of how many places, how soon, and the walks where some are missed."""
+    kept = Kept("home_again")
+    lines = []
+    for what in dict.fromkeys(row[0] for row in kept.rows[1:]):
+        walks = [row for row in kept.rows[1:] if row[0] == what and row[1] != "all"]
+        sums = [str(sum(int(row[i]) for row in walks)) for i in (2, 3, 5, 6)]
+        missed = ", ".join(f"{row[1]} {int(row[2]) - int(row[3])}" for row in walks
+                           if row[2] != row[3])
+        lines.append([what, sums[0], f"{sums[1]} in {walks[0][4]} s", *sums[2:], missed])
+    head = ["what happened", "places", "right", "right in 7 s", "wrong place called ok",
+            "late or never, of 9 on each walk"]
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
+
+
 def finer_grid():
     """A set a row: how many recordings, scans lost and the APE's ratio, with four grids and five."""
     kept = Kept("finer_grid")
@@ -404,6 +419,7 @@ TABLES = {
     "loops": loops,
     "detectors": detectors,
     "reference": reference,
+    "home-again": home_again,
     "reliability-alike": reliability_alike,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
