@@ -290,6 +290,7 @@ Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uin
   if (wrong || is_after_hole(scan) || lost_in_a_row_ > config_.health.restart_after) {
     if (config_.knots.search_scans == 0) return begin_map(scan, thinned);
     search_ = PoseSearch{};
+    search_->after_hole = is_after_hole(scan);
   }
   estimate.covariance = unregistered_covariance(config_.health);
   const ScanTrajectory trajectory = registered.predicted.trajectory(scan.start_ns, scan.end_ns);

@@ -69,6 +69,7 @@ class KnotFrontEnd : public FrontEnd {
     std::optional<KnotEnd> found;  // where it may be: to be confirmed
     bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
+    bool after_hole = false;       // it may have walked on, unseen
   };
 
   [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);

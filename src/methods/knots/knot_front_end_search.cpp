@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/information.hpp"
+#include "geometry/se3.hpp"
 #include "methods/knots/knot_front_end.hpp"
 #include "methods/knots/knot_search.hpp"
 #include "methods/knots/verdict_weights.hpp"
@@ -93,7 +94,7 @@ SearchRegion KnotFrontEnd::straight_on(std::int64_t instant_ns) const {
   const Pose& last = end_.prior.means[1];
   const Eigen::Vector3d way = since_trusted(instant_ns) * model_.mean(last.rotation).head<3>();
   const double heading = roll_pitch_yaw(last.rotation).z();
-  return {way_.stand_at((last.translation + way).head<2>(), heading), kAhead, kAheadTurn};
+  return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn};
 }
 
 /// Where a lost one is looked for by the scan whose turn it is; nowhere by some of those for which
@@ -111,7 +112,12 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& chosen,
                                               const SearchRegion& region) const {
   session_.begin_step(Step::search);
-  return search_places(map_, some_of(scan, chosen), region, way_, kPlaces, session_.workers);
+  // Near the last pose its own height tells more than the way, which stairs leave steeply.
+  WalkedWay here;
+  here.add(upright(end_.prior.means[1]));
+  const bool near = !region.large() && !(search_ && search_->after_hole);
+  return search_places(map_, some_of(scan, chosen), region, near ? here : way_, kPlaces,
+                       session_.workers);
 }
 
 /// A scan registered where a coarse look told that it may be, at first by one velocity; none if

@@ -89,7 +89,9 @@ std::vector<PlaceFit> places_of(const SearchRegion& region, const Grain& grain,
     for (int y = -reach; y <= reach; ++y) {
       const Eigen::Vector2d aside = grain.step * Eigen::Vector2d(x, y);
       if (aside.norm() > region.radius) continue;
-      const Pose stand = way.stand_at(region.centre.translation.head<2>() + aside, yaw);
+      const Eigen::Vector3d place =
+          region.centre.translation + Eigen::Vector3d(aside.x(), aside.y(), 0.0);
+      const Pose stand = way.stand_at(place, yaw);
       for (int turn = -turns; turn <= turns; ++turn) {
         places.push_back({turned(stand, turn * grain.turn)});
       }

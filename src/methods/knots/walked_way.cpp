@@ -10,7 +10,9 @@ namespace surefoot {
 namespace {
 
 constexpr double kApart = 1.0;  // [m] between two that are kept
-constexpr double kRate = 0.1;   // of the mean: a second, which is two strides
+// Heights count twice: another storey is far, however near in the plane.
+const Eigen::Vector3d kSteep(1.0, 1.0, 2.0);
+constexpr double kRate = 0.1;  // of the mean: a second, which is two strides
 
 }  // namespace
 
@@ -32,14 +34,14 @@ void WalkedWay::remove_far(const Eigen::Vector3d& sensor, double reach) {
 
 void WalkedWay::clear() { stands_.clear(); }
 
-Pose WalkedWay::stand_at(const Eigen::Vector2d& place, double yaw) const {
+Pose WalkedWay::stand_at(const Eigen::Vector3d& place, double yaw) const {
   const auto apart = [&](const Stand& stand) {
-    return (stand.position.head<2>() - place).squaredNorm();
+    return (stand.position - place).cwiseProduct(kSteep).squaredNorm();
   };
   const Stand& nearest =
       *std::min_element(stands_.begin(), stands_.end(),
                         [&](const Stand& a, const Stand& b) { return apart(a) < apart(b); });
-  const Eigen::Vector2d aside = place - nearest.position.head<2>();
+  const Eigen::Vector2d aside = (place - nearest.position).head<2>();
   const double rise = -nearest.up.head<2>().dot(aside) / nearest.up.z();
   const Eigen::Quaterniond tilt =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), nearest.up);

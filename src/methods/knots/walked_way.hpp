@@ -17,9 +17,9 @@ class WalkedWay {
   void remove_far(const Eigen::Vector3d& sensor, double reach);
   void clear();
 
-  /// The pose at a place in the plane, turned by `yaw` about its own up, of a sensor that stands on
+  /// The pose over or under a place, turned by `yaw` about its own up, of a sensor that stands on
   /// the ground where it stood nearest to there. It must have stood somewhere.
-  [[nodiscard]] Pose stand_at(const Eigen::Vector2d& place, double yaw) const;
+  [[nodiscard]] Pose stand_at(const Eigen::Vector3d& place, double yaw) const;
 
  private:
   struct Stand {

@@ -29,7 +29,7 @@ WalkedWay way_up_the_slope() {
 TEST(WalkedWay, WhoIsPutDownBesideItStandsOnItsGround) {
   const WalkedWay way = way_up_the_slope();
   for (const double yaw : {0.0, 1.0, -2.5}) {
-    const Pose pose = way.stand_at({12.4, 3.0}, yaw);
+    const Pose pose = way.stand_at({12.4, 3.0, 4.0}, yaw);
     EXPECT_NEAR(pose.translation.x(), 12.4, 1e-12);
     EXPECT_NEAR(pose.translation.y(), 3.0, 1e-12);
     EXPECT_NEAR(pose.translation.z(), 0.45 + 12.4 * std::tan(kSlope), 0.15);
@@ -42,7 +42,7 @@ TEST(WalkedWay, WhoIsPutDownBesideItStandsOnItsGround) {
 }
 
 TEST(WalkedWay, BeyondItsEndTheGroundGoesOn) {
-  const Pose pose = way_up_the_slope().stand_at({22.0, 0.0}, 0.0);
+  const Pose pose = way_up_the_slope().stand_at({22.0, 0.0, 6.0}, 0.0);
   EXPECT_NEAR(pose.translation.z(), 0.45 + 22.0 * std::tan(kSlope), 0.15);
 }
 
@@ -50,18 +50,20 @@ TEST(WalkedWay, ForgetsWhatIsFar) {
   WalkedWay way = way_up_the_slope();
   way.remove_far({0.0, 0.0, 0.0}, 5.0);
   // Of what is left the last stands 4 m up the way; from there the plane goes on.
-  EXPECT_NEAR(way.stand_at({4.0, 0.0}, 0.0).translation.z(), 0.45 + 4.0 * std::tan(kSlope), 0.1);
+  EXPECT_NEAR(way.stand_at({4.0, 0.0, 1.5}, 0.0).translation.z(), 0.45 + 4.0 * std::tan(kSlope),
+              0.1);
   way.clear();
   way.add({Eigen::Quaterniond::Identity(), {1.0, 2.0, 7.0}});
-  EXPECT_EQ(way.stand_at({100.0, 50.0}, 0.0).translation, Eigen::Vector3d(100.0, 50.0, 7.0));
+  EXPECT_EQ(way.stand_at({100.0, 50.0, 0.0}, 0.0).translation, Eigen::Vector3d(100.0, 50.0, 7.0));
 }
 
-TEST(WalkedWay, OfTwoStoreysItIsTheNearestInThePlane) {
+// Flights of stairs lie over each other: of who is lost on one, the others are farther.
+TEST(WalkedWay, OfTwoStoreysItIsTheNearerOne) {
   WalkedWay way;
   way.add({Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.4}});
   way.add({Eigen::Quaterniond::Identity(), {4.0, 0.0, 3.4}});
-  EXPECT_EQ(way.stand_at({1.5, 0.0}, 0.0).translation.z(), 0.4);
-  EXPECT_EQ(way.stand_at({2.5, 0.0}, 0.0).translation.z(), 3.4);
+  EXPECT_EQ(way.stand_at({3.9, 0.0, 0.4}, 0.0).translation.z(), 0.4);
+  EXPECT_EQ(way.stand_at({3.9, 0.0, 3.0}, 0.0).translation.z(), 3.4);
 }
 
 }  // namespace
