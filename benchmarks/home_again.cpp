@@ -21,6 +21,7 @@
 
 #include "fault_runs.hpp"
 #include "geometry/so3.hpp"
+#include "kept_run.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::benchmarks {
@@ -235,16 +236,6 @@ int main(int argc, char** argv) {
   app.add_option("--places", options.places, "Of each walk")->capture_default_str();
   app.add_option("--keep", options.keep, "Folder for home_again.csv");
   app.add_option("--commit", options.commit, "Named in what is kept");
-  std::string command = "build/release/benchmarks/home_again";
-  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
-  try {
-    app.parse(argc, argv);
-    surefoot::benchmarks::run(options, command);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "home_again: {}\n", error.what());
-    return 2;
-  }
+  const auto run = [&](const std::string& command) { surefoot::benchmarks::run(options, command); };
+  return surefoot::benchmarks::run_kept(app, argc, argv, "home_again", run);
 }

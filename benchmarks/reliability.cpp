@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "fault_runs.hpp"
+#include "kept_run.hpp"
 
 namespace surefoot::benchmarks {
 
@@ -228,16 +229,6 @@ int main(int argc, char** argv) {
   app.add_option("--keep", options.keep, "Folder for reliability.csv and reliability_bins.csv");
   app.add_option("--samples", options.samples, "File for the evidence of every scan");
   app.add_option("--commit", options.commit, "Named in what is kept");
-  std::string command = "build/release/benchmarks/reliability";
-  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
-  try {
-    app.parse(argc, argv);
-    surefoot::benchmarks::run(options, command);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "reliability: {}\n", error.what());
-    return 2;
-  }
+  const auto run = [&](const std::string& command) { surefoot::benchmarks::run(options, command); };
+  return surefoot::benchmarks::run_kept(app, argc, argv, "reliability", run);
 }

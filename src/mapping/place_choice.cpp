@@ -26,15 +26,6 @@ double uncontradicted(const LoopCheck& check) {
   return check.overlap - kContradiction * check.contradicted;
 }
 
-}  // namespace
-
-double fit_of(const LoopCheck& check) {
-  const double against = kMissing * std::min(check.missing, kMostMissing) + kBeside * check.beside;
-  return std::max(0.0, uncontradicted(check) - against);
-}
-
-namespace {
-
 /// What lies on a place, unless something large speaks against it.
 double likeness_of(const LoopCheck& check) {
   constexpr double kLarge = 0.2;
@@ -58,6 +49,11 @@ bool any_alike(const std::vector<AskedPlace>& asked, const Eigen::Vector3d& robo
 }
 
 }  // namespace
+
+double fit_of(const LoopCheck& check) {
+  const double against = kMissing * std::min(check.missing, kMostMissing) + kBeside * check.beside;
+  return std::max(0.0, uncontradicted(check) - against);
+}
 
 bool agree(const Pose& one, const Pose& other, const Eigen::Vector3d& robot_in_world,
            const ChoiceLimits& limits) {

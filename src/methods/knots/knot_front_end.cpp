@@ -123,10 +123,10 @@ KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
   const Twist going = model_.mean(ahead.centre.rotation);
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
   std::optional<Registered> there = register_at(ahead.centre, going, scan, chosen);
-  const bool clear =
+  const bool better_here =
       !there || !there->estimate.trusted() ||
       (here.estimate.trusted() && kClearlyBetter * disagreement_of(here) < disagreement_of(*there));
-  return clear ? std::move(here) : std::move(*there);
+  return better_here ? std::move(here) : std::move(*there);
 }
 
 /// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.

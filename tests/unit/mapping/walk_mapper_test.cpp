@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <utility>
+
 #include "mapping/finished_walk.hpp"
 #include "mapping/map_localizer.hpp"
 #include "mapping/pose_graph_solver.hpp"
@@ -191,16 +194,21 @@ TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
   }
 }
 
-/// Two places look alike at first. That the other one is not named any more says little.
-TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
+/// A street that was mapped, and a walk through it from its beginning on another day.
+std::pair<SavedMap, SceneWalk> street_on_another_day(std::uint64_t seed) {
   WalkOptions options;
   options.length = 60.0;
-  const SavedMap map = saved_map_of(mapped(test::walk_through("street", 46, options)));
+  SavedMap map = saved_map_of(mapped(test::walk_through("street", seed, options)));
   options.unknown_start = true;
   options.from = 4.0;
   options.length = 14.0;
   options.things = 99;
-  const SceneWalk walk = test::walk_through("street", 46, options);
+  return {std::move(map), test::walk_through("street", seed, options)};
+}
+
+/// Two places look alike at first. That the other one is not named any more says little.
+TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
+  const auto [map, walk] = street_on_another_day(46);
   for (const double alike_way : {0.0, 6.0}) {
     LocalizerOptions asked;
     asked.agreement.alike_way = alike_way;
@@ -214,14 +222,7 @@ TEST(LocalizerTest, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
 
 /// Every search names a single place: that another one fitted before is not forgotten.
 TEST(LocalizerTest, WhatASearchNamesNoMoreIsAskedAgain) {
-  WalkOptions options;
-  options.length = 60.0;
-  const SavedMap map = saved_map_of(mapped(test::walk_through("street", 48, options)));
-  options.unknown_start = true;
-  options.from = 4.0;
-  options.length = 14.0;
-  options.things = 99;
-  const SceneWalk walk = test::walk_through("street", 48, options);
+  const auto [map, walk] = street_on_another_day(48);
   LocalizerOptions asked;
   asked.candidates = 1;
   MapLocalizer localizer(map, asked);
