@@ -26,7 +26,11 @@ std::filesystem::path temporary_folder() {
 }  // namespace
 
 std::shared_ptr<CloudFile> CloudFile::make(const std::filesystem::path& folder) {
-  std::string name = ((folder.empty() ? temporary_folder() : folder) / "surefoot-XXXXXX").string();
+  const std::filesystem::path where = folder.empty() ? temporary_folder() : folder;
+  // Without a name from the start: a signal before `unlink` would leave a named one behind.
+  const int nameless = ::open(where.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (nameless >= 0) return std::shared_ptr<CloudFile>(new CloudFile(nameless));
+  std::string name = (where / "surefoot-XXXXXX").string();
   const int handle = ::mkostemp(name.data(), O_CLOEXEC);
   if (handle < 0) return nullptr;
   ::unlink(name.c_str());

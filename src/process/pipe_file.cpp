@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "process/pipe_file.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -54,8 +55,13 @@ class Descriptor {
   int number_;
 };
 
+/// Never has a name where the file system can do so: a signal between making and unlinking a named
+/// one would leave it behind.
 int make_nameless_file() {
-  std::string name = (fs::temp_directory_path() / "surefoot_pipe_XXXXXX").string();
+  const fs::path folder = fs::temp_directory_path();
+  const int nameless = open(folder.c_str(), O_TMPFILE | O_RDWR, 0600);
+  if (nameless >= 0) return nameless;
+  std::string name = (folder / "surefoot_pipe_XXXXXX").string();
   const int file = mkstemp(name.data());
   if (file < 0) {
     throw std::runtime_error(name + ": no temporary file can be made: " + std::strerror(errno));

@@ -102,13 +102,14 @@ TEST_F(Pipes, AFullDiskIsSaid) {
   EXPECT_NE(result.errors.find("TMPDIR"), std::string::npos) << result;
 }
 
-bool holds_a_file_in(pid_t process, const fs::path& folder) {
+/// Whether a process has a file open there that has no name (any longer).
+bool holds_a_nameless_file_in(pid_t process, const fs::path& folder) {
   std::error_code ended;
   for (const auto& open :
        fs::directory_iterator("/proc/" + std::to_string(process) + "/fd", ended)) {
     std::error_code ignored;
-    const fs::path file = fs::read_symlink(open.path(), ignored);
-    if (file.native().starts_with(folder.native())) return true;
+    const std::string file = fs::read_symlink(open.path(), ignored).string();
+    if (file.starts_with(folder.native()) && file.ends_with(" (deleted)")) return true;
   }
   return false;
 }
@@ -119,10 +120,11 @@ TEST_F(Pipes, NothingStaysOfAProgramThatIsKilled) {
       "exec " SUREFOOT_PROGRAM " run /dev/fd/3 3< <(cat walk.pcap; exec sleep 5)";
   for (const int signal : {SIGINT, SIGKILL}) {
     const Process program(words(line), folder(), in_bash());
-    for (int tries = 0; tries < 400 && !holds_a_file_in(program.id(), folder() / "tmp"); ++tries) {
+    for (int tries = 0; tries < 400 && !holds_a_nameless_file_in(program.id(), folder() / "tmp");
+         ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    EXPECT_TRUE(holds_a_file_in(program.id(), folder() / "tmp"));
+    EXPECT_TRUE(holds_a_nameless_file_in(program.id(), folder() / "tmp"));
     program.send(signal);
     EXPECT_EQ(program.wait().signal, signal);
     EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
