@@ -89,7 +89,7 @@ void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
       ->check(command_line::number_within(0.0, 10.0))
       ->capture_default_str();
   command.add_option("--route", request.route_file,
-                     "For a mesh file: corners of a closed way, 'x y z' a line [m]");
+                     "Instead of the scene's own way: corners of a closed one, 'x y z' a line [m]");
 }
 
 void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {

@@ -43,15 +43,13 @@ simulation::ScannerOptions scanner_options_of(const RecordingRequest& request) {
 }
 
 simulation::Scene scene_of(const RecordingRequest& request) {
-  if (!simulation::is_mesh_file(request.scene)) {
-    if (!request.route_file.empty()) {
-      throw std::invalid_argument("--route is for a mesh file; scene '" + request.scene +
-                                  "' has its own");
-    }
-    return simulation::build_scene(request.scene,
-                                   {request.layout.value_or(request.seed), request.seed});
+  if (simulation::is_mesh_file(request.scene)) {
+    return simulation::mesh_scene(request.scene, request.route_file);
   }
-  return simulation::mesh_scene(request.scene, request.route_file);
+  simulation::Scene scene =
+      simulation::build_scene(request.scene, {request.layout.value_or(request.seed), request.seed});
+  if (!request.route_file.empty()) scene.route = simulation::read_route(request.route_file);
+  return scene;
 }
 
 std::uint64_t make_recording(const RecordingRequest& request, const std::filesystem::path& folder,

@@ -18,9 +18,10 @@
 namespace surefoot::recordings {
 
 struct RecordingRequest {
-  std::string scene;                 ///< a name of the catalogue, or a mesh file: .ply .obj .asc
-  std::filesystem::path route_file;  ///< for a mesh file: corners "x y z", one a line
-  std::string robot;                 ///< empty: what suits the scene
+  std::string scene;  ///< a name of the catalogue, or a mesh file: .ply .obj .asc
+  std::filesystem::path
+      route_file;     ///< instead of the scene's own way: corners "x y z", one a line
+  std::string robot;  ///< empty: what suits the scene
   std::string lidar = "vlp16";
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> layout;  ///< of a scene of the catalogue; absent: the seed's

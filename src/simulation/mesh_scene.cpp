@@ -21,24 +21,6 @@ std::string ending_of(const std::filesystem::path& file) {
   return ending;
 }
 
-std::vector<Eigen::Vector3d> read_route(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
-  std::string_view rest = text;
-  std::vector<Eigen::Vector3d> route;
-  while (!rest.empty()) {
-    std::string_view line = take_line(rest);
-    Words words(file, line.substr(0, line.find('#')));
-    if (words.at_end()) continue;
-    Eigen::Vector3d corner;
-    for (int axis = 0; axis < 3; ++axis) corner(axis) = words.number("a corner's coordinate");
-    route.push_back(corner);
-  }
-  if (route.size() < 3) {
-    fail(file, "a closed way needs 3 corners at least, there are " + std::to_string(route.size()));
-  }
-  return route;
-}
-
 /// An ellipse over the middle half of the mesh, on whatever is topmost there.
 std::vector<Eigen::Vector3d> ellipse_route(const std::filesystem::path& file, const Scene& scene) {
   constexpr int kCorners = 64;
@@ -80,6 +62,24 @@ TriangleMesh read_mesh(const std::filesystem::path& file) {
   if (ending == ".obj") return read_obj(file);
   if (ending == ".asc") return read_ascii_grid(file);
   fail(file, "ends in '" + ending + "', expected .ply, .obj or .asc");
+}
+
+std::vector<Eigen::Vector3d> read_route(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  std::string_view rest = text;
+  std::vector<Eigen::Vector3d> route;
+  while (!rest.empty()) {
+    std::string_view line = take_line(rest);
+    Words words(file, line.substr(0, line.find('#')));
+    if (words.at_end()) continue;
+    Eigen::Vector3d corner;
+    for (int axis = 0; axis < 3; ++axis) corner(axis) = words.number("a corner's coordinate");
+    route.push_back(corner);
+  }
+  if (route.size() < 3) {
+    fail(file, "a closed way needs 3 corners at least, there are " + std::to_string(route.size()));
+  }
+  return route;
 }
 
 Scene mesh_scene(const std::filesystem::path& file, const std::filesystem::path& route_file) {

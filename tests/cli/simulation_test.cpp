@@ -63,6 +63,23 @@ TEST(Simulation, RainDustAndPeopleAreMadeAndToldInTheSceneFile) {
   EXPECT_EQ(scene.at("people"), 2);
 }
 
+TEST(Simulation, AnotherWayThroughASceneIsWalked) {
+  const ScratchFolder scratch;
+  write_content(scratch.path() / "way.txt", "20 5 0 # begins here\n30 5 0\n30 15 0\n20 15 0\n");
+  std::vector<std::string> words{"simulate", "playground",     "--route", "way.txt", "--scans",
+                                 "3",        "--no-footprint", "-o",      "walk"};
+  ASSERT_EQ(run_surefoot(words, scratch.path()).exit_code, 0);
+  const auto truth = io::read_tum(scratch.path() / "walk" / "gt.tum");
+  ASSERT_FALSE(truth.empty());
+  const Eigen::Vector3d begins = truth.front().pose.translation;
+  EXPECT_LT((begins.head<2>() - Eigen::Vector2d(20.0, 5.0)).norm(), 2.0) << begins.transpose();
+  words[3] = "none.txt";
+  words.emplace_back("--overwrite");
+  const ProcessResult missing = run_surefoot(words, scratch.path());
+  EXPECT_EQ(missing.exit_code, 2) << missing;
+  EXPECT_NE(missing.errors.find("none.txt"), std::string::npos) << missing;
+}
+
 TEST(Simulation, DrawsAnAnimation) {
   const ScratchFolder scratch;
   const ProcessResult result =

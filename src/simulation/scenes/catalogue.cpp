@@ -26,6 +26,7 @@ const std::vector<SceneEntry>& scene_catalogue() {
       {"town", "four streets round a block, 1.3 km a lap", &town},
       {"quarter", "seven streets, a figure eight round their two blocks", &quarter},
       {"avenue", "a bent street, out and back on its other side, 1 km", &avenue},
+      {"city", "21 km of streets round eight by eight blocks", &city},
   };
   return entries;
 }

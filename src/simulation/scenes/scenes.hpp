@@ -29,5 +29,6 @@ namespace surefoot::simulation {
 [[nodiscard]] Scene town(const SceneSeeds& seeds);
 [[nodiscard]] Scene quarter(const SceneSeeds& seeds);
 [[nodiscard]] Scene avenue(const SceneSeeds& seeds);
+[[nodiscard]] Scene city(const SceneSeeds& seeds);
 
 }  // namespace surefoot::simulation

@@ -143,4 +143,34 @@ Scene avenue(const SceneSeeds& seeds) {
   return scene;
 }
 
+/// Streets round eight by eight blocks, 21 km of them; its own way goes along the streets of one
+/// direction, up and down. For maps that are made apart, of ways of --route.
+Scene city(const SceneSeeds& seeds) {
+  constexpr int kBlocks = 8;  // in a row, and of these
+  const LayoutDraws draw(seeds.layout, kPurposeTownMeasures + 3);
+  const double length = draw.between(1, 180.0, 150.0, 200.0);
+  const double width = draw.between(2, 120.0, 100.0, 140.0);
+  const auto corner = [&](int column, int row) -> Eigen::Vector2d {
+    return {length * column, width * row};
+  };
+  Scene scene = streets_between(corner(0, 0), corner(kBlocks, kBlocks));
+  std::uint64_t street = 100;
+  for (int across = 0; across <= kBlocks; ++across) {
+    for (int along = 0; along < kBlocks; ++along) {
+      add_street(scene.mesh, corner(along, across), corner(along + 1, across),
+                 StreetDraws(seeds, street++));
+      add_street(scene.mesh, corner(across, along), corner(across, along + 1),
+                 StreetDraws(seeds, street++));
+    }
+  }
+  for (int row = 0; row <= kBlocks; ++row) {  // back down the first column, which they leave out
+    const bool out = row % 2 == 0;
+    scene.route.push_back(on_ground(corner(out ? 1 : kBlocks, row)));
+    scene.route.push_back(on_ground(corner(out ? kBlocks : 1, row)));
+  }
+  scene.route.push_back(on_ground(corner(0, kBlocks)));
+  scene.route.push_back(on_ground(corner(0, 0)));
+  return scene;
+}
+
 }  // namespace surefoot::simulation
