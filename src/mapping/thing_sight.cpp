@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -25,6 +26,8 @@ constexpr float kLowest = 0.0F, kHighest = 2.8F;  // [m] over the ground: where 
 // [ns] A moment: who walks is in a cube for one or two.
 constexpr std::int64_t kMoment = 500'000'000;
 constexpr std::int64_t kMostMoments = 15;
+// [sr] Of a cube a metre away, as a share of what a spinning LiDAR looks at.
+constexpr float kCube = 0.3F * 0.15F / 3.3F;
 
 constexpr int kBits = 2;                                // of a cube's index within its block
 constexpr int kAcross = 9, kHalf = 1 << (kAcross - 1);  // bits of a cube's number along an axis
@@ -99,14 +102,23 @@ struct CountBlock {
   std::array<std::uint8_t, 64> through{}, hit{};
 };
 
-/// The cubes that a beam went through at the heights where things move.
-void follow(const Eigen::Vector3f& eye, const Eigen::Vector3f& point, const PieceGround& ground,
-            Blocks<MomentBlock>& moment) {
+/// [m] From where on one of a look's beams is followed: nearer those of others go through the same
+/// cubes. Every third is as dense as all of them, so much farther away; threes divide no number of
+/// rings.
+float begin_of(std::size_t beam, std::size_t beams) {
+  const float once = std::sqrt(kCube * static_cast<float>(beams));  // [m] each cube is met once
+  if (beam % 9 == 0) return kNear;
+  return std::max(kNear, once / (beam % 3 == 0 ? 3.0F : std::sqrt(3.0F)));
+}
+
+/// The cubes that a beam went through from so far on [m], at the heights where things move.
+void follow(const Eigen::Vector3f& eye, const Eigen::Vector3f& point, float begin,
+            const PieceGround& ground, Blocks<MomentBlock>& moment) {
   const Eigen::Vector3f beam = point - eye;
   const float length = std::max(beam.norm(), 1e-3F);
   const float from = ground.height(eye);
   const float rise = (ground.height(point) - from) / length;
-  float begin = kNear, end = std::min(length - kBeforeEnd, kFar);
+  float end = std::min(length - kBeforeEnd, kFar);
   if (std::abs(rise) > 1e-6F) {
     const float low = (kLowest - from) / rise, high = (kHighest - from) / rise;
     begin = std::max(begin, std::min(low, high));
@@ -185,8 +197,9 @@ std::string seen_in(const std::vector<KeptScan>& looks, const PieceGround& groun
   const std::int64_t length = std::max(kMoment, span / kMostMoments + 1);
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const KeptScan& look = looks[i];
-    for (const Eigen::Vector3f& point : look.points) {
-      follow(look.eye, point, ground, moment);
+    for (std::size_t at = 0; at < look.points.size(); ++at) {
+      const Eigen::Vector3f& point = look.points[at];
+      follow(look.eye, point, begin_of(at, look.points.size()), ground, moment);
       if ((point - look.eye).squaredNorm() < kFar * kFar) mark_hit(point, ground, moment);
     }
     const auto moment_of = [&](const KeptScan& of) {

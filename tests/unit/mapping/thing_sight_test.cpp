@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -73,6 +74,26 @@ TEST(ThingSight, TheGroundHidesNothing) {
   const Eigen::Vector3f standing(3.1F, 0.0F, 0.55F);
   const ThingSight beside(seen_in({look_at(0, {standing, behind})}, floor_and_hill()));
   EXPECT_EQ(beside.at(above_low).through, 0);
+}
+
+/// Not all beams are followed from the start, but no cube on the way is left out.
+TEST(ThingSight, AWholeTurnOfBeamsLeavesNoCubeOut) {
+  constexpr int kColumns = 1800, kRings = 16;
+  constexpr float kPi = 3.14159265F, kWall = 30.0F;
+  KeptScan turn{0, {0.0F, 0.0F, 1.0F}, {}};
+  for (int i = 0; i < kColumns * kRings; ++i) {
+    const float azimuth = 2.0F * kPi * static_cast<float>(i / kRings) / kColumns;
+    const float height = 1.0F + 0.1F * (static_cast<float>(i % kRings) - 7.5F);
+    turn.points.emplace_back(kWall * std::cos(azimuth), kWall * std::sin(azimuth), height);
+  }
+  const ThingSight sight(seen_in({turn}, floor_and_hill()));
+  for (double range = 0.5; range < 29.0; range += 0.5) {
+    for (int i = 0; i < 360; ++i) {
+      const double azimuth = 2.0 * static_cast<double>(kPi) * i / 360.0;
+      const Eigen::Vector3d place(range * std::cos(azimuth), range * std::sin(azimuth), 1.0);
+      EXPECT_EQ(sight.at(place).through, 1) << range << " m away at " << i << " degrees";
+    }
+  }
 }
 
 /// A robot that stands for a minute has no more moments than one that walks.
