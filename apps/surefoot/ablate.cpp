@@ -11,9 +11,7 @@
 #include "commands.hpp"
 #include "compare_options.hpp"
 #include "experiments/ablation_plan.hpp"
-#include "experiments/comparison_engine.hpp"
 #include "experiments/variation_results.hpp"
-#include "process/exit_codes.hpp"
 
 namespace surefoot::app {
 
@@ -26,12 +24,12 @@ struct AblateOptions {
 
 int ablate(const AblateOptions& options) {
   const experiments::AblationPlan plan = experiments::ablation_plan(options.method);
-  const auto results = experiments::compare_variants(options.comparison, plan.variants);
-  if (!results) return process::kInterrupted;
-  fmt::print("{}\nresults: {}\n",
-             experiments::write_ablation(options.comparison, options.method, plan, *results),
-             options.comparison.output.string());
-  return experiments::exit_code_of(results->comparison);
+  return run_comparison(
+      options.comparison, plan.variants, [&](const experiments::CompareResults& results) {
+        fmt::print("{}\nresults: {}\n",
+                   experiments::write_ablation(options.comparison, options.method, plan, results),
+                   options.comparison.output.string());
+      });
 }
 
 }  // namespace

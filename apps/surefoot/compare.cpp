@@ -11,8 +11,7 @@
 #include "commands.hpp"
 #include "compare_options.hpp"
 #include "evaluation/comparison_tables.hpp"
-#include "experiments/comparison_engine.hpp"
-#include "process/exit_codes.hpp"
+#include "experiments/method_variant.hpp"
 
 namespace surefoot::app {
 
@@ -28,14 +27,11 @@ void print_results(const experiments::CompareOptions& options,
 }
 
 int compare(const experiments::CompareOptions& options) {
-  const std::vector<experiments::MethodVariant> variants =
-      experiments::parse_variants(options.methods);
-  const auto results = experiments::compare_variants(options, variants);
-  if (!results) return process::kInterrupted;
-  if (options.part) return process::kDone;
-  experiments::write_results(options, *results);
-  print_results(options, results->comparison);
-  return experiments::exit_code_of(results->comparison);
+  return run_comparison(options, experiments::parse_variants(options.methods),
+                        [&](const experiments::CompareResults& results) {
+                          experiments::write_results(options, results);
+                          print_results(options, results.comparison);
+                        });
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "command_line/option_checks.hpp"
 #include "command_line/option_group.hpp"
 #include "evaluation_options.hpp"
+#include "experiments/comparison_engine.hpp"
+#include "process/exit_codes.hpp"
 #include "surefoot/config.hpp"
 
 namespace surefoot::app {
@@ -36,6 +38,16 @@ void add_work_options(CLI::App& command, experiments::CompareOptions& options) {
   command.add_option("-j,--jobs", options.jobs, "Runs at the same time; they share the machine")
       ->check(CLI::Range(1, 64));
   command.add_flag("--retry-failed", options.retry_failed, "Do again what failed before");
+  command
+      .add_option_function<std::string>(
+          "--part",
+          [&options](const std::string& text) { options.part = experiments::parse_part(text); },
+          "Do this share of the runs and make no tables, beside others that do theirs: 3/8; each "
+          "once at a time. The same call without it makes the tables")
+      ->type_name("NUMBER/OF");
+  command.add_flag("--list-runs", options.list_runs,
+                   "Do nothing, but say which run each part is if there are as many parts as runs: "
+                   "a line of JSON each");
   command.add_flag("--figures,!--no-figures", options.figures,
                    "Draw the trajectories as SVG and PNG (default: yes)");
   command.add_flag("-q,--quiet", options.quiet, "No progress; the tables alone");
@@ -90,15 +102,22 @@ void add_compare_options(CLI::App& command, experiments::CompareOptions& options
                               fmt::join(methods(), ", ")))
       ->delimiter(',')
       ->capture_default_str();
-  command
-      .add_option_function<std::string>(
-          "--part",
-          [&options](const std::string& text) { options.part = experiments::parse_part(text); },
-          "Do this share of the runs and make no tables, beside others that do theirs: 3/8; each "
-          "once at a time. The same call without it makes the tables")
-      ->type_name("NUMBER/OF");
   command_line::OptionGroup(command, "Runs")
       .add_flag("--no-map", options.no_map, "Do not write map.ply");
+}
+
+int run_comparison(const experiments::CompareOptions& options,
+                   const std::vector<experiments::MethodVariant>& variants,
+                   const std::function<void(const experiments::CompareResults& results)>& write) {
+  if (options.list_runs) {
+    const auto runs = experiments::list_runs(options, variants);
+    fmt::print("{}", runs.value_or(""));
+    return runs ? process::kDone : process::kInterrupted;
+  }
+  const auto results = experiments::compare_variants(options, variants);
+  if (!results) return process::kInterrupted;
+  if (!options.part) write(*results);
+  return experiments::exit_code_of(*results);
 }
 
 }  // namespace surefoot::app

@@ -9,10 +9,8 @@
 
 #include "commands.hpp"
 #include "compare_options.hpp"
-#include "experiments/comparison_engine.hpp"
 #include "experiments/sweep.hpp"
 #include "experiments/variation_results.hpp"
-#include "process/exit_codes.hpp"
 
 namespace surefoot::app {
 
@@ -26,13 +24,12 @@ struct SweepOptions {
 
 int sweep(const SweepOptions& options) {
   const experiments::SweepPlan plan = experiments::sweep_plan(options.method, options.variations);
-  const auto results = experiments::compare_variants(options.comparison, plan.variants);
-  if (!results) return process::kInterrupted;
-  fmt::print("{}", experiments::write_sweep(options.comparison, plan, *results));
-  if (!options.comparison.quiet) {
-    fmt::print(stderr, "results: {}\n", options.comparison.output.string());
-  }
-  return experiments::exit_code_of(results->comparison);
+  return run_comparison(
+      options.comparison, plan.variants, [&](const experiments::CompareResults& results) {
+        fmt::print("{}", experiments::write_sweep(options.comparison, plan, results));
+        if (options.comparison.quiet) return;
+        fmt::print(stderr, "results: {}\n", options.comparison.output.string());
+      });
 }
 
 }  // namespace

@@ -127,12 +127,12 @@ std::vector<CompareInput> find_inputs(const CompareOptions& options) {
   }
   const std::vector<std::string> names = folder_names(paths);
   std::vector<CompareInput> inputs;
+  std::set<std::string> known;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (std::find(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i), paths[i]) !=
-        paths.begin() + static_cast<std::ptrdiff_t>(i)) {
+    if (!known.insert(paths[i].string()).second) {
       throw std::runtime_error(paths[i].string() + ": is given twice");
     }
-    inputs.push_back({names[i], paths[i], truths[i], mark_of(paths[i])});
+    inputs.push_back({names[i], paths[i], truths[i], {}});
   }
   return inputs;
 }

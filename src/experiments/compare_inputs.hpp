@@ -16,7 +16,7 @@ struct CompareInput {
   std::string name;            ///< unique, fit for a folder's name
   std::filesystem::path path;  ///< absolute
   std::filesystem::path truth;
-  FilesMark mark;
+  FilesMark mark;  ///< of what is run or evaluated: others' files are not looked for
 };
 
 /// A name for each path, unique and of letters that every file system takes: the last part of the

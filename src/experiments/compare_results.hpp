@@ -25,6 +25,7 @@ struct ComparedPaths {
 struct CompareResults {
   evaluation::Comparison comparison;
   std::vector<ComparedPaths> paths;  ///< one for each recording
+  std::size_t failed = 0;            ///< of the runs that were asked for
 };
 
 /// runs/RECORDING/METHOD/REPEAT, relative to the comparison's folder; `repeat` from 1.

@@ -38,6 +38,7 @@ void RunQueue::skip_done(bool retry_failed) {
         record && record->key == tasks_[i].key && (record->end.is_done() || !retry_failed);
     if (done) {
       ++done_;
+      failed_ += record->end.is_done() ? 0 : 1;
       weight_left_ -= tasks_[i].weight;
     }
     return done;
@@ -70,6 +71,7 @@ void RunQueue::finish(const Running& running, const process::ProcessEnd& end) {
   const RunRecord record{task.key, end, jobs_};
   write_record(task.folder, record);
   ++done_;
+  failed_ += end.is_done() ? 0 : 1;
   weight_left_ -= task.weight;
   weight_worked_ += task.weight;
   tell(task, record);

@@ -34,6 +34,7 @@ class RunQueue {
   void skip_done(bool retry_failed);
   [[nodiscard]] std::size_t tasks() const { return tasks_.size(); }
   [[nodiscard]] std::size_t done() const { return done_; }
+  [[nodiscard]] std::size_t failed() const { return failed_; }  ///< of those that are done
 
   /// Does the rest. @returns false if it was interrupted; the runs that had not ended are not
   /// counted as done. Throws std::runtime_error for a run that cannot be started or recorded.
@@ -53,7 +54,7 @@ class RunQueue {
   bool quiet_;
   std::vector<std::size_t> waiting_;  ///< tasks, the next one last
   std::vector<Running> running_;
-  std::size_t done_ = 0;
+  std::size_t done_ = 0, failed_ = 0;
   double weight_left_ = 0.0, weight_worked_ = 0.0;
   Clock::time_point begin_;
 };

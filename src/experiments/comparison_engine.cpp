@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/compare_inputs.hpp"
 #include "experiments/compare_runs.hpp"
+#include "experiments/comparison_plan.hpp"
 #include "experiments/fingerprint.hpp"
 #include "process/exit_codes.hpp"
 #include "process/folder_lock.hpp"
@@ -36,44 +38,53 @@ std::vector<std::string> task_arguments(const CompareOptions& options, const Com
   return arguments;
 }
 
-/// Those whose truth can be read; for the others collect_results() tells why not, but that is long
-/// after they could have been put in order. Throws std::runtime_error if there is none.
-std::vector<CompareInput> with_truth(const CompareOptions& options,
-                                     const std::vector<CompareInput>& inputs) {
-  std::vector<CompareInput> usable;
-  for (const CompareInput& input : inputs) {
-    try {
-      (void)read_truth(input);
-      usable.push_back(input);
-    } catch (const std::exception& error) {
-      if (options.needs_every_truth) throw;
-      fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.name, error.what());
-    }
+/// Whether its truth can be read; if not, collect_results() tells why, but that is long after it
+/// could have been put in order.
+bool has_truth(const CompareOptions& options, const CompareInput& input) {
+  try {
+    (void)read_truth(input);
+    return true;
+  } catch (const std::exception& error) {
+    if (options.needs_every_truth) throw;
+    fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.name, error.what());
+    return false;
   }
-  if (usable.empty()) throw std::runtime_error("none of the recordings has a truth");
+}
+
+/// The recordings that these runs are of, marked; without those whose truth cannot be read. Throws
+/// std::runtime_error if that leaves none.
+std::set<std::size_t> usable_inputs(const CompareOptions& options,
+                                    const std::vector<PlannedRun>& runs,
+                                    std::vector<CompareInput>& inputs) {
+  std::set<std::size_t> used, usable;
+  for (const PlannedRun& run : runs) used.insert(run.input);
+  for (const std::size_t i : used) {
+    inputs[i].mark = mark_of(inputs[i].path);
+    if (has_truth(options, inputs[i])) usable.insert(i);
+  }
+  if (usable.empty() && !used.empty()) {
+    throw std::runtime_error("none of the recordings has a truth");
+  }
   return usable;
 }
 
-/// Every recording by every method as often as asked for. The repeats are the outermost loop: what
-/// disturbs the machine for a while does not meet all repeats of one run.
-std::vector<RunTask> make_tasks(const CompareOptions& options,
-                                const std::vector<CompareInput>& inputs,
+std::vector<RunTask> make_tasks(const CompareOptions& options, const std::vector<PlannedRun>& runs,
+                                std::vector<CompareInput>& inputs,
                                 const std::vector<MethodVariant>& variants,
                                 const std::string& build) {
-  const std::vector<CompareInput> usable = with_truth(options, inputs);
+  const std::set<std::size_t> usable = usable_inputs(options, runs, inputs);
   std::vector<RunTask> tasks;
-  for (int repeat = 1; repeat <= options.repeats; ++repeat) {
-    for (const CompareInput& input : usable) {
-      for (const MethodVariant& variant : variants) {
-        const fs::path folder = options.output / run_folder(input, variant, repeat);
-        const Config config = variant_config(variant, options.settings);
-        const std::string again = repeat == 1 ? "" : fmt::format(", repeat {}", repeat);
-        tasks.push_back({fmt::format("{}, {}{}", input.name, variant.label, again), folder,
-                         task_arguments(options, input, variant, folder),
-                         run_key(input, variant, config, run_arguments(options), build),
-                         static_cast<double>(input.mark.bytes)});
-      }
-    }
+  for (const PlannedRun& run : runs) {
+    if (!usable.contains(run.input)) continue;
+    const CompareInput& input = inputs[run.input];
+    const MethodVariant& variant = variants[run.variant];
+    const fs::path folder = options.output / run_folder(input, variant, run.repeat);
+    const Config config = variant_config(variant, options.settings);
+    const std::string again = run.repeat == 1 ? "" : fmt::format(", repeat {}", run.repeat);
+    tasks.push_back({fmt::format("{}, {}{}", input.name, variant.label, again), folder,
+                     task_arguments(options, input, variant, folder),
+                     run_key(input, variant, config, run_arguments(options), build),
+                     static_cast<double>(input.mark.bytes)});
   }
   return tasks;
 }
@@ -88,12 +99,6 @@ void say_interrupted(const CompareOptions& options, const std::string& what_is_d
                            what_is_done, options.output.string()));
 }
 
-std::vector<RunTask> share_of(std::vector<RunTask> tasks, const ComparePart& part) {
-  std::vector<RunTask> share;
-  for (std::size_t i = part.number - 1; i < tasks.size(); i += part.of) share.push_back(tasks[i]);
-  return share;
-}
-
 /// Whatever was not done before; false if it was interrupted.
 bool work_through(const CompareOptions& options, RunQueue& queue, const std::string& what) {
   queue.skip_done(options.retry_failed);
@@ -102,6 +107,15 @@ bool work_through(const CompareOptions& options, RunQueue& queue, const std::str
   say_interrupted(options,
                   fmt::format("what was done, {} of {} runs,", queue.done(), queue.tasks()));
   return false;
+}
+
+/// Nothing if making a suite was interrupted. What a variant cannot be is told before that.
+std::optional<std::vector<CompareInput>> inputs_for(const CompareOptions& options,
+                                                    const std::vector<MethodVariant>& variants) {
+  for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
+  if (make_suites(options)) return find_inputs(options);
+  say_interrupted(options, "nothing of an unfinished suite");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -117,29 +131,37 @@ ComparePart parse_part(const std::string& text) {
   throw std::invalid_argument(fmt::format("--part: '{}'; expected NUMBER/OF, such as 3/8", text));
 }
 
-std::optional<CompareResults> compare_variants(const CompareOptions& options,
-                                               const std::vector<MethodVariant>& variants) {
-  for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
-  if (!make_suites(options)) {
-    say_interrupted(options, "nothing of an unfinished suite");
-    return std::nullopt;
-  }
-  const std::vector<CompareInput> inputs = find_inputs(options);
-  const std::string build = build_fingerprint();
-  // Before there is a folder: a recording without truth is told here.
-  RunQueue queue(
-      share_of(make_tasks(options, inputs, variants, build), options.part.value_or(ComparePart{})),
-      options.jobs, options.quiet);
-  fs::create_directories(options.output);
-  const process::FolderLock lock(options.output, options.part.has_value());
-  const std::string what = fmt::format("{} recordings, {} methods", inputs.size(), variants.size());
-  if (!work_through(options, queue, what)) return std::nullopt;
-  if (options.part) return CompareResults{};
-  return collect_results(options, inputs, variants, build);
+std::optional<std::string> list_runs(const CompareOptions& options,
+                                     const std::vector<MethodVariant>& variants) {
+  const auto inputs = inputs_for(options, variants);
+  if (!inputs) return std::nullopt;
+  return runs_text(plan_runs(inputs->size(), variants.size(), options.repeats), *inputs, variants);
 }
 
-int exit_code_of(const evaluation::Comparison& comparison) {
-  for (const evaluation::ComparedRecording& recording : comparison.recordings) {
+std::optional<CompareResults> compare_variants(const CompareOptions& options,
+                                               const std::vector<MethodVariant>& variants) {
+  auto inputs = inputs_for(options, variants);
+  if (!inputs) return std::nullopt;
+  const std::string build = build_fingerprint();
+  const std::vector<PlannedRun> runs =
+      share_of(plan_runs(inputs->size(), variants.size(), options.repeats),
+               options.part.value_or(ComparePart{}));
+  // Before there is a folder: a recording without truth is told here.
+  RunQueue queue(make_tasks(options, runs, *inputs, variants, build), options.jobs, options.quiet);
+  fs::create_directories(options.output);
+  const process::FolderLock lock(options.output, options.part.has_value());
+  const std::string what =
+      fmt::format("{} recordings, {} methods", inputs->size(), variants.size());
+  if (!work_through(options, queue, what)) return std::nullopt;
+  CompareResults results;
+  if (!options.part) results = collect_results(options, *inputs, variants, build);
+  results.failed = queue.failed();
+  return results;
+}
+
+int exit_code_of(const CompareResults& results) {
+  if (results.failed > 0) return process::kSomeFailed;
+  for (const evaluation::ComparedRecording& recording : results.comparison.recordings) {
     for (const evaluation::MethodResult& result : recording.results) {
       if (result.verdict.outcome == evaluation::Outcome::failed || !result.repeats_agree) {
         return process::kSomeFailed;

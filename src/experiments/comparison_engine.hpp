@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "experiments/compare_results.hpp"
@@ -15,12 +16,18 @@
 namespace surefoot::experiments {
 
 /// Makes the suites that are not there yet, does the runs that are not done yet and evaluates all.
-/// A recording whose truth cannot be read is told at once, and not run. Nothing if it was
-/// interrupted, which is said. Throws ConfigError for a variant that cannot be, std::runtime_error.
+/// A recording whose truth cannot be read is told at once, and not run. With a part of the runs
+/// nothing is evaluated. Nothing if it was interrupted, which is said. Throws ConfigError for a
+/// variant that cannot be, std::runtime_error.
 [[nodiscard]] std::optional<CompareResults> compare_variants(
     const CompareOptions& options, const std::vector<MethodVariant>& variants);
 
+/// The runs that compare_variants() would do, a line of JSON each. Nothing if it was interrupted.
+/// Throws as that does, but reads no truth.
+[[nodiscard]] std::optional<std::string> list_runs(const CompareOptions& options,
+                                                   const std::vector<MethodVariant>& variants);
+
 /// process::kDone, or kSomeFailed if a run failed or repeats differ.
-[[nodiscard]] int exit_code_of(const evaluation::Comparison& comparison);
+[[nodiscard]] int exit_code_of(const CompareResults& results);
 
 }  // namespace surefoot::experiments

@@ -39,6 +39,7 @@ struct CompareOptions {
   int repeats = 1;
   int jobs = 1;
   std::optional<ComparePart> part;  ///< of the runs, and no tables; none: whatever is left
+  bool list_runs = false;           ///< and do none
   std::filesystem::path output = "results/comparison";
   bool figures = true;
   bool retry_failed = false;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "process.hpp"
@@ -110,11 +111,61 @@ TEST_F(Compare, PartsGiveWhatTheWholeGives) {
   const ProcessResult end = in("parts", {});
   EXPECT_NE(end.errors.find("2 methods; 4 done before"), std::string::npos) << end;
   EXPECT_EQ(errors_of(results("parts")), errors_of(results("whole")));
-  for (const char* part : {"0/3", "4/3", "3", "1/3x", "-1/3", "/"}) {
-    const ProcessResult refused = in("parts", {std::string("--part=") + part});
-    EXPECT_EQ(refused.exit_code, 2) << refused;
-    EXPECT_NE(refused.errors.find("expected NUMBER/OF"), std::string::npos) << refused;
+}
+
+// compare, ablate and sweep alike.
+TEST_F(Compare, EveryKindOfComparisonHasParts) {
+  const std::vector<std::vector<std::string>> commands = {
+      {"compare", "left", "--methods", "icp,paper", "-o", "c", "--no-figures"},
+      {"sweep", "left", "--method", "paper", "--vary", "map.radius=50,60", "-o", "s"},
+      {"ablate", "left", "-o", "a", "--no-figures"}};
+  for (const std::vector<std::string>& command : commands) {
+    const auto with = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), command.begin(), command.end());
+      return run_surefoot(more, scratch_.path());
+    };
+    for (const char* part : {"0/3", "4/3", "3", "1/3x", "-1/3", "/"}) {
+      const ProcessResult refused = with({std::string("--part=") + part});
+      EXPECT_EQ(refused.exit_code, 2) << refused;
+      EXPECT_NE(refused.errors.find("expected NUMBER/OF"), std::string::npos) << refused;
+    }
+    const ProcessResult listed = with({"--list-runs"});
+    std::istringstream lines(listed.output);
+    std::vector<json> runs;
+    for (std::string line; std::getline(lines, line);) runs.push_back(json::parse(line));
+    ASSERT_GE(runs.size(), 2U) << listed;
+    EXPECT_EQ(runs[1]["recording"], (scratch_.path() / "left").string()) << listed;
+    const fs::path out = scratch_.path() / command[0].substr(0, 1);
+    EXPECT_FALSE(fs::exists(out)) << "listing does something";
+
+    const ProcessResult second = with({"--part", runs[1]["part"]});
+    EXPECT_EQ(second.exit_code, 0) << second;
+    EXPECT_TRUE(fs::exists(out / runs[1]["folder"].get<std::string>() / "trajectory.tum"))
+        << second;
+    EXPECT_FALSE(fs::exists(out / runs[0]["folder"].get<std::string>())) << second;
+    EXPECT_FALSE(fs::exists(out / "compare.json")) << second;
+    const ProcessResult end = with({});
+    EXPECT_NE(end.errors.find("; 1 done before"), std::string::npos) << end;
+    EXPECT_TRUE(fs::exists(out / "compare.json")) << end;
   }
+}
+
+// Whoever gave the runs to several machines is told by each.
+TEST_F(Compare, APartThatFailsSaysSo) {
+  fs::create_directory(scratch_.path() / "broken");
+  write_content(scratch_.path() / "broken" / scan_name(0), "no point cloud");
+  fs::copy_file(scratch_.path() / "left/gt.tum", scratch_.path() / "broken/gt.tum");
+  fs::remove(scratch_.path() / "right/gt.tum");
+  const auto part = [&](const std::string& number) {
+    return compare({"broken", "right", "left", "--methods", "icp", "-o", "out", "--part", number});
+  };
+  EXPECT_EQ(part("1/3").exit_code, 1);
+  EXPECT_EQ(part("1/3").exit_code, 1) << "done before, and forgotten";
+  const ProcessResult blind = part("2/3");
+  EXPECT_EQ(blind.exit_code, 2) << blind;
+  EXPECT_NE(blind.errors.find("right/gt.tum"), std::string::npos) << blind;
+  EXPECT_EQ(part("3/3").exit_code, 0);
+  EXPECT_TRUE(fs::exists(scratch_.path() / "out/runs/left/icp/1/trajectory.tum"));
 }
 
 TEST_F(Compare, TablesFilesAndFiguresOfTwoByTwo) {
