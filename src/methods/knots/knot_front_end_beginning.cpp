@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/health.hpp"
+#include "core/information.hpp"
 #include "core/level.hpp"
 #include "geometry/se3.hpp"
 #include "methods/knots/knot_front_end.hpp"
