@@ -23,11 +23,12 @@ struct MergeArguments {
   std::vector<fs::path> maps;
   fs::path output;
   bool overwrite = false;
+  bool leave_out = false;
 };
 
 int merge(const MergeArguments& arguments) {
-  const runs::MergeOutcome outcome =
-      runs::merge_saved_maps(arguments.maps, arguments.output, arguments.overwrite);
+  const runs::MergeOutcome outcome = runs::merge_saved_maps(
+      arguments.maps, arguments.output, arguments.overwrite, arguments.leave_out);
   for (const runs::MergedMap& map : outcome.maps) {
     if (map.joined) {
       fmt::print("{}: joined by {} loops of {} places compared; {} places seen by both; {}\n",
@@ -37,9 +38,9 @@ int merge(const MergeArguments& arguments) {
                  map.message);
     }
   }
-  if (outcome.joined()) {
+  if (outcome.written) {
     fmt::print("results: {}, {} pieces of way\n", arguments.output.string(), outcome.pieces);
-    return process::kDone;
+    return outcome.joined() ? process::kDone : process::kSomeFailed;
   }
   fmt::print(stderr, "surefoot: no joint map is written; loops.csv in {} says what was compared\n",
              arguments.output.string());
@@ -61,6 +62,8 @@ void add_merge_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_flag("--overwrite", arguments->overwrite,
                     "write also where such files lie already; one of the maps may be among them");
+  command->add_flag("--leave-out", arguments->leave_out,
+                    "write the joint map also where some cannot be joined, without these");
   command->callback([arguments, &exit_code] { exit_code = merge(*arguments); });
 }
 

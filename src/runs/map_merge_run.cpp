@@ -34,7 +34,7 @@ bool MergeOutcome::joined() const {
 }
 
 MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path& folder,
-                              bool overwrite) {
+                              bool overwrite, bool leave_out) {
   MergeOutcome outcome;
   std::vector<mapping::SavedMap> read;
   for (const fs::path& map : maps) read.push_back(read_saved_map(map));
@@ -61,7 +61,10 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
   }
   io::write_whole_file(folder / kLoopsFile, csv);
   outcome.pieces = joint.pieces.size();
-  if (outcome.joined()) write_saved_map(folder / kSavedMapFile, joint);
+  const bool any = std::any_of(outcome.maps.begin(), outcome.maps.end(),
+                               [](const MergedMap& map) { return map.joined; });
+  outcome.written = outcome.joined() || (leave_out && any);
+  if (outcome.written) write_saved_map(folder / kSavedMapFile, joint);
   return outcome;
 }
 

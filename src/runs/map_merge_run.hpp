@@ -29,14 +29,17 @@ struct MergeOutcome {
   std::size_t pieces = 0;  ///< of the joint map
   std::vector<MergedMap> maps;
 
-  [[nodiscard]] bool joined() const;
+  [[nodiscard]] bool joined() const;  ///< all of them
+  bool written = false;               ///< the joint map
 };
 
 /// Joins each of the maps to the first, or to those that were joined to it before. Writes loops.csv
-/// to the folder, and map.surefoot if all were joined, in the first one's frame. Throws
+/// to the folder, and map.surefoot if all were joined, in the first one's frame; with `leave_out`
+/// if any was. Throws
 /// io::ReadError, io::WriteError; unless `overwrite`, std::runtime_error where one of the two files
 /// is there already.
 [[nodiscard]] MergeOutcome merge_saved_maps(const std::vector<std::filesystem::path>& maps,
-                                            const std::filesystem::path& folder, bool overwrite);
+                                            const std::filesystem::path& folder, bool overwrite,
+                                            bool leave_out = false);
 
 }  // namespace surefoot::runs

@@ -136,6 +136,16 @@ TEST_F(MergeCommand, HousesThatLookAlikeDoNotJoinMaps) {
   EXPECT_EQ(merged.exit_code, 1) << merged;
   EXPECT_FALSE(fs::exists(path("none/map.surefoot")));
   EXPECT_GT(lines_of(path("none/loops.csv")), 10U);
+  // Nothing to write without it, either; with a map that can be joined there is.
+  EXPECT_EQ(surefoot({"merge", "street-map", "one-map", "-o", "none-2", "--leave-out"}).exit_code,
+            1);
+  EXPECT_FALSE(fs::exists(path("none-2/map.surefoot")));
+  const ProcessResult two =
+      surefoot({"merge", "one-map", "street-map", "two-map", "-o", "two", "--leave-out"});
+  EXPECT_EQ(two.exit_code, 1) << two;
+  EXPECT_NE(two.output.find("street-map: not joined"), std::string::npos) << two;
+  ASSERT_EQ(surefoot({"merge", "one-map", "two-map", "-o", "two-alone"}).exit_code, 0);
+  EXPECT_EQ(file_content(path("two/map.surefoot")), file_content(path("two-alone/map.surefoot")));
 }
 
 }  // namespace
