@@ -53,7 +53,9 @@ function(expect_content name)
 endfunction()
 expect_content(surefoot /usr/bin/surefoot /usr/lib/systemd/system/surefoot-live.service
   /usr/share/doc/surefoot/examples/live.env /usr/share/man/man1/surefoot-live.1.gz
-  /usr/share/bash-completion/completions/surefoot)
+  /usr/share/bash-completion/completions/surefoot /usr/share/bash-completion/completions/surefoot_fleet
+  /usr/bin/surefoot_fleet /usr/share/surefoot/fleet/Snakefile /usr/share/surefoot/fleet/work.py
+  /usr/share/surefoot/fleet/slurm/config.yaml)
 expect_content(python3-surefoot /surefoot/evalio_datasets.py /surefoot/_core.pyi
   /usr/share/doc/python3-surefoot/examples/odometry.py)
 list(SORT names)
