@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/information.hpp"
-#include "geometry/se3.hpp"
 #include "methods/knots/knot_front_end.hpp"
 #include "methods/knots/knot_search.hpp"
 #include "methods/knots/verdict_weights.hpp"
@@ -72,11 +71,15 @@ double hazard_where_lost(bool far, Estimate& estimate) {
 }  // namespace
 
 /// Where one may be who goes so fast, the longer after the last trusted scan the farther from it.
+/// Who is seen all the while does not come to another storey, which looks as this one does.
 SearchRegion KnotFrontEnd::region_within(double speed, std::int64_t instant_ns) const {
   const double since = std::max(since_trusted(instant_ns), 0.0);
   // [K30]
-  return {end_.prior.means[1], std::min(kReach + speed * since, kMostReach),
-          std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
+  SearchRegion region{end_.prior.means[1], std::min(kReach + speed * since, kMostReach),
+                      std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
+  region.storeys = (search_ && search_->after_hole) ||
+                   !way_.has_storeys(region.centre.translation, region.radius);
+  return region;
 }
 
 /// Where it may be if it went on as it walked.
@@ -94,7 +97,7 @@ SearchRegion KnotFrontEnd::straight_on(std::int64_t instant_ns) const {
   const Pose& last = end_.prior.means[1];
   const Eigen::Vector3d way = since_trusted(instant_ns) * model_.mean(last.rotation).head<3>();
   const double heading = roll_pitch_yaw(last.rotation).z();
-  return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn};
+  return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn, false};
 }
 
 /// Where a lost one is looked for by the scan whose turn it is; nowhere by some of those for which
@@ -112,12 +115,7 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& chosen,
                                               const SearchRegion& region) const {
   session_.begin_step(Step::search);
-  // Near the last pose its own height tells more than the way, which stairs leave steeply.
-  WalkedWay here;
-  here.add(upright(end_.prior.means[1]));
-  const bool near = !region.large() && !(search_ && search_->after_hole);
-  return search_places(map_, some_of(scan, chosen), region, near ? here : way_, kPlaces,
-                       session_.workers);
+  return search_places(map_, some_of(scan, chosen), region, way_, kPlaces, session_.workers);
 }
 
 /// A scan registered where a coarse look told that it may be, at first by one velocity; none if
@@ -175,7 +173,9 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
     const Twist going = model_.mean(place.pose.rotation);
     for (const Twist& velocity : {Twist(Twist::Zero()), going}) {
       auto here = register_at(place.pose, velocity, scan, chosen);
-      if (here) found.push_back(std::move(*here));
+      if (here && region.is_as_high(here->trajectory.at(0.5).translation)) {
+        found.push_back(std::move(*here));
+      }
     }
   }
   std::stable_sort(found.begin(), found.end(), [&](const Registered& a, const Registered& b) {

@@ -78,37 +78,43 @@ Pose turned(const Pose& pose, double turn) {
   return {(pose.rotation * by).normalized(), pose.translation};
 }
 
-/// On the ground of the way.
+/// On the ground of the way, and near the centre on a level with it: stairs leave the way steeply.
 std::vector<PlaceFit> places_of(const SearchRegion& region, const Grain& grain,
                                 const WalkedWay& way) {
   std::vector<PlaceFit> places;
   const int reach = static_cast<int>(region.radius / grain.step);
   const int turns = static_cast<int>(std::min(region.turn, std::numbers::pi) / grain.turn);
   const double yaw = heading(region.centre);
+  const Eigen::Vector3d& centre = region.centre.translation;
+  const auto add = [&](const Pose& stand) {
+    for (int turn = -turns; turn <= turns; ++turn) {
+      places.push_back({turned(stand, turn * grain.turn)});
+    }
+  };
   for (int x = -reach; x <= reach; ++x) {
     for (int y = -reach; y <= reach; ++y) {
       const Eigen::Vector2d aside = grain.step * Eigen::Vector2d(x, y);
       if (aside.norm() > region.radius) continue;
-      const Eigen::Vector3d place =
-          region.centre.translation + Eigen::Vector3d(aside.x(), aside.y(), 0.0);
-      const Pose stand = way.stand_at(place, yaw);
-      for (int turn = -turns; turn <= turns; ++turn) {
-        places.push_back({turned(stand, turn * grain.turn)});
+      const Eigen::Vector3d level = centre + Eigen::Vector3d(aside.x(), aside.y(), 0.0);
+      for (const Pose& stand : way.stands_at(level.head<2>(), yaw)) {
+        if (region.is_as_high(stand.translation)) add(stand);
       }
+      if (!region.large()) add({so3_exp({0.0, 0.0, yaw}), level});
     }
   }
   return places;
 }
 
 /// About one of those before, and higher and lower: ground is not even.
-void add_places_about(const Pose& pose, const Grain& grain, std::vector<PlaceFit>& places) {
+void add_places_about(const Pose& pose, const Grain& grain, const SearchRegion& region,
+                      std::vector<PlaceFit>& places) {
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int rise = -2; rise <= 2; ++rise) {
         for (int turn = -1; turn <= 1; ++turn) {
           Pose place = turned(pose, turn * grain.turn);
           place.translation += grain.step * Eigen::Vector3d(x, y, rise);
-          places.push_back({place});
+          if (region.is_as_high(place.translation)) places.push_back({place});
         }
       }
     }
@@ -132,6 +138,11 @@ std::vector<PlaceFit> best_apart(std::vector<PlaceFit> places, std::size_t most)
 }
 
 }  // namespace
+
+bool SearchRegion::is_as_high(const Eigen::Vector3d& place) const {
+  constexpr double kHalfStorey = 1.5;  // [m]
+  return storeys || std::abs(place.z() - centre.translation.z()) < kHalfStorey;
+}
 
 bool same_place(const Pose& a, const Pose& b) {
   return (a.translation - b.translation).norm() < kApart &&
@@ -158,7 +169,7 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
     const std::vector<PlaceFit> coarse = best_apart(std::move(places), kRefined);
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
-    for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, places);
+    for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, region, places);
     weigh(2);
   }
   return best_apart(std::move(places), most);

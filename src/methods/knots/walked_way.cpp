@@ -4,15 +4,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace surefoot {
 
 namespace {
 
 constexpr double kApart = 1.0;  // [m] between two that are kept
-// Heights count twice: another storey is far, however near in the plane.
-const Eigen::Vector3d kSteep(1.0, 1.0, 2.0);
-constexpr double kRate = 0.1;  // of the mean: a second, which is two strides
+constexpr double kRate = 0.1;   // of the mean: a second, which is two strides
+// [m] Another storey is so much higher or lower, and its way as near in the plane but for so much.
+constexpr double kStorey = 1.2, kBeside = 1.5;
 
 }  // namespace
 
@@ -34,19 +36,56 @@ void WalkedWay::remove_far(const Eigen::Vector3d& sensor, double reach) {
 
 void WalkedWay::clear() { stands_.clear(); }
 
-Pose WalkedWay::stand_at(const Eigen::Vector3d& place, double yaw) const {
-  const auto apart = [&](const Stand& stand) {
-    return (stand.position - place).cwiseProduct(kSteep).squaredNorm();
-  };
-  const Stand& nearest =
-      *std::min_element(stands_.begin(), stands_.end(),
-                        [&](const Stand& a, const Stand& b) { return apart(a) < apart(b); });
-  const Eigen::Vector2d aside = (place - nearest.position).head<2>();
-  const double rise = -nearest.up.head<2>().dot(aside) / nearest.up.z();
+Pose WalkedWay::on_ground_of(const Stand& stand, const Eigen::Vector2d& place, double yaw) {
+  const Eigen::Vector2d aside = place - stand.position.head<2>();
+  const double rise = -stand.up.head<2>().dot(aside) / stand.up.z();
   const Eigen::Quaterniond tilt =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), nearest.up);
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), stand.up);
   return {tilt * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()),
-          {place.x(), place.y(), nearest.position.z() + rise}};
+          {place.x(), place.y(), stand.position.z() + rise}};
+}
+
+std::vector<Pose> WalkedWay::stands_at(const Eigen::Vector2d& place, double yaw) const {
+  const auto away = [&](const Stand& stand) { return (stand.position.head<2>() - place).norm(); };
+  double nearest = std::numeric_limits<double>::max();
+  for (const Stand& stand : stands_) nearest = std::min(nearest, away(stand));
+  std::vector<const Stand*> beside;
+  for (const Stand& stand : stands_) {
+    if (away(stand) <= nearest + kBeside) beside.push_back(&stand);
+  }
+  std::stable_sort(beside.begin(), beside.end(),
+                   [&](const Stand* a, const Stand* b) { return away(*a) < away(*b); });
+  std::vector<Pose> storeys;
+  for (const Stand* stand : beside) {
+    const Pose pose = on_ground_of(*stand, place, yaw);
+    const bool known = std::any_of(storeys.begin(), storeys.end(), [&](const Pose& other) {
+      return std::abs(other.translation.z() - pose.translation.z()) < kStorey;
+    });
+    if (!known) storeys.push_back(pose);
+  }
+  return storeys;
+}
+
+Pose WalkedWay::stand_at(const Eigen::Vector3d& place, double yaw) const {
+  const std::vector<Pose> storeys = stands_at(place.head<2>(), yaw);
+  const auto apart = [&](const Pose& storey) {
+    return std::abs(storey.translation.z() - place.z());
+  };
+  return *std::min_element(storeys.begin(), storeys.end(),
+                           [&](const Pose& a, const Pose& b) { return apart(a) < apart(b); });
+}
+
+bool WalkedWay::has_storeys(const Eigen::Vector3d& place, double within) const {
+  std::vector<const Stand*> near;
+  for (const Stand& stand : stands_) {
+    if ((stand.position - place).head<2>().norm() <= within) near.push_back(&stand);
+  }
+  return std::any_of(near.begin(), near.end(), [&](const Stand* one) {
+    return std::any_of(near.begin(), near.end(), [&](const Stand* other) {
+      const Eigen::Vector3d away = other->position - one->position;
+      return away.z() > kStorey && away.head<2>().norm() < kBeside;
+    });
+  });
 }
 
 }  // namespace surefoot

@@ -17,15 +17,22 @@ class WalkedWay {
   void remove_far(const Eigen::Vector3d& sensor, double reach);
   void clear();
 
-  /// The pose over or under a place, turned by `yaw` about its own up, of a sensor that stands on
-  /// the ground where it stood nearest to there. It must have stood somewhere.
+  /// The poses at a place in the plane, turned by `yaw` about their own up, of a sensor that stands
+  /// on the ground where it stood nearest to there: one, or one a storey where ways cross. It must
+  /// have stood somewhere.
+  [[nodiscard]] std::vector<Pose> stands_at(const Eigen::Vector2d& place, double yaw) const;
+  /// That of them whose height is nearest to the place's.
   [[nodiscard]] Pose stand_at(const Eigen::Vector3d& place, double yaw) const;
+  /// Whether it led over itself, as on stairs, so near to a place in the plane [m].
+  [[nodiscard]] bool has_storeys(const Eigen::Vector3d& place, double within) const;
 
  private:
   struct Stand {
     Eigen::Vector3d position;
     Eigen::Vector3d up;  // of the ground: the gait's swing is averaged away
   };
+
+  static Pose on_ground_of(const Stand& stand, const Eigen::Vector2d& place, double yaw);
 
   std::vector<Stand> stands_;                     // about one a metre
   Eigen::Vector3d up_ = Eigen::Vector3d::Zero();  // fading mean

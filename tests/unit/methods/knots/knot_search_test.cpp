@@ -79,6 +79,24 @@ TEST(KnotSearch, FindsWhoStandsOnAnotherSlope) {
   EXPECT_NEAR(places.front().pose.translation.z(), 1.0, 0.6);
 }
 
+// A hall over the hall looks like it; who may not be on another storey is looked for on his own.
+TEST(KnotSearch, KeepsToItsStoreyIfItHasTo) {
+  const SurfelMap map = map_of_the_hall();
+  const auto points = thinned(points_from(kMapped));
+  Pose above = kMapped;
+  above.translation.z() += 3.0;
+  WalkedWay way = level_way();
+  way.add(above);
+  SearchRegion region{above, 2.0, 0.2};
+  auto places = search_places(map, points, region, way, 4, Workers(1));
+  ASSERT_FALSE(places.empty());
+  EXPECT_TRUE(same_place(places.front().pose, kMapped));
+  region.storeys = false;
+  places = search_places(map, points, region, way, 4, Workers(1));
+  ASSERT_FALSE(places.empty());
+  for (const PlaceFit& place : places) EXPECT_GT(place.pose.translation.z(), 1.5);
+}
+
 TEST(KnotSearch, LooksNoFartherThanItsRegion) {
   const SurfelMap map = map_of_the_hall();
   const Pose truth{so3_exp({0.0, 0.0, 0.7}), {-2.3, -0.4, 0.45}};

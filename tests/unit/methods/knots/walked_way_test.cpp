@@ -57,13 +57,30 @@ TEST(WalkedWay, ForgetsWhatIsFar) {
   EXPECT_EQ(way.stand_at({100.0, 50.0, 0.0}, 0.0).translation, Eigen::Vector3d(100.0, 50.0, 7.0));
 }
 
-// Flights of stairs lie over each other: of who is lost on one, the others are farther.
-TEST(WalkedWay, OfTwoStoreysItIsTheNearerOne) {
+TEST(WalkedWay, ItIsTheNearestInThePlaneHoweverHigh) {
   WalkedWay way;
   way.add({Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.4}});
-  way.add({Eigen::Quaterniond::Identity(), {4.0, 0.0, 3.4}});
-  EXPECT_EQ(way.stand_at({3.9, 0.0, 0.4}, 0.0).translation.z(), 0.4);
-  EXPECT_EQ(way.stand_at({3.9, 0.0, 3.0}, 0.0).translation.z(), 3.4);
+  way.add({Eigen::Quaterniond::Identity(), {6.0, 0.0, 3.4}});
+  EXPECT_EQ(way.stand_at({5.0, 0.0, 0.4}, 0.0).translation.z(), 3.4);
+  EXPECT_EQ(way.stands_at({5.0, 0.0}, 0.0).size(), 1U);
+}
+
+TEST(WalkedWay, FlightsOverEachOtherAreStoreys) {
+  WalkedWay way;
+  for (int i = 0; i < 3; ++i) {  // side by side, each 1.6 m higher
+    way.add({Eigen::Quaterniond::Identity(), {0.0, 1.2 * (i % 2), 0.4 + 1.6 * i}});
+  }
+  EXPECT_EQ(way.stands_at({0.0, 0.5}, 0.0).size(), 3U);
+  EXPECT_EQ(way.stand_at({0.0, 0.5, 0.9}, 0.0).translation.z(), 0.4);
+  EXPECT_EQ(way.stand_at({0.0, 0.5, 3.0}, 0.0).translation.z(), 3.6);
+  EXPECT_TRUE(way.has_storeys({0.0, 0.0, 0.0}, 2.0));
+  EXPECT_FALSE(way.has_storeys({5.0, 0.0, 0.0}, 2.0)) << "they are not near";
+}
+
+TEST(WalkedWay, ASlopeHasNoStoreys) {
+  const WalkedWay way = way_up_the_slope();
+  EXPECT_EQ(way.stands_at({12.4, 3.0}, 0.0).size(), 1U);
+  EXPECT_FALSE(way.has_storeys({10.0, 0.0, 3.5}, 20.0));
 }
 
 }  // namespace
