@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runs/map_merge_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "mapping/map_merge.hpp"
 #include "runs/loops_csv.hpp"
@@ -18,13 +21,27 @@ namespace fs = std::filesystem;
 namespace {
 
 void make_merge_folder(const fs::path& folder, bool overwrite) {
-  for (const char* name : {kSavedMapFile, kLoopsFile}) {
+  for (const char* name : {kSavedMapFile, kLoopsFile, kPiecesFile}) {
     if (!overwrite && fs::exists(folder / name)) {
       throw std::runtime_error((folder / name).string() +
                                ": is there already; choose another folder, or --overwrite");
     }
   }
   fs::create_directories(folder);
+}
+
+/// Where the pieces of a joint map lie, and of which map each one is.
+std::string pieces_csv(const std::vector<mapping::Piece>& pieces,
+                       const std::vector<std::size_t>& maps) {
+  std::string text = "map,stamp,x,y,z,qx,qy,qz,qw\n";
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Eigen::Vector3d& t = pieces[i].T_world_piece.translation;
+    const Eigen::Quaterniond& q = pieces[i].T_world_piece.rotation;
+    text += fmt::format("{},{},{:.6f},{:.6f},{:.6f},{:.9f},{:.9f},{:.9f},{:.9f}\n", maps[i],
+                        io::format_seconds(pieces[i].stamp_ns), t.x(), t.y(), t.z(), q.x(), q.y(),
+                        q.z(), q.w());
+  }
+  return text;
 }
 
 }  // namespace
@@ -40,6 +57,7 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
   for (const fs::path& map : maps) read.push_back(read_saved_map(map));
   make_merge_folder(folder, overwrite);
   mapping::SavedMap joint = read.front();
+  std::vector<std::size_t> map_of(joint.pieces.size(), 1);  // of each of its pieces
   for (std::size_t i = 1; i < maps.size(); ++i) outcome.maps.push_back({.path = maps[i]});
   std::string csv = join_csv_header();
   // What joins none of the first may join what is joined to it later.
@@ -55,6 +73,7 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
              join.begin()};
       if (!join.joint) continue;
       joint = std::move(*join.joint);
+      map_of.resize(joint.pieces.size(), i + 2);
       more = true;
     }
     more = more && !outcome.joined();
@@ -64,7 +83,10 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
   const bool any = std::any_of(outcome.maps.begin(), outcome.maps.end(),
                                [](const MergedMap& map) { return map.joined; });
   outcome.written = outcome.joined() || (leave_out && any);
-  if (outcome.written) write_saved_map(folder / kSavedMapFile, joint);
+  if (outcome.written) {
+    io::write_whole_file(folder / kPiecesFile, pieces_csv(joint.pieces, map_of));
+    write_saved_map(folder / kSavedMapFile, joint);
+  }
   return outcome;
 }
 

@@ -34,10 +34,10 @@ struct MergeOutcome {
 };
 
 /// Joins each of the maps to the first, or to those that were joined to it before. Writes loops.csv
-/// to the folder, and map.surefoot if all were joined, in the first one's frame; with `leave_out`
-/// if any was. Throws
-/// io::ReadError, io::WriteError; unless `overwrite`, std::runtime_error where one of the two files
-/// is there already.
+/// to the folder and, if all were joined (with `leave_out`: if any was), in the first one's frame
+/// map.surefoot and pieces.csv, which says where each piece of way lies. Throws io::ReadError,
+/// io::WriteError; unless `overwrite`, std::runtime_error where one of these files is there
+/// already.
 [[nodiscard]] MergeOutcome merge_saved_maps(const std::vector<std::filesystem::path>& maps,
                                             const std::filesystem::path& folder, bool overwrite,
                                             bool leave_out = false);

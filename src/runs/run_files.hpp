@@ -20,6 +20,7 @@ inline constexpr const char* kDeskewingFile = "deskewing.ply";
 inline constexpr const char* kOptimizedTrajectoryFile = "trajectory_optimized.tum";
 inline constexpr const char* kOptimizedMapFile = "map_optimized.ply";
 inline constexpr const char* kLoopsFile = "loops.csv";
+inline constexpr const char* kPiecesFile = "pieces.csv";      // of joined maps
 inline constexpr const char* kRevisitsFile = "revisits.csv";  // where the truth is known
 inline constexpr const char* kPoseGraphFile = "pose_graph.g2o";
 inline constexpr const char* kSavedMapFile = "map.surefoot";  // to come back to

@@ -5,7 +5,11 @@
 // look- alike places never do.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <memory>
+#include <sstream>
 
 #include "io/trajectory_files.hpp"
 #include "process.hpp"
@@ -65,6 +69,31 @@ class MergeCommand : public testing::Test {
     return next == truth.end() ? truth.back().pose : next->pose;  // one every 2.5 ms
   }
 
+  /// Pieces of both maps, in the first one's frame.
+  static void expect_true_pieces(const std::string& file) {
+    const Trajectory map = io::read_tum(path("one-map/trajectory_optimized.tum"));
+    const Pose T_truth_map = truth_at("one", map.front().stamp_ns) * map.front().pose.inverse();
+    std::istringstream lines(file_content(path(file)));
+    std::string line;
+    std::getline(lines, line);
+    std::array<int, 3> of_map{};
+    while (std::getline(lines, line)) {
+      int number = 0;
+      double stamp = 0.0;
+      Eigen::Vector3d at;
+      ASSERT_EQ(std::sscanf(line.c_str(), "%d,%lf,%lf,%lf,%lf", &number, &stamp, &at.x(), &at.y(),
+                            &at.z()),
+                5)
+          << line;
+      ASSERT_TRUE(number == 1 || number == 2) << line;
+      ++of_map.at(static_cast<std::size_t>(number));
+      const Pose truth = truth_at(number == 1 ? "one" : "two", std::llround(1e9 * stamp));
+      EXPECT_LT((T_truth_map * at - truth.translation).norm(), 0.3) << line;
+    }
+    EXPECT_GT(of_map[1], 3);
+    EXPECT_GT(of_map[2], 3);
+  }
+
   static inline std::unique_ptr<ScratchFolder> scratch_;
   static inline bool simulated_ = false;
 };
@@ -72,6 +101,7 @@ class MergeCommand : public testing::Test {
 TEST_F(MergeCommand, JoinsMapsOfOnePlace) {
   const ProcessResult result = surefoot({"merge", "one-map", "two-map", "-o", "joint"});
   ASSERT_EQ(result.exit_code, 0) << result;
+  expect_true_pieces("joint/pieces.csv");
   EXPECT_NE(result.output.find("two-map: joined by"), std::string::npos) << result;
   EXPECT_GT(lines_of(path("joint/loops.csv")), 10U);
   EXPECT_GT(fs::file_size(path("joint/map.surefoot")), fs::file_size(path("one-map/map.surefoot")));
