@@ -112,7 +112,9 @@ def main(words):
     except (reading.SettingsError, OSError) as error:
         print(f"fleet: {error}", file=sys.stderr)
         return 2
-    return run_workflow(snakemake_call(plan_file, words[1:]), lock) or tell(plan)
+    code = run_workflow(snakemake_call(plan_file, words[1:]), lock)
+    told = tell(plan)
+    return code or told
 
 
 if __name__ == "__main__":

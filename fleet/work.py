@@ -138,9 +138,13 @@ def do_report(plan):
     write_whole(report_file(plan), json.dumps({"exit_code": code, "text": text}, indent=1))
 
 
+def main(plan_file, what, *mark):
+    plan = json.loads(pathlib.Path(plan_file).read_text())
+    try:
+        return do_run(plan, *mark) if what == "run" else do_report(plan)
+    except KeyboardInterrupt:
+        return 130
+
+
 if __name__ == "__main__":
-    PLAN = json.loads(pathlib.Path(sys.argv[1]).read_text())
-    if sys.argv[2] == "run":
-        do_run(PLAN, sys.argv[3])
-    else:
-        do_report(PLAN)
+    sys.exit(main(*sys.argv[1:]))
