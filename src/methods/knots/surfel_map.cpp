@@ -15,6 +15,9 @@ namespace {
 // LiDAR's points lie as far apart as they are wide.
 constexpr double kReach = 100.0;
 
+// What has too few points for a surfel, and was not hit for so many scans, is no surface.
+constexpr std::uint32_t kForgotten = 30;
+
 /// Rounded down.
 VoxelIndex half(const VoxelIndex& index) {
   return {index.x() >> 1, index.y() >> 1, index.z() >> 1};
@@ -26,7 +29,7 @@ SurfelMap::SurfelMap(const Config::Knots& config, double radius)
     : config_(config), radius_(radius) {
   double size = config.finest_voxel;
   for (int level = 0; level < config.levels; ++level, size *= 2.0) {
-    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, {}, 0});
+    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, {}, {}, 0});
   }
 }
 
@@ -35,7 +38,7 @@ struct SurfelMap::Search {
   const Question* question;
   VoxelIndex index;  // in the grid that is asked
   std::uint64_t key;
-  std::uint32_t found;
+  std::uint32_t surfel;
 };
 
 /// In rounds, each of which asks memory for what the next one reads: the misses of all searches are
@@ -56,9 +59,9 @@ void SurfelMap::find_all(std::span<const Question> questions, int finest) const 
       grid.table.prefetch(searches[i].key);
     }
     for (std::size_t i = 0; i < n; ++i) {
-      searches[i].found = grid.table.find(searches[i].key);
-      if (searches[i].found != VoxelTable::kNone) {
-        prefetch(grid.surfels[searches[i].found], kCacheLine);
+      searches[i].surfel = grid.table.find_entry(searches[i].key).second;
+      if (searches[i].surfel != VoxelTable::kNone) {
+        prefetch(grid.surfels[searches[i].surfel], kCacheLine);
       }
     }
     std::size_t open = 0;
@@ -75,13 +78,13 @@ void SurfelMap::find_all(std::span<const Question> questions, int finest) const 
 
 /// What a voxel tells of a question; returns whether no coarser one is to be asked.
 bool SurfelMap::answer(const Search& search, int level) const {
-  if (search.found == VoxelTable::kNone) return false;
+  if (search.surfel == VoxelTable::kNone) return false;
   const Grid& grid = grids_[level];
   Place& last = *search.question->last;
-  const Surfel* surfel = &grid.surfels[search.found];
+  const Surfel* surfel = &grid.surfels[search.surfel];
   if (surfel->from_behind(search.question->ray)) {
     last.asked = -1;  // the answer depends on the ray, too
-    const std::uint32_t back = grid.table.find(search.key | kBack);
+    const std::uint32_t back = grid.table.find_entry(search.key | kBack).second;
     if (back == VoxelTable::kNone) return false;
     surfel = &grid.surfels[back];
     if (surfel->from_behind(search.question->ray)) return false;
@@ -105,9 +108,14 @@ double SurfelMap::reach_of(const Grid& grid) const {
 }
 
 void SurfelMap::empty(Grid& grid, std::uint32_t side) {
-  grid.voxels[side].moments = {};
-  grid.voxels[side].fitted_at = 0;
-  grid.surfels[side] = {};
+  Voxel& voxel = grid.voxels[side];
+  voxel.moments = {};
+  voxel.fitted_at = 0;
+  if (voxel.surfel != VoxelTable::kNone) {
+    grid.unused_surfels.push_back(voxel.surfel);
+    grid.table.set_second(voxel.key, VoxelTable::kNone);
+    voxel.surfel = VoxelTable::kNone;
+  }
   grid.sights[side] = {};
 }
 
@@ -128,7 +136,10 @@ void SurfelMap::remove_far(const Eigen::Vector3d& sensor) {
       const Voxel& voxel = grid.voxels[grid.next];
       if (!voxel.in_use) continue;
       const bool far = (middle_of(voxel.index, grid.size) - sensor).norm() > reach;
-      if (far || voxel.moments.count() == 0) drop(grid, static_cast<std::uint32_t>(grid.next));
+      const bool forgotten =
+          voxel.surfel == VoxelTable::kNone && scan_ - grid.sights[grid.next].last_hit > kForgotten;
+      const bool gone = far || forgotten || voxel.moments.count() == 0;
+      if (gone) drop(grid, static_cast<std::uint32_t>(grid.next));
     }
   }
 }
@@ -137,6 +148,7 @@ void SurfelMap::clear() {
   for (Grid& grid : grids_) {
     grid.table.clear();
     grid.surfels.clear();
+    grid.unused_surfels.clear();
     grid.voxels.clear();
     grid.sights.clear();
     grid.stale.clear();

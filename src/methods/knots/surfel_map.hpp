@@ -84,7 +84,8 @@ class SurfelMap {
   struct alignas(64) Voxel {
     std::uint64_t key = 0;
     VoxelIndex index = VoxelIndex::Zero();
-    int fitted_at = 0;  // count when the surfel was fitted
+    int fitted_at = 0;                         // count when the surfel was fitted
+    std::uint32_t surfel = VoxelTable::kNone;  // none: too few points
     bool stale = false;
     bool in_use = false;
     SurfelMoments moments;
@@ -98,15 +99,16 @@ class SurfelMap {
     std::uint16_t passed = 0;  // scans whose beams went through since the last hit
     bool full = false;         // takes no more points
   };
-  /// A voxel's side is one index into three arrays: what is searched, what is added to, and what
-  /// is gone through at every scan.
+  /// A voxel's side is one index into two arrays: what is added to, and what is gone through at
+  /// every scan. What is searched is a third: every other voxel has too few points for a surfel.
   struct Grid {
     double size;
     double inverse_size;
-    VoxelTable table;
-    Pages<Surfel> surfels;
+    VoxelTable table;  // of sides and of their surfels
     Pages<Voxel> voxels;
     std::vector<Sight> sights;
+    Pages<Surfel> surfels;
+    std::vector<std::uint32_t> unused_surfels;
     std::vector<std::uint32_t> stale;   // to fit anew
     std::vector<std::uint32_t> passed;  // those that beams went through since one last hit them
     std::vector<std::uint32_t> unused;  // sides that were dropped
@@ -134,8 +136,9 @@ class SurfelMap {
   struct Search;
   [[nodiscard]] bool answer(const Search& search, int level) const;
   static std::uint32_t make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index);
-  [[nodiscard]] static std::uint32_t side_of(Grid& grid, std::uint64_t key,
-                                             const VoxelIndex& index);
+  [[nodiscard]] static VoxelTable::Entry side_of(Grid& grid, std::uint64_t key,
+                                                 const VoxelIndex& index);
+  static Surfel& surfel_of(Grid& grid, Voxel& voxel);
   /// Whether the finest grid divides the voxels of the next one, and follows it.
   [[nodiscard]] bool divides() const { return config_.divided_at > 0 && grids_.size() > 1; }
   /// The finest grid that does not.

@@ -51,7 +51,6 @@ std::uint32_t SurfelMap::make_side(Grid& grid, std::uint64_t key, const VoxelInd
   auto side = static_cast<std::uint32_t>(grid.voxels.size());
   if (grid.unused.empty()) {
     grid.voxels.add();
-    grid.surfels.add();
     grid.sights.emplace_back();
   } else {
     side = grid.unused.back();
@@ -65,9 +64,25 @@ std::uint32_t SurfelMap::make_side(Grid& grid, std::uint64_t key, const VoxelInd
   return side;
 }
 
-std::uint32_t SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
-  const std::uint32_t found = grid.table.find(key);
-  return found != VoxelTable::kNone ? found : make_side(grid, key, index);
+/// And which is its surfel, if it has one.
+VoxelTable::Entry SurfelMap::side_of(Grid& grid, std::uint64_t key, const VoxelIndex& index) {
+  const VoxelTable::Entry found = grid.table.find_entry(key);
+  if (found.index != VoxelTable::kNone) return found;
+  return {make_side(grid, key, index), VoxelTable::kNone};
+}
+
+/// Of a voxel that has enough points for one.
+Surfel& SurfelMap::surfel_of(Grid& grid, Voxel& voxel) {
+  if (voxel.surfel != VoxelTable::kNone) return grid.surfels[voxel.surfel];
+  voxel.surfel = static_cast<std::uint32_t>(grid.surfels.size());
+  if (grid.unused_surfels.empty()) {
+    grid.surfels.add();
+  } else {
+    voxel.surfel = grid.unused_surfels.back();
+    grid.unused_surfels.pop_back();
+  }
+  grid.table.set_second(voxel.key, voxel.surfel);
+  return grid.surfels[voxel.surfel];
 }
 
 /// Those of a scan's points that enter a grid.
@@ -117,7 +132,7 @@ void SurfelMap::add(std::size_t level, const Sweep& sweep,
     indices[i] = sweep.index(taken[i], level);
     keys[i] = voxel_key(indices[i]);
   }
-  std::vector<std::uint32_t> sides(n);
+  std::vector<VoxelTable::Entry> sides(n);
   for (std::size_t i = 0; i < n; ++i) {
     if (i + kAhead < n) grid.table.prefetch(keys[i + kAhead]);
     sides[i] = side_of(grid, keys[i], indices[i]);
@@ -125,28 +140,33 @@ void SurfelMap::add(std::size_t level, const Sweep& sweep,
   std::vector<std::uint32_t> filled;
   for (std::size_t i = 0; i < n; ++i) {
     if (i + 2 * kAhead < n) {
-      prefetch(grid.surfels[sides[i + 2 * kAhead]], kCacheLine);
-      prefetch(grid.sights[sides[i + 2 * kAhead]]);
+      const VoxelTable::Entry& ahead = sides[i + 2 * kAhead];
+      if (ahead.second != VoxelTable::kNone) prefetch(grid.surfels[ahead.second], kCacheLine);
+      prefetch(grid.sights[ahead.index]);
     }
-    if (i + kAhead < n && !grid.sights[sides[i + kAhead]].full) {
-      prefetch(grid.voxels[sides[i + kAhead]]);
+    if (i + kAhead < n && !grid.sights[sides[i + kAhead].index].full) {
+      prefetch(grid.voxels[sides[i + kAhead].index]);
     }
     const std::uint32_t point = taken[i];
-    if (grid.surfels[sides[i]].from_behind(rays[point])) {
-      sides[i] = side_of(grid, keys[i] | kBack, indices[i]);
+    auto [side, surfel] = sides[i];
+    if (surfel != VoxelTable::kNone && grid.surfels[surfel].from_behind(rays[point])) {
+      side = side_of(grid, keys[i] | kBack, indices[i]).index;
     }
-    Sight& sight = grid.sights[sides[i]];
+    Sight& sight = grid.sights[side];
     note_hit(sight);
     if (sight.full) continue;
-    Voxel& voxel = grid.voxels[sides[i]];
-    const Eigen::Vector3d place = sweep.view.points[point] - middle_of(indices[i], grid.size);
+    Voxel& voxel = grid.voxels[side];
+    const Eigen::Vector3d middle = middle_of(indices[i], grid.size);
+    const Eigen::Vector3d place = sweep.view.points[point] - middle;
     voxel.moments.add(place.cast<float>(), rays[point].cast<float>(),
                       static_cast<float>(ranges[point]));
     const int count = voxel.moments.count();
-    if (count == config_.points_per_voxel) filled.push_back(sides[i]);
-    if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
+    if (count == config_.points_per_voxel) filled.push_back(side);
+    if (count < config_.min_points) {  // too few for a surfel
+      sight.middle = (middle + voxel.moments.mean()).cast<float>();
+    } else if (!voxel.stale && count >= kGrowth * voxel.fitted_at) {
       voxel.stale = true;
-      grid.stale.push_back(sides[i]);
+      grid.stale.push_back(side);
     }
   }
   // What was seen first is kept: no drift.
@@ -155,15 +175,12 @@ void SurfelMap::add(std::size_t level, const Sweep& sweep,
 
 void SurfelMap::fit(Grid& grid) const {
   for (std::size_t i = 0; i < grid.stale.size(); ++i) {
-    if (i + kAhead < grid.stale.size()) {
-      const std::uint32_t ahead = grid.stale[i + kAhead];
-      prefetch(grid.voxels[ahead]);
-      prefetch(grid.surfels[ahead]);
-    }
+    if (i + kAhead < grid.stale.size()) prefetch(grid.voxels[grid.stale[i + kAhead]]);
     const std::uint32_t at = grid.stale[i];
     Voxel& voxel = grid.voxels[at];
-    grid.surfels[at] = voxel.moments.fit(middle_of(voxel.index, grid.size), grid.size, config_);
-    grid.sights[at].middle = grid.surfels[at].mean.cast<float>();
+    Surfel& surfel = surfel_of(grid, voxel);
+    surfel = voxel.moments.fit(middle_of(voxel.index, grid.size), grid.size, config_);
+    grid.sights[at].middle = surfel.mean.cast<float>();
     voxel.stale = false;
     voxel.fitted_at = voxel.moments.count();
   }
@@ -203,15 +220,23 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
   std::erase_if(grid.passed, untouched);
   const std::vector<std::uint32_t> sides = may_be_passed(grid, beams);
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i + kAhead < sides.size()) prefetch(grid.surfels[sides[i + kAhead]], kCacheLine);
+    if (i + 2 * kAhead < sides.size()) prefetch(grid.voxels[sides[i + 2 * kAhead]]);
+    if (i + kAhead < sides.size()) {
+      const std::uint32_t surfel = grid.voxels[sides[i + kAhead]].surfel;
+      if (surfel != VoxelTable::kNone) prefetch(grid.surfels[surfel], kCacheLine);
+    }
     const std::uint32_t at = sides[i];
-    if (!beams.pass(grid.surfels[at])) continue;
+    Voxel& voxel = grid.voxels[at];
+    const bool passed =
+        voxel.surfel != VoxelTable::kNone
+            ? beams.pass(grid.surfels[voxel.surfel])
+            : beams.pass(voxel.moments.fit(middle_of(voxel.index, grid.size), grid.size, config_));
+    if (!passed) continue;
     Sight& sight = grid.sights[at];
     if (sight.passed == 0) grid.passed.push_back(at);
     sight.passed = static_cast<std::uint16_t>(std::min(sight.passed + 1, kMost));
     // [K19]
     if (sight.passed < config_.gone_after + config_.gone_share * sight.hits) continue;
-    Voxel& voxel = grid.voxels[at];
     const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
     if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
       emptied.push_back(middle_of(voxel.index, grid.size));

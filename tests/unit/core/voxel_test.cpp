@@ -75,5 +75,26 @@ TEST(VoxelTable, FindsWhatIsLeftAfterErasing) {
   }
 }
 
+TEST(VoxelTable, SecondIndicesGoWithTheirKeys) {
+  Random random(3);
+  VoxelTable table;
+  std::map<std::uint64_t, std::uint32_t> seconds;
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    const std::uint64_t key = random.below(3'000);  // it grows, and is crowded
+    if (random.below(3) == 0) {
+      table.erase(key);
+      seconds.erase(key);
+    } else if (table.find_or_insert(key, i).second) {
+      ASSERT_EQ(table.find_entry(key).second, VoxelTable::kNone);
+      if (random.below(2) != 0) table.set_second(key, seconds[key] = i + 7);
+    }
+  }
+  for (std::uint64_t key = 0; key < 3'000; ++key) {
+    const auto second = seconds.find(key);
+    ASSERT_EQ(table.find_entry(key).second,
+              second == seconds.end() ? VoxelTable::kNone : second->second);
+  }
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -54,6 +54,33 @@ TEST(SurfelMap, AVoxelTakesAScansPointsInWhateverOrder) {
   EXPECT_NEAR(one.variance(0), other.variance(0), 1e-8);
 }
 
+// Single returns of leaves and noise: half of a forest's voxels.
+TEST(SurfelMap, WhatHasTooFewPointsIsForgotten) {
+  Random random(12);
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d few(8.2, 0.2, 0.2), hit_again(4.2, 0.2, 0.2);
+  Points points = cloud(random, 60, kCentre, axes, {0.19, 0.19, 0.0});
+  points.insert(points.end(), 3, few);
+  SurfelMap map = map_of(points);
+  const auto holds = [&](const Eigen::Vector3d& place) {
+    const std::vector<Eigen::Vector3d> kept = map.points();
+    return std::any_of(kept.begin(), kept.end(),
+                       [&](const Eigen::Vector3d& point) { return (point - place).norm() < 0.3; });
+  };
+  for (int scan = 0; scan < 20; ++scan) {
+    map.insert({kSensor, {hit_again}});
+    remove_all_far(map, kSensor);
+  }
+  EXPECT_TRUE(holds(few)) << "it may be hit again";
+  for (int scan = 0; scan < 20; ++scan) {
+    map.insert({kSensor, {hit_again}});
+    remove_all_far(map, kSensor);
+  }
+  EXPECT_FALSE(holds(few));
+  EXPECT_TRUE(holds(hit_again));
+  EXPECT_TRUE(holds(kCentre)) << "a surfel stays";
+}
+
 TEST(SurfelMap, FarVoxelsLeave) {
   Random random(7);
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
