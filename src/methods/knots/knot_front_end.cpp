@@ -36,8 +36,10 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 
-constexpr int kYoung = 20;        // scans: a map of fewer is young
-constexpr double kFollows = 1.5;  // usual periods since the last scan, or one is missing
+constexpr double kBack = 0.8;          // [m] as another place is
+constexpr double kLongStraight = 5.0;  // [s] that one may have walked straight on
+constexpr int kYoung = 20;             // scans: a map of fewer is young
+constexpr double kFollows = 1.5;       // usual periods since the last scan, or one is missing
 
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
@@ -113,20 +115,31 @@ bool KnotFrontEnd::is_lost(double objection, double of_all) const {
 }
 
 /// A scan from where the last one ended; after a hole, from where it would be had it walked
-/// straight on, unless it fits clearly better where it was. Of equal bays none fits better than the
-/// next.
+/// straight on, unless it fits clearly better nearer to where it was. Of equal bays none fits
+/// better than the next, but for what was not seen of it yet: nobody who walked ahead is farther
+/// back.
 KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned) {
   Registered here = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
-  if (!is_after_hole(scan) || region_walked(scan.end_ns).large()) return here;
+  if (!is_after_hole(scan) || since_trusted(scan.start_ns) > kLongStraight) return here;
   const SearchRegion ahead = straight_on(scan.start_ns);
   const Twist going = model_.mean(ahead.centre.rotation);
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
   std::optional<Registered> there = register_at(ahead.centre, going, scan, chosen);
-  const bool better_here =
-      !there || !there->estimate.trusted() ||
-      (here.estimate.trusted() && kClearlyBetter * disagreement_of(here) < disagreement_of(*there));
+  if (!there || !there->estimate.trusted()) return here;
+  const bool better_here = here.estimate.trusted() &&
+                           !is_farther_back(here.trajectory.at(0.5), scan) &&
+                           kClearlyBetter * disagreement_of(here) < disagreement_of(*there);
   return better_here ? std::move(here) : std::move(*there);
+}
+
+/// Whether a place lies behind where the last trusted scan ended, for one who walked on unseen for
+/// so short that he has not turned.
+bool KnotFrontEnd::is_farther_back(const Pose& place, const PreparedScan& scan) const {
+  if (!is_after_hole(scan) || since_trusted(scan.start_ns) > kLongStraight) return false;
+  const Eigen::Vector3d ahead = straight_on(scan.start_ns).centre.translation;
+  const Eigen::Vector3d& last = end_.prior.means[1].translation;
+  return (place.translation - ahead).norm() > (last - ahead).norm() + kBack;
 }
 
 /// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.

@@ -89,6 +89,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] bool is_lost(double objection, double of_all) const;
   [[nodiscard]] double since_trusted(std::int64_t instant_ns) const;
   [[nodiscard]] bool is_after_hole(const PreparedScan& scan) const;
+  [[nodiscard]] bool is_farther_back(const Pose& place, const PreparedScan& scan) const;
   [[nodiscard]] double mean_speed() const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
@@ -110,6 +111,8 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned,
                                                      const SearchRegion& region);
+  [[nodiscard]] bool has_twin(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                              const Registered& registered) const;
   [[nodiscard]] double disagreement_of(const Registered& registered) const;
   [[nodiscard]] std::optional<Estimate> go_on(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& thinned);

@@ -155,6 +155,7 @@ double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::u
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
   const std::optional<Registered> other = register_at(places[0].pose, Twist::Zero(), scan, chosen);
   if (!other || same_place(other->trajectory.at(0.5), here)) return 0.0;
+  if (is_farther_back(other->trajectory.at(0.5), scan)) return 0.0;
   // [K33]
   return strength(disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3));
 }
@@ -187,6 +188,26 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
   }
   if (found.empty()) return std::nullopt;
   return std::move(found[0]);
+}
+
+/// Whether a scan fits elsewhere as well as where it was found. Who is found elsewhere than where
+/// it would be by itself was carried, nobody knows how far: of places that look alike, none is his.
+bool KnotFrontEnd::has_twin(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+                            const Registered& registered) const {
+  const Pose here = registered.trajectory.at(0.5);
+  if (same_place(here, straight_on(scan.start_ns).centre)) return false;
+  PointChoice choice = choice_;  // what is asked here must not change the next scan
+  const auto chosen = choice.choose(scan, thinned, session_.workers);
+  SearchRegion region = region_carried(scan.end_ns);
+  region.radius = kMostReach;
+  region.turn = std::numbers::pi;
+  for (const PlaceFit& place : places_in(scan, chosen, region)) {
+    if (same_place(place.pose, here)) continue;
+    const auto other = register_at(place.pose, Twist::Zero(), scan, chosen);
+    if (!other || same_place(other->trajectory.at(0.5), here)) continue;
+    if (disagreement_of(*other) < kClearlyBetter * disagreement_of(registered)) return true;
+  }
+  return false;
 }
 
 /// A scan right after one that went wrong: where it would be had that one not come. One scan of
@@ -228,7 +249,9 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
     const double hazard_now = best->estimate.wrong_probability =
         hazard_where_lost(search_->far, best->estimate);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
-    if (right && search_->agreed + 1 >= kAgree) {
+    const bool agreed = right && search_->agreed + 1 >= kAgree;
+    right = right && !(agreed && has_twin(scan, thinned, *best));
+    if (right && agreed) {
       search_.reset();
       forget_verdicts();
       best->estimate.message = "found itself again";

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// A hall of equal bays: who sees nothing for a while, or is carried, is not taken to be a bay off.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/trajectory_files.hpp"
+#include "process.hpp"
+
+namespace surefoot::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kScans = 260;
+
+class EqualBays : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchFolder>();
+    simulated_ = run_surefoot({"simulate", "bays", "--seed", "310", "--scans",
+                               std::to_string(kScans), "--no-footprint", "-q", "-o", "whole"},
+                              scratch_->path())
+                     .exit_code == 0;
+  }
+  static void TearDownTestSuite() { scratch_.reset(); }
+  void SetUp() override {
+    if (!simulated_) GTEST_SKIP() << "built without the simulation";
+  }
+  [[nodiscard]] static fs::path path(const std::string& name) { return scratch_->path() / name; }
+
+  /// What is estimated of the scans before one, and then of those from another on, which come so
+  /// much later [s] than they were made.
+  static Trajectory estimates(int before, int from, double later) {
+    std::istringstream lines(file_content(path("whole") / "times.txt"));
+    std::vector<double> times(kScans);
+    for (double& time : times) lines >> time;
+    fs::remove_all(path("cut"));
+    fs::create_directory(path("cut"));
+    std::string kept;
+    int next = 0;
+    const auto keep = [&](int scan, double by) {
+      const auto name = [](int number) { return fmt::format("{:06d}.pcd", number); };
+      fs::copy_file(path("whole") / name(scan), path("cut") / name(next++));
+      kept += fmt::format("{:.9f}\n", times[static_cast<std::size_t>(scan)] + by);
+    };
+    for (int scan = 0; scan < before; ++scan) keep(scan, 0.0);
+    for (int scan = from; scan < kScans; ++scan) keep(scan, later);
+    write_content(path("cut") / "times.txt", kept);
+    const ProcessResult run = run_surefoot(
+        {"run", "cut", "-o", "run", "--overwrite", "--no-report", "--no-picture", "--no-map", "-q"},
+        scratch_->path());
+    EXPECT_EQ(run.exit_code, 0) << run;
+    return io::read_tum(path("run") / "trajectory.tum");
+  }
+
+  /// How far [m] a pose is from where it truly is, in the frame of the first one.
+  static double error(const Trajectory& estimated, const StampedPose& pose, double later) {
+    static const Trajectory truth = io::read_tum(path("whole") / "gt.tum");
+    const auto at = [&](std::int64_t stamp_ns) {
+      return std::find_if(truth.begin(), truth.end() - 1,
+                          [&](const StampedPose& known) { return known.stamp_ns >= stamp_ns; })
+          ->pose;
+    };
+    const StampedPose& first = estimated.front();
+    const Pose T_truth = at(first.stamp_ns) * first.pose.inverse();
+    const auto made_ns = pose.stamp_ns - static_cast<std::int64_t>(1e9 * later);
+    return (T_truth * pose.pose.translation - at(made_ns).translation).norm();
+  }
+
+  static inline std::unique_ptr<ScratchFolder> scratch_;
+  static inline bool simulated_ = false;
+};
+
+// The bay behind fits better, which was seen whole.
+TEST_F(EqualBays, WhoWalkedOnUnseenIsNotABayBehind) {
+  const Trajectory estimated = estimates(160, 190, 0.0);
+  ASSERT_GT(estimated.size(), 220U);
+  for (const StampedPose& pose : estimated) {
+    ASSERT_LT(error(estimated, pose, 0.0), 0.1) << pose.stamp_ns;
+  }
+}
+
+// The bay that is found first is nearer than the one that he was carried to.
+TEST_F(EqualBays, WhoWasCarriedIsNotFoundInTheNextBay) {
+  constexpr double kLater = 6.0;
+  const Trajectory estimated = estimates(200, 140, kLater);
+  ASSERT_GT(estimated.size(), 210U) << "it is found";
+  for (std::size_t i = 0; i < estimated.size(); ++i) {
+    const double later = i < 200 ? 0.0 : kLater;
+    ASSERT_LT(error(estimated, estimated[i], later), 0.1) << i;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test
