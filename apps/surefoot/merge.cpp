@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "map_outcome.hpp"
 #include "process/exit_codes.hpp"
+#include "process/progress.hpp"
 #include "runs/map_merge_run.hpp"
 
 namespace surefoot::app {
@@ -27,8 +28,13 @@ struct MergeArguments {
 };
 
 int merge(const MergeArguments& arguments) {
+  process::Progress progress("pieces", false);
   const runs::MergeOutcome outcome = runs::merge_saved_maps(
-      arguments.maps, arguments.output, arguments.overwrite, arguments.leave_out);
+      arguments.maps, arguments.output, arguments.overwrite, arguments.leave_out,
+      [&](std::size_t done, std::size_t all) {
+        progress.update(done, static_cast<double>(done) / static_cast<double>(all));
+      });
+  progress.finish();
   for (const runs::MergedMap& map : outcome.maps) {
     if (map.joined) {
       fmt::print("{}: joined by {} loops of {} places compared; {} places seen by both; {}\n",

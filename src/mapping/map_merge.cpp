@@ -111,6 +111,9 @@ std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOp
       }
       loops.push_back(loop);
     }
+    if (options.on_piece) {
+      options.on_piece(query + 1 - maps.first(), maps.pieces().size() - maps.first());
+    }
   }
   return loops;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct MergeOptions {
   /// Over all places that both maps have seen: furniture and doors move, walls do not.
   double contradicted = 0.05;
   double overlap = 0.5;
+  /// Told after each piece of the second map that was compared, how many were, and of how many.
+  std::function<void(std::size_t done, std::size_t all)> on_piece = {};
   /// Whether places under a roof tell how the maps lie: one storey may look like the next.
   bool roofed = true;
 };

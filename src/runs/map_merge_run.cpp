@@ -51,8 +51,11 @@ bool MergeOutcome::joined() const {
 }
 
 MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path& folder,
-                              bool overwrite, bool leave_out) {
+                              bool overwrite, bool leave_out,
+                              const std::function<void(std::size_t, std::size_t)>& on_piece) {
   MergeOutcome outcome;
+  mapping::MergeOptions options;
+  options.on_piece = on_piece;
   std::vector<mapping::SavedMap> read;
   for (const fs::path& map : maps) read.push_back(read_saved_map(map));
   make_merge_folder(folder, overwrite);
@@ -66,7 +69,7 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
     for (std::size_t i = 0; i < outcome.maps.size(); ++i) {
       MergedMap& map = outcome.maps[i];
       if (map.joined) continue;
-      mapping::MapJoin join = mapping::join_maps(joint, read[i + 1]);
+      mapping::MapJoin join = mapping::join_maps(joint, read[i + 1], options);
       csv += join_csv(join, i + 2);
       map = {map.path,    join.joint.has_value(), join.loops.size(),
              join.taken,  join.comparison.near,   join.message,

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,9 @@ struct MergeOutcome {
 /// map.surefoot and pieces.csv, which says where each piece of way lies. Throws io::ReadError,
 /// io::WriteError; unless `overwrite`, std::runtime_error where one of these files is there
 /// already.
-[[nodiscard]] MergeOutcome merge_saved_maps(const std::vector<std::filesystem::path>& maps,
-                                            const std::filesystem::path& folder, bool overwrite,
-                                            bool leave_out = false);
+[[nodiscard]] MergeOutcome merge_saved_maps(
+    const std::vector<std::filesystem::path>& maps, const std::filesystem::path& folder,
+    bool overwrite, bool leave_out = false,
+    const std::function<void(std::size_t done, std::size_t all)>& on_piece = {});
 
 }  // namespace surefoot::runs
