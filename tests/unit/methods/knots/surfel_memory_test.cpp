@@ -99,6 +99,8 @@ TEST(SurfelMap, FarVoxelsLeave) {
   EXPECT_NE(find(map, far), nullptr);  // the table still leads to its voxel
   map.insert({kSensor, cloud(random, 60, near, axes, {0.19, 0.19, 0.0})});
   EXPECT_NE(find(map, near), nullptr);
+  map.insert({kSensor, cloud(random, 60, {4.2, 0.2, 0.2}, axes, {0.19, 0.19, 0.0})});
+  EXPECT_EQ(map.points().size(), 3U) << "what was dropped is used again, and by one only";
   map.clear();
   EXPECT_TRUE(map.empty());
   EXPECT_EQ(find(map, far), nullptr);
@@ -156,6 +158,8 @@ class Visitor {
       return (point - kPlace).norm() < 0.6;
     }));
   }
+  /// Whether a surfel about the place answers.
+  [[nodiscard]] bool answers() const { return find(map_, kPlace, 0, {0.0, 0.0, 0.6}) != nullptr; }
   [[nodiscard]] int wall() const { return static_cast<int>(map_.points().size()) - left(); }
   [[nodiscard]] const Points& emptied() const { return emptied_; }
 
@@ -171,7 +175,7 @@ class Visitor {
     for (int i = 0; i < scans; ++i) {
       Points points = cloud(random_, 4000, {12.0, 0.0, 1.0}, axes, {0.0, 6.0, 2.0}, 0.01);
       if (standing) {
-        const Points body = cloud(random_, 200, kPlace, axes, {0.2, 0.2, 0.5});
+        const Points body = cloud(random_, 200, kPlace, axes, {0.0, 0.2, 0.5}, 0.01);
         points.insert(points.end(), body.begin(), body.end());
       }
       const Points gone = map_.insert({{0.0, 0.0, 0.6}, points}).centres;
@@ -190,11 +194,13 @@ TEST(SurfelMap, WhatMovedAwayIsForgotten) {
   visitor.stand(5);
   const int standing = visitor.left(), wall = visitor.wall();
   ASSERT_GE(standing, 6);
+  EXPECT_TRUE(visitor.answers());
   EXPECT_TRUE(visitor.emptied().empty());
   visitor.leave(1);
   EXPECT_EQ(visitor.left(), standing);  // one scan is not enough
   visitor.leave(20);
   EXPECT_EQ(visitor.left(), 0);
+  EXPECT_FALSE(visitor.answers());
   EXPECT_GE(visitor.wall(), wall);
   EXPECT_EQ(static_cast<int>(visitor.emptied().size()), standing - visitor.left());
   for (const Eigen::Vector3d& centre : visitor.emptied()) {
