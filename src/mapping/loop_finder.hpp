@@ -35,6 +35,9 @@ struct Loop {
   Matrix6 drift = Matrix6::Zero();
   LoopCheck check;
 };
+[[nodiscard]] inline bool is_taken(const Loop& loop) {
+  return loop.check.verdict == LoopVerdict::taken;
+}
 
 /// As a graph takes it; it may still be false.
 [[nodiscard]] PoseEdge edge_of(const Loop& loop);

@@ -12,9 +12,9 @@ namespace surefoot::mapping {
 
 namespace {
 
-constexpr double kNear = 5.0;  // pieces so near see the same [m]
-constexpr std::size_t kMostPairs = 40;
-constexpr std::size_t kMostKept = 40;  // some 10 MB each
+constexpr double kNear = 5.0;           // pieces so near see the same [m]
+constexpr std::size_t kMostPairs = 40;  // that are compared, spread over all
+constexpr std::size_t kMostKept = 40;   // some 10 MB each
 
 }  // namespace
 
@@ -27,11 +27,11 @@ std::shared_ptr<const VerifiableSubmap> TwoMaps::submap(std::size_t piece) {
   return kept_.back().second;
 }
 
-MapComparison TwoMaps::compare(const Pose& T_first_second, const std::vector<std::size_t>& of_first,
+MapComparison TwoMaps::compare(const std::vector<std::size_t>& of_first,
                                const std::vector<std::size_t>& of_second) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const std::size_t b : of_second) {
-    const Eigen::Vector3d at = T_first_second * pieces_[b].T_world_piece.translation;
+    const Eigen::Vector3d at = pieces_[b].T_world_piece.translation;
     std::size_t nearest = 0;
     double distance = std::numeric_limits<double>::infinity();
     for (const std::size_t a : of_first) {
@@ -44,20 +44,21 @@ MapComparison TwoMaps::compare(const Pose& T_first_second, const std::vector<std
     if (distance < kNear) pairs.emplace_back(nearest, b);
   }
   MapComparison result;
+  result.near = pairs.size();
+  std::size_t compared = 0;
   const std::size_t every = (pairs.size() + kMostPairs - 1) / kMostPairs;
   for (std::size_t i = 0; i < pairs.size(); i += every) {
     const auto [a, b] = pairs[i];
-    const Pose T_a_b =
-        pieces_[a].T_world_piece.inverse() * T_first_second * pieces_[b].T_world_piece;
+    const Pose T_a_b = pieces_[a].T_world_piece.inverse() * pieces_[b].T_world_piece;
     const auto one = submap(a);
     const auto other = submap(b);
-    ++result.near;
+    ++compared;
     result.contradicted += contradiction_between(*one, *other, T_a_b);
     result.overlap += overlap_between(one->registration(), other->registration(), T_a_b);
   }
-  if (result.near == 0) return result;
-  result.contradicted /= static_cast<double>(result.near);
-  result.overlap /= static_cast<double>(result.near);
+  if (compared == 0) return result;
+  result.contradicted /= static_cast<double>(compared);
+  result.overlap /= static_cast<double>(compared);
   return result;
 }
 

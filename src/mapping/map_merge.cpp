@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "mapping/held_pieces.hpp"
-#include "mapping/look_alikes.hpp"
-#include "mapping/loop_solution.hpp"
-#include "mapping/place_search.hpp"
+#include "mapping/map_placement.hpp"
 
 namespace surefoot::mapping {
 
@@ -63,125 +61,75 @@ PoseGraph steps_of(const PoseGraph& graph) {
   return steps;
 }
 
-/// Where a loop puts the second map in the first's frame.
-Pose claimed(const Loop& loop, const std::vector<Piece>& pieces) {
-  return pieces[loop.place].T_world_piece * loop.check.alignment.T_target_source *
-         pieces[loop.query].T_world_piece.inverse();
-}
-
-/// Whether a loop leaves it open that the second map lies so, in what it holds.
-bool allows(const Loop& loop, const std::vector<Piece>& pieces, const Pose& T_first_second) {
+/// Whether a loop leaves it open that its pieces lie so, in what it holds.
+bool allows(const Loop& loop, const std::vector<Piece>& pieces) {
   constexpr double kMetres = 1.0;
   constexpr double kDegrees = 5.0;
-  const Pose T_place_query = pieces[loop.place].T_world_piece.inverse() * T_first_second *
-                             pieces[loop.query].T_world_piece;
+  const Pose T_place_query =
+      pieces[loop.place].T_world_piece.inverse() * pieces[loop.query].T_world_piece;
   const AlignmentGap gap = gap_between(loop.check.alignment, T_place_query);
   return gap.metres <= kMetres && gap.degrees <= kDegrees;
 }
 
-bool taken(const Loop& loop) { return loop.check.verdict == LoopVerdict::taken; }
-
-/// Whether the two places would fit otherwise as well.
-bool looks_alike(const LoopCheck& check, const VerifiableSubmap& place,
-                 const VerifiableSubmap& seen, const MergeOptions& options) {
-  if (check.alignment.held < 6) return true;  // along a corridor, say
-  return overlap_slid(check, place, seen) > options.as_good * check.overlap ||
-         fits_turned(check, place, seen, options.limits);
-}
-
-std::vector<Loop> find_loops(const SavedMap& first, TwoMaps& maps, const MergeOptions& options) {
-  PlaceIndex index;
-  for (const PlaceDescriptor& place : first.places) index.add(place);
-  std::vector<Loop> loops;
-  for (std::size_t query = maps.first(); query < maps.pieces().size(); ++query) {
-    const auto seen = maps.submap(query);
-    for (const PlaceIndex::Match& match :
-         distinct_places(index, first.pieces, seen->submap(), options.candidates)) {
-      const auto place = maps.submap(match.place);
-      Loop loop;
-      loop.place = match.place;
-      loop.query = query;
-      loop.likeness = match.distance;
-      loop.check = check_match(match, *place, *seen, options.limits);
-      const bool under_roof = place->submap().covered && seen->submap().covered;
-      if (taken(loop) && under_roof && !options.roofed) {
-        loop.check.verdict = LoopVerdict::other_storey;
-      } else if (taken(loop) && looks_alike(loop.check, *place, *seen, options)) {
-        loop.check.verdict = LoopVerdict::ambiguous;
-      }
-      loops.push_back(loop);
-    }
-    if (options.on_piece) {
-      options.on_piece(query + 1 - maps.first(), maps.pieces().size() - maps.first());
-    }
+/// What speaks against a placement by itself; empty: nothing.
+std::string objection(const MapPlacement& placement, const MergeOptions& options) {
+  if (placement.taken < 2) return "no two places agree on how they lie";
+  if (placement.spread < options.spread) {
+    return "the places that agree are one place: too little to tell it from its likes";
   }
-  return loops;
-}
-
-/// How far the places lie apart in which the loops begin, at most [m].
-double spread_of(const std::vector<Loop>& loops, const std::vector<Piece>& pieces) {
-  double most = 0.0;
-  for (const Loop& a : loops) {
-    for (const Loop& b : loops) {
-      if (!taken(a) || !taken(b)) continue;
-      const Eigen::Vector3d apart =
-          pieces[a.query].T_world_piece.translation - pieces[b.query].T_world_piece.translation;
-      most = std::max(most, apart.norm());
-    }
+  if (!fits(placement, options)) {
+    return "some places agree, but what else both maps have seen does not";
   }
-  return most;
-}
-
-bool fits(const MapComparison& comparison, const MergeOptions& options) {
-  return comparison.near > 0 && comparison.contradicted <= options.contradicted &&
-         comparison.overlap >= options.overlap;
+  return "";
 }
 
 /// Whether a place that fitted when it was asked alone would have the second map lie elsewhere, and
 /// does not fit clearly better as the maps lie now. Places look alike here: of which there may be
-/// more, and that these agree is no longer a sign that they are the same.
-bool fits_elsewhere(const std::vector<Loop>& asked_alone, const Pose& T_first_second,
-                    const std::vector<std::size_t>& of_first, TwoMaps& maps,
+/// more, and that these agree is no longer a sign that they are the same; unless by far more of
+/// both maps agree than may well look alike.
+bool fits_elsewhere(const std::vector<Loop>& asked_alone, const MapPlacement& placement,
                     const MergeOptions& options) {
+  TwoMaps joint(placement.pieces);
+  const auto& second = placement.second;
   return std::any_of(asked_alone.begin(), asked_alone.end(), [&](const Loop& loop) {
-    const bool fitted = taken(loop) || loop.check.verdict == LoopVerdict::ambiguous;
-    if (!fitted || allows(loop, maps.pieces(), T_first_second)) return false;
-    const MapComparison as_they_lie = maps.compare(T_first_second, of_first, {loop.query});
+    const bool fitted = is_taken(loop) || loop.check.verdict == LoopVerdict::ambiguous;
+    if (!fitted || allows(loop, placement.pieces)) return false;
+    if (!std::binary_search(second.begin(), second.end(), loop.query)) return false;
+    if (loop.check.overlap < options.likes * placement.support()) return false;
+    const MapComparison as_they_lie = joint.compare(placement.first, {loop.query});
     return loop.check.overlap > options.as_good * as_they_lie.overlap;
   });
 }
 
-/// Why the maps stay apart though loops agree; empty: nothing speaks against it. `solved` is the
-/// graph with the loops in it.
-std::string objection(const std::vector<Loop>& asked_alone, const Pose& T_first_second,
-                      const PoseGraph& solved, TwoMaps& maps, MapJoin& join,
-                      const MergeOptions& options) {
-  if (join.taken < 2) return "no two places agree on how they lie";
-  if (spread_of(join.loops, maps.pieces()) < options.spread) {
-    return "the places that agree are one place: too little to tell it from its likes";
+/// That of the ways in which the maps may lie by which most of them agrees; none, and why, where
+/// none fits, or another one fits as well.
+const MapPlacement* choose(const std::vector<MapPlacement>& placements,
+                           const std::vector<Loop>& asked_alone, const MergeOptions& options,
+                           std::string& why_not) {
+  constexpr const char* kAlike = "places look alike: some would have the maps lie otherwise";
+  const MapPlacement* best = nullptr;
+  for (const MapPlacement& placement : placements) {
+    if (!fits(placement, options)) continue;
+    if (best == nullptr || placement.support() > best->support()) best = &placement;
   }
-  std::vector<Piece> moved = join.pieces;
-  for (std::size_t i = 0; i < moved.size(); ++i) moved[i].T_world_piece = solved.poses[i];
-  HeldPieces held(solved);
-  const std::size_t place = std::find_if(join.loops.begin(), join.loops.end(), taken)->place;
-  TwoMaps both(moved, join.first);
-  join.comparison = both.compare(Pose{}, held.held_to(place, 0, join.first),
-                                 held.held_to(place, join.first, moved.size()));
-  if (!fits(join.comparison, options)) {
-    return "some places agree, but what else both maps have seen does not";
+  if (best == nullptr) {
+    why_not = placements.empty() ? "no two places agree on how they lie"
+                                 : objection(placements.front(), options);
+    return nullptr;
   }
-  if (fits_elsewhere(asked_alone, T_first_second, held.held_to(place, 0, join.first), maps,
-                     options)) {
-    return "places look alike: some would have the maps lie otherwise";
+  for (const MapPlacement& placement : placements) {
+    const bool likely = placement.support() > options.likes * best->support();
+    if (&placement != best && likely && fits(placement, options)) why_not = kAlike;
   }
-  return "";
+  if (fits_elsewhere(asked_alone, *best, options)) why_not = kAlike;
+  return why_not.empty() ? best : nullptr;
 }
 
 /// Both maps at the graph's poses, without what nothing holds to the first.
 void fill_joint(const SavedMap& first, const SavedMap& second, const PoseGraph& graph,
                 MapJoin& join) {
   HeldPieces held(graph);
-  const std::size_t place = std::find_if(join.loops.begin(), join.loops.end(), taken)->place;
+  const std::size_t place = std::find_if(join.loops.begin(), join.loops.end(), is_taken)->place;
   SavedMap joint;
   std::vector<std::optional<std::size_t>> number(join.pieces.size());
   for (std::size_t i = 0; i < join.pieces.size(); ++i) {
@@ -221,35 +169,32 @@ std::optional<Pose> MapJoin::begin() const {
 MapJoin join_maps(const SavedMap& first, const SavedMap& second, const MergeOptions& options) {
   MapJoin join;
   join.first = first.pieces.size();
-  PoseGraph graph;
-  graph.systematic = systematic_drift(options.drift);
-  append_graph(first, graph);
-  append_graph(second, graph);
   join.pieces = first.pieces;
   join.pieces.insert(join.pieces.end(), second.pieces.begin(), second.pieces.end());
   if (join.first < join.pieces.size()) join.pieces[join.first].restarted = true;
-  TwoMaps maps(join.pieces, join.first);
-  join.loops = find_loops(first, maps, options);
+  MapPair pair{join.pieces, join.first, {}, {}};
+  pair.graph.systematic = systematic_drift(options.drift);
+  append_graph(first, pair.graph);
+  append_graph(second, pair.graph);
+  pair.steps = steps_of(pair.graph);
+  join.loops = find_joint_places(first, pair, options);
   const std::vector<Loop> asked_alone = join.loops;
-  const std::vector<std::size_t> agreeing = keep_consistent(steps_of(graph), join.loops);
-  Pose T_first_second;
-  if (!agreeing.empty()) {
-    T_first_second = claimed(join.loops[agreeing[agreeing.size() / 2]], join.pieces);
-    for (std::size_t i = join.first; i < graph.poses.size(); ++i) {
-      graph.poses[i] = T_first_second * graph.poses[i];
-    }
-    take_loops(graph, join.loops, agreeing);
+  const std::vector<MapPlacement> placements =
+      find_placements(pair, asked_alone, options.placements);
+  const MapPlacement* chosen = choose(placements, asked_alone, options, join.message);
+  if (chosen != nullptr || !placements.empty()) {
+    const MapPlacement& shown = chosen != nullptr ? *chosen : placements.front();
+    join.loops = shown.loops;
+    join.comparison = shown.comparison;
   }
-  join.taken = static_cast<std::size_t>(std::count_if(join.loops.begin(), join.loops.end(), taken));
-  join.message = objection(asked_alone, T_first_second, graph, maps, join, options);
-  if (join.message.empty()) {
-    fill_joint(first, second, graph, join);
+  if (chosen != nullptr) {
+    join.taken = chosen->taken;
+    fill_joint(first, second, chosen->solved, join);
     return join;
   }
   for (Loop& loop : join.loops) {
-    if (taken(loop)) loop.check.verdict = LoopVerdict::not_joined;
+    if (is_taken(loop)) loop.check.verdict = LoopVerdict::not_joined;
   }
-  join.taken = 0;
   return join;
 }
 

@@ -6,33 +6,16 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "mapping/joint_places.hpp"
 #include "mapping/loop_finder.hpp"
 #include "mapping/map_comparison.hpp"
 #include "mapping/map_file.hpp"
 
 namespace surefoot::mapping {
-
-struct MergeOptions {
-  LoopLimits limits;
-  DriftModel drift;
-  std::size_t candidates = 6;  ///< places of the first map that are verified for each piece
-  /// The second-best way to lay two places over each other has so much of the best one's overlap,
-  /// at most.
-  double as_good = 0.65;
-  double spread = 10.0;  ///< agreeing loops begin in places so far apart, at least [m]
-  /// Over all places that both maps have seen: furniture and doors move, walls do not.
-  double contradicted = 0.05;
-  double overlap = 0.5;
-  /// Told after each piece of the second map that was compared, how many were, and of how many.
-  std::function<void(std::size_t done, std::size_t all)> on_piece = {};
-  /// Whether places under a roof tell how the maps lie: one storey may look like the next.
-  bool roofed = true;
-};
 
 /// What came of joining two maps.
 struct MapJoin {

@@ -16,8 +16,6 @@ namespace surefoot::mapping {
 
 namespace {
 
-bool taken(const Loop& loop) { return loop.check.verdict == LoopVerdict::taken; }
-
 /// Stretches that are held together: a map, and which of the walk's pieces it consists of.
 struct Group {
   SavedMap map;
@@ -95,7 +93,7 @@ std::optional<std::size_t> nearest_place(const std::vector<Piece>& pieces, std::
 
 bool is_taken(const std::vector<Loop>& loops, std::size_t place, std::size_t query) {
   return std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) {
-    return taken(loop) && loop.place == place && loop.query == query;
+    return is_taken(loop) && loop.place == place && loop.query == query;
   });
 }
 
@@ -118,9 +116,10 @@ std::vector<Loop> look_again(const SavedMap& joint, const MapJoin& join,
     loop.likeness = distance_between(joint.places[*near], joint.places[query]).distance;
     loop.check = check_places(place, seen, turned_both_ways(expected), options.limits);
     const AlignmentGap gap = gap_between(loop.check.alignment, expected);
-    if (taken(loop) && (gap.metres > kMetres || gap.degrees > kDegrees)) {
+    if (is_taken(loop) && (gap.metres > kMetres || gap.degrees > kDegrees)) {
       loop.check.verdict = LoopVerdict::ambiguous;
-    } else if (taken(loop) && place.submap().covered && seen.submap().covered && !options.roofed) {
+    } else if (is_taken(loop) && place.submap().covered && seen.submap().covered &&
+               !options.roofed) {
       loop.check.verdict = LoopVerdict::other_storey;
     }
     loops.push_back(std::move(loop));
@@ -136,14 +135,14 @@ void tighten(SavedMap& joint, std::vector<Loop>& loops) {
   for (PoseEdge& edge : graph.edges) edge.inlier = true;
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (taken(loops[i])) chosen.push_back(i);
+    if (is_taken(loops[i])) chosen.push_back(i);
   }
   take_loops(graph, loops, chosen);
   for (std::size_t i = 0; i < joint.pieces.size(); ++i) {
     joint.pieces[i].T_world_piece = graph.poses[i];
   }
   for (const Loop& loop : loops) {
-    if (taken(loop)) joint.edges.push_back(edge_of(loop));
+    if (is_taken(loop)) joint.edges.push_back(edge_of(loop));
   }
 }
 
@@ -163,7 +162,7 @@ bool join(const std::vector<Piece>& walk, Group& group, Group& other, const Merg
     joined.loops.insert(joined.loops.end(), again.begin(), again.end());
   }
   for (Loop& loop : joined.loops) {
-    if (!whole && taken(loop)) loop.check.verdict = LoopVerdict::not_joined;
+    if (!whole && is_taken(loop)) loop.check.verdict = LoopVerdict::not_joined;
     loop.place = numbers[loop.place];
     loop.query = numbers[loop.query];
     compared.push_back(std::move(loop));
@@ -224,7 +223,7 @@ std::vector<Loop> join_stretches(const std::vector<Piece>& pieces, const PlaceIn
   }
   compared = last_answers(compared);
   for (const Loop& loop : compared) {
-    if (taken(loop)) graph.edges.push_back(edge_of(loop));
+    if (is_taken(loop)) graph.edges.push_back(edge_of(loop));
   }
   return compared;
 }

@@ -66,7 +66,7 @@ report::DrawnLoops MapRun::drawn() const {
   report::DrawnLoops drawn;
   const std::vector<mapping::Piece>& pieces = mapper_.pieces();
   for (const mapping::Loop& loop : mapper_.loops()) {
-    const bool taken = loop.check.verdict == mapping::LoopVerdict::taken;
+    const bool taken = mapping::is_taken(loop);
     (taken ? drawn.taken : drawn.refused)
         .emplace_back(pieces[loop.place].T_world_piece.translation,
                       pieces[loop.query].T_world_piece.translation);

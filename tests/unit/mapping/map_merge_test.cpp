@@ -136,6 +136,71 @@ TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
   EXPECT_EQ(parse_map(format_map(*join.joint)).pieces.size(), join.joint->pieces.size());
 }
 
+TEST_F(MapMerge, WhereEnoughPlacesAgreeTheOthersAreComparedOnlyWhereTheyLie) {
+  const MapJoin everywhere = join_maps(campus(), later_campus());
+  MergeOptions options;
+  options.survey = 5;
+  options.enough = 3;
+  const MapJoin guided = join_maps(campus(), later_campus(), options);
+  ASSERT_TRUE(everywhere.joint) << everywhere.message;
+  ASSERT_TRUE(guided.joint) << guided.message;
+  EXPECT_LT(guided.loops.size(), everywhere.loops.size() * 3 / 4);
+  EXPECT_GE(guided.taken + 1, everywhere.taken)
+      << "what is not asked of twins is asked where it is";
+  for (std::size_t i = 0; i < guided.placed.size(); ++i) {
+    ASSERT_TRUE(guided.placed[i] && everywhere.placed[i]) << "piece " << i;
+    const Pose gap = everywhere.placed[i]->inverse() * *guided.placed[i];
+    EXPECT_LT(gap.translation.norm(), 0.05) << "piece " << i;
+  }
+}
+
+/// The graph of two maps, as join_maps() makes it, as far as placing needs it.
+MapPair pair_of(const std::vector<Piece>& pieces, std::size_t first) {
+  MapPair pair{pieces, first, {}, {}};
+  for (const Piece& piece : pieces) pair.steps.poses.push_back(piece.T_world_piece);
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    if (i + 1 == first) continue;
+    PoseEdge edge;
+    edge.from = i;
+    edge.to = i + 1;
+    edge.T_from_to = pieces[i].T_world_piece.inverse() * pieces[i + 1].T_world_piece;
+    edge.information = 1e4 * Matrix6::Identity();
+    pair.steps.edges.push_back(edge);
+  }
+  pair.graph = pair.steps;
+  return pair;
+}
+
+TEST_F(MapMerge, MoreLoopsThatAgreeOnWhatIsNotSoDoNotOutvoteTheMapsThemselves) {
+  const MapJoin join = join_maps(campus(), later_campus());
+  std::vector<Loop> loops;
+  for (const Loop& loop : join.loops) {
+    if (is_taken(loop)) loops.push_back(loop);
+  }
+  const std::size_t right = loops.size();
+  ASSERT_GE(right, 3U);
+  const MapPair pair = pair_of(join.pieces, join.first);
+  // All of the second map's pieces claim to be some metres beside where they are.
+  const Pose T_first_second = upright(later_walk().truth.front());
+  const Pose aside{Eigen::Quaterniond::Identity(), {6.0, 8.0, 0.0}};
+  for (std::size_t query = join.first; query < join.pieces.size(); ++query) {
+    Loop loop = loops[0];
+    loop.query = query;
+    loop.check.alignment.T_target_source = join.pieces[loop.place].T_world_piece.inverse() * aside *
+                                           T_first_second * join.pieces[query].T_world_piece;
+    loops.push_back(loop);
+  }
+  ASSERT_GT(loops.size(), 2 * right);
+  const std::vector<MapPlacement> placements = find_placements(pair, loops, 8);
+  ASSERT_EQ(placements.size(), 2U);
+  EXPECT_GT(placements[0].taken, placements[1].taken);
+  EXPECT_FALSE(fits(placements[0], {}));
+  EXPECT_TRUE(fits(placements[1], {}));
+  const Pose found = placements[1].pieces[join.first].T_world_piece;
+  const Pose truth = T_first_second * join.pieces[join.first].T_world_piece;
+  EXPECT_LT((found.translation - truth.translation).norm(), 0.1);
+}
+
 TEST_F(MapMerge, AJointMapIsJoinedAgain) {
   const MapJoin join = join_maps(campus(), later_campus());
   ASSERT_TRUE(join.joint) << join.message;
