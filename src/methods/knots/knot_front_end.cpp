@@ -34,6 +34,7 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
 }
 
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
+constexpr double kSuddenlyNew = 2.0;  // times as much as usual that the map does not have
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 
 constexpr double kBack = 0.8;          // [m] as another place is
@@ -122,10 +123,7 @@ KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned) {
   Registered here = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
   if (!is_after_hole(scan) || since_trusted(scan.start_ns) > kLongStraight) return here;
-  const SearchRegion ahead = straight_on(scan.start_ns);
-  const Twist going = model_.mean(ahead.centre.rotation);
-  const auto chosen = choice_.choose(scan, thinned, session_.workers);
-  std::optional<Registered> there = register_at(ahead.centre, going, scan, chosen);
+  std::optional<Registered> there = register_ahead(scan, thinned);
   if (!there || !there->estimate.trusted()) return here;
   const bool better_here = here.estimate.trusted() &&
                            !is_farther_back(here.trajectory.at(0.5), scan) &&
@@ -225,7 +223,13 @@ double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::
   Estimate& estimate = registered.estimate;
   const double alone = hazard(estimate.evidence);
   if (!is_doubtful(alone)) return alone;
-  estimate.evidence.rival = rival_of(scan, thinned, registered);
+  estimate.evidence.rival = rival_beside(scan, thinned, registered);
+  // Who suddenly sees much that is new may have been carried to a place that he knows.
+  if (estimate.evidence.unseen > strength(kSuddenlyNew)) {
+    const double far = rival_anywhere(scan, thinned, registered);
+    estimate.evidence.rival = std::max(estimate.evidence.rival, far);
+    return hazard_beside_rival(estimate.evidence);
+  }
   // Along a weak direction the scan fits everywhere; that it is weak is told.
   if (!estimate.degenerate.empty()) return hazard(estimate.evidence);
   return hazard_beside_rival(estimate.evidence);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -100,14 +101,18 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] SearchRegion region_within(double speed, std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_walked(std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_carried(std::int64_t instant_ns) const;
+  [[nodiscard]] SearchRegion region_anywhere() const;
   [[nodiscard]] SearchRegion straight_on(std::int64_t instant_ns) const;
   [[nodiscard]] std::optional<SearchRegion> region_of_turn(std::int64_t instant_ns) const;
   [[nodiscard]] std::vector<PlaceFit> places_in(const PreparedScan& scan,
                                                 const std::vector<std::uint32_t>& chosen,
-                                                const SearchRegion& region) const;
+                                                const SearchRegion& region, std::size_t most) const;
+  [[nodiscard]] std::array<Twist, 2> velocities_at(const Pose& place) const;
   [[nodiscard]] std::optional<Registered> register_at(
       const Pose& place, const Twist& velocity, const PreparedScan& scan,
       const std::vector<std::uint32_t>& chosen) const;
+  [[nodiscard]] std::optional<Registered> register_ahead(const PreparedScan& scan,
+                                                         const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned,
                                                      const SearchRegion& region);
@@ -116,8 +121,15 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double disagreement_of(const Registered& registered) const;
   [[nodiscard]] std::optional<Estimate> go_on(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] double rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+  [[nodiscard]] double rival_in(const SearchRegion& region, std::size_t most,
+                                const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                                 const Registered& registered) const;
+  [[nodiscard]] double rival_beside(const PreparedScan& scan,
+                                    const std::vector<std::uint32_t>& thinned,
+                                    const Registered& registered) const;
+  [[nodiscard]] double rival_anywhere(const PreparedScan& scan,
+                                      const std::vector<std::uint32_t>& thinned,
+                                      const Registered& registered) const;
   void learn(const Registered& registered, double right);
   void let_drift(Registered& registered);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,

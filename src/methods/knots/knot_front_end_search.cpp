@@ -3,6 +3,7 @@
 //
 // What the front-end does while it is lost. docs/method.md, "Lost".
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <utility>
 
@@ -32,6 +33,7 @@ constexpr int kSeldom = 5;
 
 constexpr std::size_t kPoints = 150;  // to look with, coarsely
 constexpr std::size_t kPlaces = 4;    // to register at
+constexpr std::size_t kTwins = 12;    // to register at, before a place is believed
 
 // So much more doubt is allowed straight after the scan that went wrong: where the robot would be
 // had that one not come is a likelier place than one that was looked for.
@@ -100,6 +102,25 @@ SearchRegion KnotFrontEnd::straight_on(std::int64_t instant_ns) const {
   return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn, false};
 }
 
+/// A scan where it would be had it walked straight on, unseen: as high as the ground of its way
+/// goes on there, or as it climbed of late.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_ahead(
+    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
+  const Pose level = straight_on(scan.start_ns).centre;
+  const Twist going = model_.mean(level.rotation);
+  const auto chosen = choice_.choose(scan, thinned, session_.workers);
+  std::optional<Registered> best = register_at(level, going, scan, chosen);
+  Pose climbing = level;
+  const Pose& last = end_.prior.means[1];
+  climbing.translation.z() =
+      last.translation.z() + since_trusted(scan.start_ns) * model_.mean(last.rotation).z();
+  auto other = register_at(climbing, going, scan, chosen);
+  const bool better =
+      other && other->estimate.trusted() &&
+      (!best || !best->estimate.trusted() || disagreement_of(*other) < disagreement_of(*best));
+  return better ? std::move(other) : std::move(best);
+}
+
 /// Where a lost one is looked for by the scan whose turn it is; nowhere by some of those for which
 /// it would be far.
 std::optional<SearchRegion> KnotFrontEnd::region_of_turn(std::int64_t instant_ns) const {
@@ -113,9 +134,9 @@ std::optional<SearchRegion> KnotFrontEnd::region_of_turn(std::int64_t instant_ns
 /// The places of a region that a scan fits best, coarsely: best first.
 std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& chosen,
-                                              const SearchRegion& region) const {
+                                              const SearchRegion& region, std::size_t most) const {
   session_.begin_step(Step::search);
-  return search_places(map_, some_of(scan, chosen), region, way_, kPlaces, session_.workers);
+  return search_places(map_, some_of(scan, chosen), region, way_, most, session_.workers);
 }
 
 /// A scan registered where a coarse look told that it may be, at first by one velocity; none if
@@ -129,7 +150,8 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
   here.predicted = here.predicted.at_velocity(velocity);
   KnotPoints points = sort_points(scan, chosen, here.predicted);
   here.found.window = here.predicted;
-  for (int time = 0; time < 2 && !here.found.converged; ++time) {
+  for (int time = 0; time < 2 && !has_settled(here.found.converged, here.found.settling, false);
+       ++time) {
     here.found =
         register_knots(points, problem(begin), here.found.window, usual_annealing(config_.knots));
     if (!here.found.solved) return std::nullopt;
@@ -138,26 +160,58 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
   return here;
 }
 
+/// Whoever was carried stands; whoever lost himself in a turn still goes.
+std::array<Twist, 2> KnotFrontEnd::velocities_at(const Pose& place) const {
+  return {Twist::Zero(), model_.mean(place.rotation)};
+}
+
 double KnotFrontEnd::disagreement_of(const Registered& registered) const {
   return registered.found.disagreement(config_.knots.unseen_weight);
 }
 
-/// How much better the scan fits at another place than where it was registered: at the best one by
-/// a coarse look, if that is another.
-double KnotFrontEnd::rival_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
+/// As far as a place is ever looked for, and turned anyhow.
+SearchRegion KnotFrontEnd::region_anywhere() const {
+  SearchRegion region = region_carried(last_pose_->stamp_ns);
+  region.radius = kMostReach;
+  region.turn = std::numbers::pi;
+  return region;
+}
+
+/// How much better the scan fits at another place of a region than where it was registered: at the
+/// best ones by a coarse look, `most` at most, if the very best is another.
+double KnotFrontEnd::rival_in(const SearchRegion& region, std::size_t most,
+                              const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
                               const Registered& registered) const {
   PointChoice choice = choice_;  // what is asked here must not change the next scan
   const auto chosen = choice.choose(scan, thinned, session_.workers);
-  SearchRegion region = region_walked(scan.end_ns + kLeewayNs);
-  region.radius += kLeeway;
-  const auto places = places_in(scan, chosen, region);
+  const auto places = places_in(scan, chosen, region, most);
   const Pose here = registered.trajectory.at(0.5);
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
-  const std::optional<Registered> other = register_at(places[0].pose, Twist::Zero(), scan, chosen);
-  if (!other || same_place(other->trajectory.at(0.5), here)) return 0.0;
-  if (is_farther_back(other->trajectory.at(0.5), scan)) return 0.0;
-  // [K33]
-  return strength(disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3));
+  double rival = 0.0;
+  for (const PlaceFit& place : places) {
+    const std::optional<Registered> other = register_at(place.pose, Twist::Zero(), scan, chosen);
+    if (!other || same_place(other->trajectory.at(0.5), here)) continue;
+    if (is_farther_back(other->trajectory.at(0.5), scan)) continue;
+    // [K33]
+    const double times_less = disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3);
+    rival = std::max(rival, strength(times_less));
+  }
+  return rival;
+}
+
+/// Of places so near that somebody may have come there since the last scan.
+double KnotFrontEnd::rival_beside(const PreparedScan& scan,
+                                  const std::vector<std::uint32_t>& thinned,
+                                  const Registered& registered) const {
+  SearchRegion region = region_walked(scan.end_ns + kLeewayNs);
+  region.radius += kLeeway;
+  return rival_in(region, 1, scan, thinned, registered);
+}
+
+double KnotFrontEnd::rival_anywhere(const PreparedScan& scan,
+                                    const std::vector<std::uint32_t>& thinned,
+                                    const Registered& registered) const {
+  return rival_in(region_anywhere(), kPlaces, scan, thinned, registered);
 }
 
 /// The place of the region that fits best, if there is one that fits clearly best.
@@ -166,13 +220,11 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
     const SearchRegion& region) {
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
   std::vector<Registered> found;
-  std::vector<PlaceFit> places = places_in(scan, chosen, region);
-  const auto ahead = places_in(scan, chosen, straight_on(scan.start_ns));
+  std::vector<PlaceFit> places = places_in(scan, chosen, region, kPlaces);
+  const auto ahead = places_in(scan, chosen, straight_on(scan.start_ns), 1);
   if (!ahead.empty()) places.push_back(ahead.front());
   for (const PlaceFit& place : places) {
-    // Whoever was carried stands; whoever lost himself in a turn still goes.
-    const Twist going = model_.mean(place.pose.rotation);
-    for (const Twist& velocity : {Twist(Twist::Zero()), going}) {
+    for (const Twist& velocity : velocities_at(place.pose)) {
       auto here = register_at(place.pose, velocity, scan, chosen);
       if (here && region.is_as_high(here->trajectory.at(0.5).translation)) {
         found.push_back(std::move(*here));
@@ -198,14 +250,13 @@ bool KnotFrontEnd::has_twin(const PreparedScan& scan, const std::vector<std::uin
   if (same_place(here, straight_on(scan.start_ns).centre)) return false;
   PointChoice choice = choice_;  // what is asked here must not change the next scan
   const auto chosen = choice.choose(scan, thinned, session_.workers);
-  SearchRegion region = region_carried(scan.end_ns);
-  region.radius = kMostReach;
-  region.turn = std::numbers::pi;
-  for (const PlaceFit& place : places_in(scan, chosen, region)) {
+  for (const PlaceFit& place : places_in(scan, chosen, region_anywhere(), kTwins)) {
     if (same_place(place.pose, here)) continue;
-    const auto other = register_at(place.pose, Twist::Zero(), scan, chosen);
-    if (!other || same_place(other->trajectory.at(0.5), here)) continue;
-    if (disagreement_of(*other) < kClearlyBetter * disagreement_of(registered)) return true;
+    for (const Twist& velocity : velocities_at(place.pose)) {
+      const auto other = register_at(place.pose, velocity, scan, chosen);
+      if (!other || same_place(other->trajectory.at(0.5), here)) continue;
+      if (disagreement_of(*other) < kClearlyBetter * disagreement_of(registered)) return true;
+    }
   }
   return false;
 }

@@ -166,7 +166,7 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
   places.resize(std::min(places.size(), std::max(promising, 4 * kRefined)));
   weigh(1);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
-    const std::vector<PlaceFit> coarse = best_apart(std::move(places), kRefined);
+    const std::vector<PlaceFit> coarse = best_apart(std::move(places), std::max(kRefined, most));
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
     for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, region, places);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// A hall of equal bays: who sees nothing for a while, or is carried, is not taken to be a bay off.
+// Who sees nothing for a while, or is carried, is not taken to be where he is not: in a hall of
+// equal bays, and on an open field.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,14 +22,16 @@ namespace fs = std::filesystem;
 
 constexpr int kScans = 260;
 
-class EqualBays : public testing::Test {
+class InterruptedWalk : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
+  static void simulate(const std::string& scene, const std::string& seed) {
     scratch_ = std::make_unique<ScratchFolder>();
-    simulated_ = run_surefoot({"simulate", "bays", "--seed", "310", "--scans",
-                               std::to_string(kScans), "--no-footprint", "-q", "-o", "whole"},
+    truth_.clear();
+    simulated_ = run_surefoot({"simulate", scene, "--seed", seed, "--scans", std::to_string(kScans),
+                               "--no-footprint", "-q", "-o", "whole"},
                               scratch_->path())
                      .exit_code == 0;
+    if (simulated_) truth_ = io::read_tum(path("whole") / "gt.tum");
   }
   static void TearDownTestSuite() { scratch_.reset(); }
   void SetUp() override {
@@ -63,9 +66,8 @@ class EqualBays : public testing::Test {
 
   /// How far [m] a pose is from where it truly is, in the frame of the first one.
   static double error(const Trajectory& estimated, const StampedPose& pose, double later) {
-    static const Trajectory truth = io::read_tum(path("whole") / "gt.tum");
     const auto at = [&](std::int64_t stamp_ns) {
-      return std::find_if(truth.begin(), truth.end() - 1,
+      return std::find_if(truth_.begin(), truth_.end() - 1,
                           [&](const StampedPose& known) { return known.stamp_ns >= stamp_ns; })
           ->pose;
     };
@@ -76,7 +78,18 @@ class EqualBays : public testing::Test {
   }
 
   static inline std::unique_ptr<ScratchFolder> scratch_;
+  static inline Trajectory truth_;
   static inline bool simulated_ = false;
+};
+
+class EqualBays : public InterruptedWalk {
+ protected:
+  static void SetUpTestSuite() { simulate("bays", "310"); }
+};
+
+class OpenField : public InterruptedWalk {
+ protected:
+  static void SetUpTestSuite() { simulate("playground", "311"); }
 };
 
 // The bay behind fits better, which was seen whole.
@@ -96,6 +109,18 @@ TEST_F(EqualBays, WhoWasCarriedIsNotFoundInTheNextBay) {
   for (std::size_t i = 0; i < estimated.size(); ++i) {
     const double later = i < 200 ? 0.0 : kLater;
     ASSERT_LT(error(estimated, estimated[i], later), 0.1) << i;
+  }
+}
+
+// The ground fits everywhere, and fence and goals are far away: where all that stands suddenly is
+// new, it has to be asked whether he knows it from elsewhere.
+TEST_F(OpenField, WhoWasCarriedIsNotWhereHeWas) {
+  constexpr double kLater = 17.0;
+  const Trajectory estimated = estimates(200, 30, kLater);
+  ASSERT_GT(estimated.size(), 350U) << "it is found";
+  for (std::size_t i = 0; i < estimated.size(); ++i) {
+    const double later = i < 200 ? 0.0 : kLater;
+    ASSERT_LT(error(estimated, estimated[i], later), 0.2) << i;
   }
 }
 
