@@ -55,7 +55,7 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
   std::vector<Eigen::Vector3d> points;
   const std::size_t stride = std::max<std::size_t>(chosen.size() / kPoints, 1);
   for (std::size_t i = 0; i < chosen.size(); i += stride) {
-    points.push_back(scan.points[chosen[i]].cast<double>());
+    points.emplace_back(scan.points[chosen[i]].cast<double>());
   }
   return points;
 }
