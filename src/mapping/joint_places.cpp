@@ -12,7 +12,7 @@ namespace surefoot::mapping {
 
 namespace {
 
-/// Numbers below `count`: every so manieth, then those half-way between, and so on.
+/// Numbers below `count`: every so many-th, then those half-way between, and so on.
 std::vector<std::size_t> spread_out(std::size_t count) {
   std::size_t stride = 1;
   while (2 * stride < count) stride *= 2;

@@ -101,6 +101,19 @@ bool fits_elsewhere(const std::vector<Loop>& asked_alone, const MapPlacement& pl
   });
 }
 
+/// Whether most of the second map lies elsewhere by the one placement than by the other; maps that
+/// are bent lie a little otherwise by each of their loops.
+bool lie_apart(const MapPlacement& one, const MapPlacement& other) {
+  constexpr double kBent = 2.0;  // [m]
+  std::vector<double> apart;
+  for (const std::size_t i : one.second) {
+    apart.push_back((one.solved.poses[i].translation - other.solved.poses[i].translation).norm());
+  }
+  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+  std::nth_element(apart.begin(), middle, apart.end());
+  return *middle > kBent;
+}
+
 /// That of the ways in which the maps may lie by which most of them agrees; none, and why, where
 /// none fits, or another one fits as well.
 const MapPlacement* choose(const std::vector<MapPlacement>& placements,
@@ -119,7 +132,7 @@ const MapPlacement* choose(const std::vector<MapPlacement>& placements,
   }
   for (const MapPlacement& placement : placements) {
     const bool likely = placement.support() > options.likes * best->support();
-    if (&placement != best && likely && fits(placement, options)) why_not = kAlike;
+    if (likely && fits(placement, options) && lie_apart(*best, placement)) why_not = kAlike;
   }
   if (fits_elsewhere(asked_alone, *best, options)) why_not = kAlike;
   return why_not.empty() ? best : nullptr;
