@@ -3,6 +3,7 @@
 #include "mapping/cloud_file.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,7 +44,19 @@ std::shared_ptr<CloudFile> CloudFile::open(const std::filesystem::path& file) {
   return std::shared_ptr<CloudFile>(new CloudFile(handle));
 }
 
-CloudFile::~CloudFile() { ::close(handle_); }
+CloudFile::~CloudFile() {
+  if (!mapped_.empty()) ::munmap(mapped_.data(), mapped_.size());
+  ::close(handle_);
+}
+
+std::span<std::byte> CloudFile::mapped() {
+  if (!mapped_.empty()) ::munmap(mapped_.data(), mapped_.size());
+  mapped_ = {};
+  if (end_ == 0) return mapped_;
+  void* at = ::mmap(nullptr, end_, PROT_READ | PROT_WRITE, MAP_SHARED, handle_, 0);
+  if (at != MAP_FAILED) mapped_ = {static_cast<std::byte*>(at), static_cast<std::size_t>(end_)};
+  return mapped_;
+}
 
 bool CloudFile::append(std::string_view bytes, std::uint64_t& at) {
   std::size_t done = 0;

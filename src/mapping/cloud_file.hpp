@@ -5,9 +5,11 @@
 // file, or, where there is none, in memory.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,12 +33,16 @@ class CloudFile {
   [[nodiscard]] bool append(std::string_view bytes, std::uint64_t& at);
   /// Throws std::runtime_error if they cannot be read any more.
   [[nodiscard]] std::string read(std::uint64_t at, std::size_t size) const;
+  /// What was appended so far, to read and to change: memory that the system takes back where it is
+  /// short of it. Until the file is gone; empty if there is nothing or it cannot be shown so.
+  [[nodiscard]] std::span<std::byte> mapped();
 
  private:
   explicit CloudFile(int handle) : handle_(handle) {}
 
   int handle_;
   std::uint64_t end_ = 0;
+  std::span<std::byte> mapped_;
 };
 
 /// Bytes, wherever they are.

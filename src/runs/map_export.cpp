@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "runs/map_export.hpp"
 
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "io/file_writer.hpp"
 #include "io/files/geotiff_writer.hpp"
@@ -31,6 +34,50 @@ std::vector<Eigen::Vector3<T>> points_of(const mapping::SavedMap& map) {
   return points;
 }
 
+/// All points, from an origin [m]: in a file beside the tiles, since a city's are more than a
+/// memory holds, or in memory where no file can be made or shown there.
+class TilePoints {
+ public:
+  TilePoints(const mapping::SavedMap& map, const Eigen::Vector3d& origin, const fs::path& folder)
+      : file_(mapping::CloudFile::make(folder)) {
+    for (const mapping::Piece& piece : map.pieces) {
+      const auto cloud = mapping::cloud_of(piece);
+      for (const Eigen::Vector3f& point : cloud->points) {
+        held_.emplace_back((piece.T_world_piece * point.cast<double>() - origin).cast<float>());
+      }
+      if (file_ != nullptr) put_away();
+    }
+  }
+
+  [[nodiscard]] std::span<Eigen::Vector3f> all() {
+    if (file_ == nullptr) return held_;
+    const std::span<std::byte> bytes = file_->mapped();
+    if (bytes.empty() && put_away_ > 0) {
+      throw io::WriteError("the points of all tiles cannot be shown as memory: " +
+                           std::to_string(put_away_ * kSize) + " bytes");
+    }
+    return {reinterpret_cast<Eigen::Vector3f*>(bytes.data()), bytes.size() / kSize};
+  }
+
+ private:
+  static constexpr std::size_t kSize = sizeof(Eigen::Vector3f);
+
+  void put_away() {
+    std::uint64_t at = 0;
+    const auto* bytes = reinterpret_cast<const char*>(held_.data());
+    if (!file_->append({bytes, held_.size() * kSize}, at)) {
+      throw io::WriteError("no room for the points of all tiles beside them: expected " +
+                           std::to_string(kSize) + " bytes a point");
+    }
+    put_away_ += held_.size();
+    held_.clear();
+  }
+
+  std::shared_ptr<mapping::CloudFile> file_;
+  std::vector<Eigen::Vector3f> held_;
+  std::size_t put_away_ = 0;
+};
+
 /// Near the origin that they are counted from, floats keep their digits.
 io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wanted) {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -38,15 +85,11 @@ io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wante
     origin += piece.T_world_piece.translation / static_cast<double>(map.pieces.size());
   }
   origin = origin.array().round();
-  std::vector<Eigen::Vector3f> points;
-  for (const mapping::Piece& piece : map.pieces) {
-    const auto cloud = mapping::cloud_of(piece);
-    for (const Eigen::Vector3f& point : cloud->points) {
-      points.emplace_back((piece.T_world_piece * point.cast<double>() - origin).cast<float>());
-    }
-  }
+  fs::path beside_tiles = fs::absolute(wanted.tiles).parent_path();
+  while (!fs::exists(beside_tiles)) beside_tiles = beside_tiles.parent_path();
+  TilePoints points(map, origin, beside_tiles);
   const io::TileCounts counts =
-      io::write_point_tiles(wanted.tiles, origin, std::move(points), wanted.tiles_at);
+      io::write_point_tiles(wanted.tiles, origin, points.all(), wanted.tiles_at);
   if (!report::tiles_page().empty()) {
     io::write_whole_file(wanted.tiles / "index.html", report::tiles_page());
   }

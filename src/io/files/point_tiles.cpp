@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "io/file_writer.hpp"
 #include "io/files/glb_points.hpp"
@@ -180,7 +181,7 @@ Eigen::Matrix4d T_earth_map(const EarthPlace& place) {
 }
 
 TileCounts write_point_tiles(const std::filesystem::path& folder, const Eigen::Vector3d& origin,
-                             std::vector<Eigen::Vector3f> points,
+                             std::span<Eigen::Vector3f> points,
                              const std::optional<EarthPlace>& place) {
   const TileCube cube = cube_of(points);
   if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
-#include <vector>
+#include <span>
 
 namespace surefoot::io {
 
@@ -30,10 +30,11 @@ struct TileCounts {
 
 /// Writes `folder`/tileset.json (3D Tiles 1.1) and a binary glTF per tile. A tile holds the points
 /// that those above it do not (additive refinement), each point stands in one. `points`: [m] from
-/// `origin`, taken apart in place. No more than one tile is held besides them. Throws WriteError,
+/// `origin`, in another order afterwards: brought into that of the tiles in place, so they may well
+/// be a file's. No more than one tile is held besides them. Throws WriteError,
 /// std::invalid_argument where there is no point or one that is not finite.
 TileCounts write_point_tiles(const std::filesystem::path& folder, const Eigen::Vector3d& origin,
-                             std::vector<Eigen::Vector3f> points,
+                             std::span<Eigen::Vector3f> points,
                              const std::optional<EarthPlace>& place = {});
 
 }  // namespace surefoot::io

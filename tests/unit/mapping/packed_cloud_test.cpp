@@ -88,6 +88,19 @@ TEST(PackedCloud, BrokenBytesAreRefused) {
   EXPECT_THROW((void)unpack(blind), std::invalid_argument);
 }
 
+TEST(CloudFile, IsMemoryThatCanBeChanged) {
+  const std::shared_ptr<CloudFile> file = CloudFile::make({});
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(file->mapped().empty());
+  std::uint64_t at = 0;
+  ASSERT_TRUE(file->append("first", at));
+  ASSERT_EQ(file->mapped().size(), 5U);
+  file->mapped()[0] = std::byte{'F'};
+  ASSERT_TRUE(file->append("more", at));
+  ASSERT_EQ(file->mapped().size(), 9U);
+  EXPECT_EQ(file->read(0, 9), "Firstmore");
+}
+
 TEST(CloudFile, KeepsWhatIsAppended) {
   const std::shared_ptr<CloudFile> file = CloudFile::make({});
   ASSERT_TRUE(file);

@@ -114,7 +114,8 @@ bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 TEST(PointTilesTest, EveryPointIsInOneTileAndWithinAllBoxesAboveIt) {
   const test::TemporaryFolder scratch;
   const std::vector<Eigen::Vector3f> given = hills(250'000);
-  const TileCounts counts = write_point_tiles(scratch.path() / "tiles", {100.0, -50.0, 7.0}, given);
+  std::vector<Eigen::Vector3f> tiled = given;
+  const TileCounts counts = write_point_tiles(scratch.path() / "tiles", {100.0, -50.0, 7.0}, tiled);
   const json tileset = json::parse(tile_content(scratch.path() / "tiles/tileset.json"));
   EXPECT_EQ(tileset["asset"]["version"], "1.1");
   EXPECT_EQ(tileset["root"]["refine"], "ADD");
@@ -143,7 +144,8 @@ TEST(PointTilesTest, EveryPointIsInOneTileAndWithinAllBoxesAboveIt) {
 
 TEST(PointTilesTest, TheTransformIsTheOrigins) {
   const test::TemporaryFolder scratch;
-  write_point_tiles(scratch.path() / "tiles", {100.0, -50.0, 7.0}, {{1.0F, 2.0F, 3.0F}});
+  std::vector<Eigen::Vector3f> one{{1.0F, 2.0F, 3.0F}};
+  write_point_tiles(scratch.path() / "tiles", {100.0, -50.0, 7.0}, one);
   const json tileset = json::parse(tile_content(scratch.path() / "tiles/tileset.json"));
   const std::vector<double> transform = tileset["root"]["transform"];
   EXPECT_EQ(transform, (std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 100, -50, 7, 1}));
@@ -168,7 +170,7 @@ TEST(PointTilesTest, NothingAndManyInOnePlaceAndFoldersInUse) {
   const test::TemporaryFolder scratch;
   EXPECT_THROW(write_point_tiles(scratch.path() / "none", {0, 0, 0}, {}), std::invalid_argument);
   EXPECT_FALSE(fs::exists(scratch.path() / "none"));
-  const std::vector<Eigen::Vector3f> same(100'000, Eigen::Vector3f(5.0F, 5.0F, 5.0F));
+  std::vector<Eigen::Vector3f> same(100'000, Eigen::Vector3f(5.0F, 5.0F, 5.0F));
   EXPECT_EQ(write_point_tiles(scratch.path() / "same", {0, 0, 0}, same).points, same.size());
   EXPECT_THROW(write_point_tiles(scratch.path() / "same", {0, 0, 0}, same), WriteError);
 }
