@@ -234,10 +234,10 @@ void run(const Options& options, const std::string& command) {
 
 int main(int argc, char** argv) {
   surefoot::benchmarks::Options options;
-  options.walks = {"campus:301",      "plaza:302",    "foyer:303",      "forest:304",
-                   "forest-path:305", "hillside:306", "rubble:307",     "parking:308",
-                   "street:309",      "bays:310",     "playground:311", "stairwell:312",
-                   "storeys:313"};
+  options.walks = {"campus:321",      "plaza:322",    "foyer:323",      "forest:324",
+                   "forest-path:325", "hillside:326", "rubble:327",     "parking:328",
+                   "street:329",      "bays:330",     "playground:331", "stairwell:332",
+                   "storeys:333"};
   CLI::App app{"Who was carried, or saw nothing for a while: how soon it is right again"};
   app.add_option("--walk", options.walks, "SCENE:SEED[:ROBOT]")->capture_default_str();
   app.add_option("--absence", options.absences, "Names of what happens; none: all");

@@ -87,6 +87,11 @@ class EqualBays : public InterruptedWalk {
   static void SetUpTestSuite() { simulate("bays", "310"); }
 };
 
+class ShorterBays : public InterruptedWalk {
+ protected:
+  static void SetUpTestSuite() { simulate("bays", "330"); }
+};
+
 class OpenField : public InterruptedWalk {
  protected:
   static void SetUpTestSuite() { simulate("playground", "311"); }
@@ -109,6 +114,15 @@ TEST_F(EqualBays, WhoWasCarriedIsNotFoundInTheNextBay) {
   for (std::size_t i = 0; i < estimated.size(); ++i) {
     const double later = i < 200 ? 0.0 : kLater;
     ASSERT_LT(error(estimated, estimated[i], later), 0.1) << i;
+  }
+}
+
+// A bay behind he would be about where he was, but would see what he has not seen from there.
+TEST_F(ShorterBays, WhoWalkedOnUnseenHasNotStayed) {
+  const Trajectory estimated = estimates(130, 160, 0.0);
+  ASSERT_GT(estimated.size(), 220U);
+  for (const StampedPose& pose : estimated) {
+    ASSERT_LT(error(estimated, pose, 0.0), 0.1) << pose.stamp_ns;
   }
 }
 

@@ -39,6 +39,7 @@ constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 
 constexpr double kBack = 0.8;          // [m] as another place is
 constexpr double kLongStraight = 5.0;  // [s] that one may have walked straight on
+constexpr double kNew = 0.02;          // share of the points, more than what is the same
 constexpr int kYoung = 20;             // scans: a map of fewer is young
 constexpr double kFollows = 1.5;       // usual periods since the last scan, or one is missing
 
@@ -118,7 +119,7 @@ bool KnotFrontEnd::is_lost(double objection, double of_all) const {
 /// A scan from where the last one ended; after a hole, from where it would be had it walked
 /// straight on, unless it fits clearly better nearer to where it was. Of equal bays none fits
 /// better than the next, but for what was not seen of it yet: nobody who walked ahead is farther
-/// back.
+/// back, and who stayed where he was sees nothing new.
 KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned) {
   Registered here = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
@@ -127,7 +128,8 @@ KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
   if (!there || !there->estimate.trusted()) return here;
   const bool better_here = here.estimate.trusted() &&
                            !is_farther_back(here.trajectory.at(0.5), scan) &&
-                           kClearlyBetter * disagreement_of(here) < disagreement_of(*there);
+                           kClearlyBetter * disagreement_of(here) < disagreement_of(*there) &&
+                           here.found.unseen < kClearlyBetter * there->found.unseen + kNew;
   return better_here ? std::move(here) : std::move(*there);
 }
 

@@ -330,8 +330,9 @@ TEST(KnotRuns, WithoutASecondAttemptAScanIsRegisteredOnce) {
         [&](Step step) { iterations[second ? 1 : 0] += step == Step::search ? 1 : 0; });
     (void)odometry.add_scan(wrong.front());
   }
-  // Once, and at up to four other places, for a place that is in doubt.
-  EXPECT_LE(iterations[0], 5 * kOnce + 1);
+  // Once, and at one other place beside it and up to four anywhere, for a place that is in doubt:
+  // twice there, where it has not settled; and two looks.
+  EXPECT_LE(iterations[0], (1 + 2 * 5) * kOnce + 2);
   EXPECT_GT(iterations[1], iterations[0] + 2 * kOnce);
 }
 
