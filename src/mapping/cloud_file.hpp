@@ -34,7 +34,8 @@ class CloudFile {
   /// Throws std::runtime_error if they cannot be read any more.
   [[nodiscard]] std::string read(std::uint64_t at, std::size_t size) const;
   /// What was appended so far, to read and to change: memory that the system takes back where it is
-  /// short of it. Until the file is gone; empty if there is nothing or it cannot be shown so.
+  /// short of it. Until this is called again or the file is gone; empty if there is nothing or it
+  /// cannot be shown so.
   [[nodiscard]] std::span<std::byte> mapped();
 
  private:

@@ -82,7 +82,7 @@ class JointPlaces {
   }
 
   void compare_where_it_lies(std::size_t query) {
-    const auto& second = placement_->second;
+    const auto& second = placement_->of_second;
     if (!std::binary_search(second.begin(), second.end(), query)) {
       compare_anywhere(query);
       return;
@@ -109,7 +109,7 @@ class JointPlaces {
     std::optional<std::size_t> result;
     double nearest = kNear;
     const auto& poses = placement_->solved.poses;
-    for (const std::size_t place : placement_->first) {
+    for (const std::size_t place : placement_->of_first) {
       Eigen::Vector3d apart = poses[place].translation - poses[query].translation;
       apart.z() *= 4.0;  // storeys are areas of their own
       if (apart.norm() < nearest) {
@@ -148,10 +148,15 @@ class JointPlaces {
 
 }  // namespace
 
-bool fits(const MapPlacement& placement, const MergeOptions& options) {
+std::string objection(const MapPlacement& placement, const MergeOptions& options) {
+  if (placement.taken < 2) return "no two places agree on how they lie";
+  if (placement.spread < options.spread) {
+    return "the places that agree are one place: too little to tell it from its likes";
+  }
   const MapComparison& comparison = placement.comparison;
-  return placement.taken >= 2 && placement.spread >= options.spread && comparison.near > 0 &&
-         comparison.contradicted <= options.contradicted && comparison.overlap >= options.overlap;
+  const bool agrees = comparison.near > 0 && comparison.contradicted <= options.contradicted &&
+                      comparison.overlap >= options.overlap;
+  return agrees ? "" : "some places agree, but what else both maps have seen does not";
 }
 
 std::vector<Loop> find_joint_places(const SavedMap& first, const MapPair& pair,

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "mapping/loop_finder.hpp"
@@ -39,7 +40,11 @@ struct MergeOptions {
   bool roofed = true;
 };
 
-[[nodiscard]] bool fits(const MapPlacement& placement, const MergeOptions& options);
+/// What speaks against a placement by itself, in one sentence; empty: nothing, it fits.
+[[nodiscard]] std::string objection(const MapPlacement& placement, const MergeOptions& options);
+[[nodiscard]] inline bool fits(const MapPlacement& placement, const MergeOptions& options) {
+  return objection(placement, options).empty();
+}
 
 /// What came of comparing pieces of the second map (`query`) with pieces of the first (`place`), by
 /// the query's number. No drift is known.

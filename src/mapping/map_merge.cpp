@@ -71,18 +71,6 @@ bool allows(const Loop& loop, const std::vector<Piece>& pieces) {
   return gap.metres <= kMetres && gap.degrees <= kDegrees;
 }
 
-/// What speaks against a placement by itself; empty: nothing.
-std::string objection(const MapPlacement& placement, const MergeOptions& options) {
-  if (placement.taken < 2) return "no two places agree on how they lie";
-  if (placement.spread < options.spread) {
-    return "the places that agree are one place: too little to tell it from its likes";
-  }
-  if (!fits(placement, options)) {
-    return "some places agree, but what else both maps have seen does not";
-  }
-  return "";
-}
-
 /// Whether a place that fitted when it was asked alone would have the second map lie elsewhere, and
 /// does not fit clearly better as the maps lie now. Places look alike here: of which there may be
 /// more, and that these agree is no longer a sign that they are the same; unless by far more of
@@ -90,13 +78,13 @@ std::string objection(const MapPlacement& placement, const MergeOptions& options
 bool fits_elsewhere(const std::vector<Loop>& asked_alone, const MapPlacement& placement,
                     const MergeOptions& options) {
   TwoMaps joint(placement.pieces);
-  const auto& second = placement.second;
+  const auto& second = placement.of_second;
   return std::any_of(asked_alone.begin(), asked_alone.end(), [&](const Loop& loop) {
     const bool fitted = is_taken(loop) || loop.check.verdict == LoopVerdict::ambiguous;
     if (!fitted || allows(loop, placement.pieces)) return false;
     if (!std::binary_search(second.begin(), second.end(), loop.query)) return false;
     if (loop.check.overlap < options.likes * placement.support()) return false;
-    const MapComparison as_they_lie = joint.compare(placement.first, {loop.query});
+    const MapComparison as_they_lie = joint.compare(placement.of_first, {loop.query});
     return loop.check.overlap > options.as_good * as_they_lie.overlap;
   });
 }
@@ -106,7 +94,7 @@ bool fits_elsewhere(const std::vector<Loop>& asked_alone, const MapPlacement& pl
 bool lie_apart(const MapPlacement& one, const MapPlacement& other) {
   constexpr double kBent = 2.0;  // [m]
   std::vector<double> apart;
-  for (const std::size_t i : one.second) {
+  for (const std::size_t i : one.of_second) {
     apart.push_back((one.solved.poses[i].translation - other.solved.poses[i].translation).norm());
   }
   const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);

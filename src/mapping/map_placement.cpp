@@ -49,9 +49,9 @@ MapPlacement placed_by(const MapPair& pair, std::vector<Loop> loops,
   if (result.taken > 0) {
     HeldPieces held(result.solved);
     const std::size_t place = std::find_if(loops.begin(), loops.end(), is_taken)->place;
-    result.first = held.held_to(place, 0, pair.first);
-    result.second = held.held_to(place, pair.first, result.pieces.size());
-    result.comparison = TwoMaps(result.pieces).compare(result.first, result.second);
+    result.of_first = held.held_to(place, 0, pair.first);
+    result.of_second = held.held_to(place, pair.first, result.pieces.size());
+    result.comparison = TwoMaps(result.pieces).compare(result.of_first, result.of_second);
   }
   result.loops = std::move(loops);
   return result;

@@ -22,14 +22,14 @@ struct MapPair {
 };
 
 struct MapPlacement {
-  PoseGraph solved;                 ///< the pair's with the loops that hold, in the first's frame
-  std::vector<Loop> loops;          ///< all, with what came of them
-  std::size_t taken = 0;            ///< loops that hold
-  double spread = 0.0;              ///< [m] how far their places lie apart, at most
-  std::vector<Piece> pieces;        ///< where they lie
-  std::vector<std::size_t> first;   ///< pieces of the first map that are held to each other
-  std::vector<std::size_t> second;  ///< pieces of the second that are held to these
-  MapComparison comparison;         ///< of these
+  PoseGraph solved;                   ///< the pair's with the loops that hold, in the first's frame
+  std::vector<Loop> loops;            ///< all, with what came of them
+  std::size_t taken = 0;              ///< loops that hold
+  double spread = 0.0;                ///< [m] how far their places lie apart, at most
+  std::vector<Piece> pieces;          ///< where they lie
+  std::vector<std::size_t> of_first;  ///< pieces of the first map that are held to each other
+  std::vector<std::size_t> of_second;  ///< pieces of the second that are held to these
+  MapComparison comparison;            ///< of these
 
   /// How many pieces of the second lie on what the first shows.
   [[nodiscard]] double support() const {

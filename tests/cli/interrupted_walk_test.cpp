@@ -77,6 +77,15 @@ class InterruptedWalk : public testing::Test {
     return (T_truth * pose.pose.translation - at(made_ns).translation).norm();
   }
 
+  /// Each pose is where it truly is to less than so much [m]; those from the number `before` on
+  /// were said to be so much later [s] than they were made.
+  static void expect_right(const Trajectory& estimated, std::size_t before, double later,
+                           double bound) {
+    for (std::size_t i = 0; i < estimated.size(); ++i) {
+      ASSERT_LT(error(estimated, estimated[i], i < before ? 0.0 : later), bound) << i;
+    }
+  }
+
   static inline std::unique_ptr<ScratchFolder> scratch_;
   static inline Trajectory truth_;
   static inline bool simulated_ = false;
@@ -101,9 +110,7 @@ class OpenField : public InterruptedWalk {
 TEST_F(EqualBays, WhoWalkedOnUnseenIsNotABayBehind) {
   const Trajectory estimated = estimates(160, 190, 0.0);
   ASSERT_GT(estimated.size(), 220U);
-  for (const StampedPose& pose : estimated) {
-    ASSERT_LT(error(estimated, pose, 0.0), 0.1) << pose.stamp_ns;
-  }
+  expect_right(estimated, estimated.size(), 0.0, 0.1);
 }
 
 // The bay that is found first is nearer than the one that he was carried to.
@@ -111,19 +118,14 @@ TEST_F(EqualBays, WhoWasCarriedIsNotFoundInTheNextBay) {
   constexpr double kLater = 6.0;
   const Trajectory estimated = estimates(200, 140, kLater);
   ASSERT_GT(estimated.size(), 210U) << "it is found";
-  for (std::size_t i = 0; i < estimated.size(); ++i) {
-    const double later = i < 200 ? 0.0 : kLater;
-    ASSERT_LT(error(estimated, estimated[i], later), 0.1) << i;
-  }
+  expect_right(estimated, 200, kLater, 0.1);
 }
 
 // A bay behind he would be about where he was, but would see what he has not seen from there.
 TEST_F(ShorterBays, WhoWalkedOnUnseenHasNotStayed) {
   const Trajectory estimated = estimates(130, 160, 0.0);
   ASSERT_GT(estimated.size(), 220U);
-  for (const StampedPose& pose : estimated) {
-    ASSERT_LT(error(estimated, pose, 0.0), 0.1) << pose.stamp_ns;
-  }
+  expect_right(estimated, estimated.size(), 0.0, 0.1);
 }
 
 // The ground fits everywhere, and fence and goals are far away: where all that stands suddenly is
@@ -132,10 +134,7 @@ TEST_F(OpenField, WhoWasCarriedIsNotWhereHeWas) {
   constexpr double kLater = 17.0;
   const Trajectory estimated = estimates(200, 30, kLater);
   ASSERT_GT(estimated.size(), 350U) << "it is found";
-  for (std::size_t i = 0; i < estimated.size(); ++i) {
-    const double later = i < 200 ? 0.0 : kLater;
-    ASSERT_LT(error(estimated, estimated[i], later), 0.2) << i;
-  }
+  expect_right(estimated, 200, kLater, 0.2);
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ double residual_variance(const KnotRegistration& found, const Config::Knots& con
 }
 
 // What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
-constexpr double kSuddenlyNew = 2.0;  // times as much as usual that the map does not have
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
 
 constexpr double kBack = 0.8;          // [m] as another place is
 constexpr double kLongStraight = 5.0;  // [s] that one may have walked straight on
 constexpr double kNew = 0.02;          // share of the points, more than what is the same
+constexpr double kSuddenlyNew = 2.0;   // times as much as usual that the map does not have
 constexpr int kYoung = 20;             // scans: a map of fewer is young
 constexpr double kFollows = 1.5;       // usual periods since the last scan, or one is missing
 
