@@ -84,7 +84,7 @@ void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--robot", request.robot, "How it moves; absent: what suits the scene")
       ->check(CLI::IsMember(simulation::gait_names()));
   command.add_option("--speed", request.speed, "Walking speed [m/s]; absent: the robot's own")
-      ->check(command_line::number_within(0.3, 3.0));
+      ->check(command_line::number_within(0.3, 5.0));
   command.add_option("--gait-scale", request.gait_scale, "All gait amplitudes times this")
       ->check(command_line::number_within(0.0, 10.0))
       ->capture_default_str();
