@@ -48,5 +48,10 @@ TEST(FaultMatrix, AMetreAlongACorridorIsSeen) {
   expect_never_wrong_silently("corridor:73", "carried 1 m");
 }
 
+// Thinned to a point per cube, a tenth of strays would be most of what a corridor is registered by.
+TEST(FaultMatrix, StraysDoNotOutnumberWalls) {
+  expect_never_wrong_silently("corridor:73", "random tenth");
+}
+
 }  // namespace
 }  // namespace surefoot::benchmarks

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/downsample.hpp"
+#include "core/isolated.hpp"
 #include "core/morton_order.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> PointChoice::thin(const std::vector<Eigen::Vector3f>&
 }
 
 std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan, const Workers& workers) {
-  return thin(scan.points, workers);
+  return choose(scan, points_with_company(scan.points, workers), workers);
 }
 
 std::vector<std::uint32_t> PointChoice::choose(const PreparedScan& scan,
