@@ -18,6 +18,8 @@ class Workers {
  public:
   explicit Workers(int threads);
   ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
   Workers(Workers&&) noexcept;
   Workers& operator=(Workers&&) noexcept;
 

@@ -98,6 +98,9 @@ class KnotFrontEnd : public FrontEnd {
   /// Whether the scan can tell where it was taken: it was not seen before, and is not reversed.
   [[nodiscard]] bool can_be_placed() const { return !seen_again_ && !reversed_; }
   Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] std::optional<Registered> register_lost(const PreparedScan& scan,
+                                                        const std::vector<std::uint32_t>& thinned);
+  Estimate stay_lost(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] SearchRegion region_within(double speed, std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_walked(std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_carried(std::int64_t instant_ns) const;

@@ -278,19 +278,25 @@ std::optional<Estimate> KnotFrontEnd::go_on(const PreparedScan& scan,
   return accept(hazard_now, std::move(view), std::move(next));
 }
 
+/// A scan where another one was found, or at a place of the region whose turn it is.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_lost(
+    const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
+  if (search_->found) {
+    return register_scan(scan, thinned, beginning_of(scan, *search_->found, model_, config_));
+  }
+  const auto region = region_of_turn(scan.end_ns);
+  if (!region || !can_be_placed()) return std::nullopt;
+  search_->far = region->large();
+  return find_place(scan, thinned, *region);
+}
+
 /// A scan while it is lost: finds a place, or holds another scan against the one that was found.
 Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned) {
   const bool confirms = search_->found.has_value();
   if (!confirms) {
     if (std::optional<Estimate> next = go_on(scan, thinned)) return std::move(*next);
   }
-  std::optional<Registered> best;
-  if (confirms) {
-    best = register_scan(scan, thinned, beginning_of(scan, *search_->found, model_, config_));
-  } else if (const auto region = region_of_turn(scan.end_ns); region && can_be_placed()) {
-    best = find_place(scan, thinned, *region);
-    search_->far = region->large();
-  }
+  std::optional<Registered> best = register_lost(scan, thinned);
   ++search_->scans;
   bool right = false;
   if (best && best->estimate.trusted() && can_be_placed()) {
@@ -312,14 +318,19 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   search_->agreed = right ? search_->agreed + 1 : 0;
   search_->found.reset();
   if (right) search_->found = end_of(best->found.window, best->found.last_two);
+  return stay_lost(scan, thinned);
+}
+
+/// The pose is the last one that was trusted; who has searched in vain for long begins anew.
+Estimate KnotFrontEnd::stay_lost(const PreparedScan& scan,
+                                 const std::vector<std::uint32_t>& thinned) {
   // A map of few scans is not worth many more of them.
   const int most = std::min(config_.knots.search_scans, kAgree * agreed_);
   const bool in_vain = search_->scans > most && !search_->found;
   if (in_vain && !seen_again_) return begin_map(scan, thinned);
-
   Estimate estimate;
   estimate.status = Status::lost;
-  estimate.message = right ? "a place was found, and is to be confirmed" : "searching";
+  estimate.message = search_->found ? "a place was found, and is to be confirmed" : "searching";
   estimate.covariance = unregistered_covariance(config_.health);
   const Pose& last = end_.prior.means[1];
   const ScanTrajectory guess({last, last}, scan.start_ns, scan.end_ns);
