@@ -129,7 +129,7 @@ KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
   const bool better_here = here.estimate.trusted() &&
                            !is_farther_back(here.trajectory.at(0.5), scan) &&
                            kClearlyBetter * disagreement_of(here) < disagreement_of(*there) &&
-                           here.found.unseen < kClearlyBetter * there->found.unseen + kNew;
+                           !sees_more_new(here, *there);
   return better_here ? std::move(here) : std::move(*there);
 }
 
@@ -140,6 +140,11 @@ bool KnotFrontEnd::is_farther_back(const Pose& place, const PreparedScan& scan) 
   const Eigen::Vector3d ahead = straight_on(scan.start_ns).centre.translation;
   const Eigen::Vector3d& last = end_.prior.means[1].translation;
   return (place.translation - ahead).norm() > (last - ahead).norm() + kBack;
+}
+
+/// Whether much that a scan sees would be new at one place, and known at another.
+bool KnotFrontEnd::sees_more_new(const Registered& one, const Registered& other) {
+  return one.found.unseen >= kClearlyBetter * other.found.unseen + kNew;
 }
 
 /// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.

@@ -91,6 +91,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double since_trusted(std::int64_t instant_ns) const;
   [[nodiscard]] bool is_after_hole(const PreparedScan& scan) const;
   [[nodiscard]] bool is_farther_back(const Pose& place, const PreparedScan& scan) const;
+  [[nodiscard]] static bool sees_more_new(const Registered& one, const Registered& other);
   [[nodiscard]] double mean_speed() const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,

@@ -192,6 +192,7 @@ double KnotFrontEnd::rival_in(const SearchRegion& region, std::size_t most,
     const std::optional<Registered> other = register_at(place.pose, Twist::Zero(), scan, chosen);
     if (!other || same_place(other->trajectory.at(0.5), here)) continue;
     if (is_farther_back(other->trajectory.at(0.5), scan)) continue;
+    if (is_after_hole(scan) && sees_more_new(*other, registered)) continue;
     // [K33]
     const double times_less = disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3);
     rival = std::max(rival, strength(times_less));
