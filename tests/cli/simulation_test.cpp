@@ -156,7 +156,7 @@ TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
                                                           {"--duration", "0"},
                                                           {"--speed", "nan"},
                                                           {"--speed", "0.2"},
-                                                          {"--speed", "3.1"},
+                                                          {"--speed", "5.1"},
                                                           {"--gait-scale", "nan"},
                                                           {"--gait-scale", "-1"},
                                                           {"--gait-scale", "inf"},
