@@ -23,7 +23,7 @@ constexpr int kTableBits = 18;
 constexpr std::uint32_t kTableMask = (1U << kTableBits) - 1;
 
 /// Tells the cell of a point: a table's slot, whose neighbours are the cells before and behind. Two
-/// far cells may share one: a stray is then kept, one in ten of a VLP-16's.
+/// far cells may share one, and a stray is then kept.
 class Cells {
  public:
   explicit Cells(std::size_t points) {

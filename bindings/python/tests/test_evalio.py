@@ -61,7 +61,9 @@ class EvalioTest(unittest.TestCase):
             np.testing.assert_array_equal(pose.rot.to_mat(), expected[:3, :3])
             np.testing.assert_array_equal(pose.trans, expected[:3, 3])
         self.assertEqual(len(pipeline.saved), 12)
-        self.assertGreater(len(pipeline.map()["map"]), 500)
+        points = [[point.x, point.y, point.z] for point in pipeline.map()["map"]]
+        self.assertGreater(len(points), 500)
+        np.testing.assert_array_equal(points, odometry.local_map())
 
     def test_older_versions_ask_for_the_pose(self):
         pipeline = self.run_pipeline(AskedPipeline, OldSO3)
