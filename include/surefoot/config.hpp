@@ -82,7 +82,8 @@ struct Config {
     double noise;             // [m] of a residual
     double independence;      // share of the residuals that count as independent
     double correlation_time;  // [s] of the velocity's fluctuation
-    double learning_rate;     // of mean velocity and fluctuation, per scan
+    double learning_rate;     // of the velocity's fluctuation, per scan
+    double mean_rate;         // of its mean, per scan
     double memory;            // share of the last knots' information that the next scan keeps
     double kernel_start;      // [m] robust kernel of the first iteration
     double kernel_end;        // [m] and at the end

@@ -79,29 +79,40 @@ void VelocityModel::add_to(BandedSystem& system, const KnotWindow& window,
   }
 }
 
-void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
-                          const Eigen::Quaterniond& rotation) {
-  Twist squares = Twist::Zero();  // expectation of e^2, given the scan
+/// Expectation of e^2 / (1 - phi^2), given the scan, in the mean of its segments; learns what is
+/// usual of e.
+Twist VelocityModel::squares_of(const KnotWindow& window,
+                                const BandedSystem::Covariance& covariance,
+                                const Eigen::Quaterniond& rotation) {
+  if (usual_.size() != window.segments()) usual_.assign(window.segments(), Twist::Zero());
+  const double phi = pull(window.step);
+  Twist squares = Twist::Zero();
   for (std::size_t k = 1; k + 2 < window.knots.size(); ++k) {
-    const double phi = pull(window.step);
     const Twist e = window.velocity(k + 1) - next(window.velocity(k), rotation, window.step);
-    squares += e.cwiseAbs2() / (1.0 - phi * phi);
+    const Twist own = rotated(rotation.conjugate(), e) - usual_[k];
+    squares += rotated(rotation, own).cwiseAbs2();
+    usual_[k] += config_.learning_rate * own;
     const auto a = slopes_of(window, k, phi);
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        squares += a[i] * a[j] / (1.0 - phi * phi) * covariance(k + i, k + j).diagonal();
+        squares += a[i] * a[j] * covariance(k + i, k + j).diagonal();
       }
     }
   }
+  return squares / ((1.0 - phi * phi) * static_cast<double>(window.segments() - 1));
+}
+
+void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
+                          const Eigen::Quaterniond& rotation) {
   if (window.segments() > 1) {
-    const Twist seen = alike(squares / static_cast<double>(window.segments() - 1));
+    const Twist seen = alike(squares_of(window, covariance, rotation));
     variance_ += config_.learning_rate * (seen - variance_);  // [K15]
     variance_ = variance_.cwiseMax(kLeastFluctuation * kLeastFluctuation);
   }
   ++learnt_;
   const Twist seen = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
   // [K16] The mean of all scans until they are more than the fading mean's memory.
-  mean_ += std::max(config_.learning_rate, 1.0 / learnt_) * (seen - mean_);
+  mean_ += std::max(config_.mean_rate, 1.0 / learnt_) * (seen - mean_);
 }
 
 }  // namespace surefoot
