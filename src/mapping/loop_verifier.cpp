@@ -218,10 +218,12 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   check.bend = bend_of(check.alignment, bend_of_place + query.submap().covariance);
   if (check.bend > limits.bend) return check;
   check.contradicted = contradiction_between(place, query, T_place_query);
-  if (limits.missing < 1.0) check.missing = missing_between(place, query, T_place_query);
-  if (limits.beside < 1.0) check.beside = beside_walls(target, source, T_place_query);
+  if (limits.partial) {
+    check.missing = missing_between(place, query, T_place_query);
+    check.beside = beside_walls(target, source, T_place_query);
+  }
   const bool refuted = check.contradicted > limits.contradicted || check.missing > limits.missing ||
-                       check.beside > limits.beside || check.alignment.misfit > limits.misfit;
+                       check.beside > limits.beside;
   check.verdict = refuted ? LoopVerdict::free_space : LoopVerdict::taken;
   return check;
 }

@@ -57,9 +57,8 @@ struct LoopLimits {
   double overlap = 0.4;  ///< share of the standing points that lie on the other one's surfaces,
                          ///< and of those of floors and ceilings
   double contradicted = 0.03;  ///< of those that the other one can tell about, at most
-  double missing = 1.0;        ///< of those in free sight of the other one, at most; 1: not asked
-  double beside = 1.0;         ///< of the query's walls, beside the place's, at most; 1: not asked
-  double misfit = 1.0;         ///< [m] RMS of what lies on the place, at most
+  double missing = 1.0;        ///< of those in free sight of the other one, at most, if partial
+  double beside = 1.0;         ///< of the query's walls, beside the place's, at most, if partial
   double gap_metres = 0.1;     ///< between registrations
   double gap_degrees = 1.0;
   int agreeing = 3;  ///< registrations, of both directions
@@ -76,8 +75,8 @@ struct LoopCheck {
   double overlap = 0.0;       ///< the smaller one of both directions
   double level = 0.0;         ///< the same of what lies
   double contradicted = 0.0;  ///< the larger one
-  double missing = 0.0;       ///< the larger one
-  double beside = 0.0;        ///< of the query's walls: beside_walls()
+  double missing = 0.0;       ///< the larger one; of a partial query alone
+  double beside = 0.0;        ///< of the query's walls: beside_walls(); likewise
   double bend = 0.0;          ///< of both together: standard deviation, kLever away [m]
   int agreeing = 0;           ///< registrations that ended at the same pose
   int started = 0;

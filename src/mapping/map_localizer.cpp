@@ -158,6 +158,9 @@ MapLocalizer::Answer MapLocalizer::only_place(const Surroundings& here) {
   Answer answer{.place = std::nullopt, .several = choice.several};
   if (choice.chosen) answer.place = OnlyPlace{asked[*choice.chosen].T_map_world, choice.fit};
   if (choice.alike) agreement_.add_alike(way_);
+  for (const AskedPlace& place : asked) {
+    agreement_.add_missing(place.T_map_world, place.check.missing, way_);
+  }
   remember(std::move(asked));
   return answer;
 }

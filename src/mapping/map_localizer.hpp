@@ -20,17 +20,15 @@
 
 namespace surefoot::mapping {
 
-/// What is asked of what was seen in a second or two.
+/// What is asked of what was seen in a second or two. What else speaks against a place is weighed:
+/// fit_of().
 [[nodiscard]] inline LoopLimits part_of_a_place() {
   LoopLimits limits;
   limits.partial = true;
   limits.overlap = 0.4;
-  limits.contradicted = 0.1;  // cars, what people carry about; it is paid for: see fit_of()
-  limits.agreeing = 1;        // of three starts: those that end elsewhere fit clearly worse
-  limits.missing = 0.05;      // what grew or was parked since; of houses that are not there 0.1
-  limits.beside = 0.15;       // of houses that stand farther back 0.2
-  limits.misfit = 0.085;      // of 19 in 20 right places; on a twin what lies is often 0.09 off
-  limits.bend = 0.13;         // of scans that the odometry was sure of: see collect()
+  limits.contradicted = 1.0;
+  limits.agreeing = 1;  // of three starts: those that end elsewhere fit clearly worse
+  limits.bend = 0.13;   // of scans that the odometry was sure of: see collect()
   return limits;
 }
 

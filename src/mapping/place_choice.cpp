@@ -9,41 +9,33 @@ namespace surefoot::mapping {
 
 namespace {
 
-// Of 236 right places among 1,354 that were asked of a quarter of which every car and tree had
-// moved, half were contradicted by 0.03, the worst by 0.056; of 143 wrong ones of which 0.6 or more
-// lay on the place half by 0.08. What the right ones lie on the place more pays for it twice.
+// What speaks for the right place among those that a search names, by logistic regression over
+// 2,200 right and 5,800 wrong ones that were asked of three quarters of which every car and tree
+// had moved, two of them with maps of others, too; as a share of what lies on it, so that 0.1 makes
+// the right place some 10 times as likely.
 constexpr double kContradiction = 2.0;
-
-// Where houses are built alike a twin fits nearly as well as the right place, but something is
-// missing there or stands beside: of 1,909 searches in two quarters that named the right place, it
-// fitted by less than 0.1 better than any wrong one in 188 by the two above alone, in 61 with
-// these.
 constexpr double kMissing = 1.0;
 constexpr double kMostMissing = 0.3;
-constexpr double kBeside = 0.5;
+constexpr double kBeside = 0.2;
+constexpr double kMisfit = 3.0;        // [1/m]
+constexpr double kUsualMisfit = 0.07;  // [m] of right places
+constexpr double kNotAsked = 0.15;     // what speaks against a place that was refused before
 
-double uncontradicted(const LoopCheck& check) {
-  return check.overlap - kContradiction * check.contradicted;
-}
-
-/// What lies on a place, unless something large speaks against it.
-double likeness_of(const LoopCheck& check) {
-  constexpr double kLarge = 0.2;
-  if (std::max(check.missing, check.beside) > kLarge) return fit_of(check);
-  return uncontradicted(check);
+bool was_asked(const LoopCheck& check) {
+  return check.verdict == LoopVerdict::taken || check.verdict == LoopVerdict::free_space;
 }
 
 /// Whether two of the places look alike here.
 bool any_alike(const std::vector<AskedPlace>& asked, const Eigen::Vector3d& robot_in_world,
                const ChoiceLimits& limits) {
-  constexpr double kLike = 0.65;
+  constexpr double kLike = 0.6;
   const auto less = [](const AskedPlace& a, const AskedPlace& b) {
-    return likeness_of(a.check) < likeness_of(b.check);
+    return fit_of(a.check) < fit_of(b.check);
   };
   const auto most = std::max_element(asked.begin(), asked.end(), less);
-  if (most == asked.end() || likeness_of(most->check) < kLike) return false;
+  if (most == asked.end() || fit_of(most->check) < kLike) return false;
   return std::any_of(asked.begin(), asked.end(), [&](const AskedPlace& other) {
-    return likeness_of(other.check) > likeness_of(most->check) - limits.alike &&
+    return fit_of(other.check) > fit_of(most->check) - limits.alike &&
            !agree(most->T_map_world, other.T_map_world, robot_in_world, limits);
   });
 }
@@ -51,8 +43,12 @@ bool any_alike(const std::vector<AskedPlace>& asked, const Eigen::Vector3d& robo
 }  // namespace
 
 double fit_of(const LoopCheck& check) {
-  const double against = kMissing * std::min(check.missing, kMostMissing) + kBeside * check.beside;
-  return std::max(0.0, uncontradicted(check) - against);
+  const double against = was_asked(check) ? kContradiction * check.contradicted +
+                                                kMissing * std::min(check.missing, kMostMissing) +
+                                                kBeside * check.beside
+                                          : kNotAsked;
+  const double misfit = kMisfit * std::max(0.0, check.alignment.misfit - kUsualMisfit);
+  return std::max(0.0, check.overlap - against - misfit);
 }
 
 bool agree(const Pose& one, const Pose& other, const Eigen::Vector3d& robot_in_world,

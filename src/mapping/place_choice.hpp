@@ -21,16 +21,17 @@ struct AskedPlace {
 };
 
 struct ChoiceLimits {
-  double fit = 0.5;      ///< of the place chosen,
+  double fit = 0.45;     ///< of the place chosen,
   double clearly = 0.1;  ///< and by so much it fits better than any other
-  double alike = 0.1;    ///< places look alike that differ by less in what lies on them
+  double alike = 0.1;    ///< places look alike that fit well and differ by less
   double agree_metres = 0.3;
   double agree_degrees = 2.0;
 };
 
 /// Share of what stands that lies on the place, less what speaks against it: what contradicts,
-/// walls that are missing, walls that stand beside. What was moved since contradicts a little even
-/// where the robot is: there the more has to lie on the place. 0 to 1.
+/// walls that are missing, walls that stand beside, how far off what lies on it is. No limit: what
+/// was moved since speaks a little against where the robot is, and there the more has to lie on the
+/// place. 0 to 1.
 [[nodiscard]] double fit_of(const LoopCheck& check);
 
 /// Whether two poses have the robot at one place. At the robot: far from the origins a turn moves
@@ -42,7 +43,7 @@ struct PlaceChoice {
   std::optional<std::size_t> chosen;  ///< index
   double fit = 0.0;                   ///< of it
   bool several = false;               ///< one fits, and another nearly as well
-  bool alike = false;                 ///< two look alike, whatever else speaks against them
+  bool alike = false;                 ///< two fit well, and nearly as well
 };
 [[nodiscard]] PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
                                        const Eigen::Vector3d& robot_in_world,

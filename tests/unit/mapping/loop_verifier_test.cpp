@@ -77,6 +77,7 @@ TEST(LoopVerifier, AHouseThatIsMissingRefutes) {
   const LoopCheck unasked = check_places(bare, built, {Pose{}}, limits);
   EXPECT_EQ(unasked.verdict, LoopVerdict::taken);
   EXPECT_EQ(unasked.missing, 0.0);
+  limits.partial = true;
   limits.missing = 0.06;
   EXPECT_EQ(check_places(built, built, {Pose{}}, limits).verdict, LoopVerdict::taken);
   for (const auto& [place, query] : {std::pair(&bare, &built), std::pair(&built, &bare)}) {
@@ -112,7 +113,6 @@ TEST(LoopVerifier, AWallThatStandsFartherBackRefutes) {
   limits.partial = true;
   limits.contradicted = 1.0;  // so near free space mostly says nothing
   EXPECT_EQ(check_with(0.6F, limits).verdict, LoopVerdict::taken);
-  EXPECT_EQ(check_with(0.6F, limits).beside, 0.0);
   limits.beside = 0.1;
   EXPECT_EQ(check_with(0.15F, limits).verdict, LoopVerdict::taken);
   const LoopCheck more = check_places(place, VerifiableSubmap(corner(true)), {Pose{}}, limits);
@@ -122,20 +122,6 @@ TEST(LoopVerifier, AWallThatStandsFartherBackRefutes) {
     EXPECT_EQ(check.verdict, LoopVerdict::free_space) << set_back;
     EXPECT_NEAR(check.beside, 0.25, 0.05) << set_back;
   }
-}
-
-/// 0.15 m beside is near enough to lie on a wall, but not what lies on it where the place is right.
-TEST(LoopVerifier, WhatLiesFarOffItsWallsRefutes) {
-  const VerifiableSubmap place(corner(false));
-  LoopLimits limits;
-  limits.partial = true;
-  limits.contradicted = 1.0;
-  const VerifiableSubmap query(corner(false, 0.15F));
-  const LoopCheck check = check_places(place, query, {Pose{}}, limits);
-  EXPECT_EQ(check.verdict, LoopVerdict::taken);
-  limits.misfit = 0.9 * check.alignment.misfit;
-  EXPECT_EQ(check_places(place, query, {Pose{}}, limits).verdict, LoopVerdict::free_space);
-  EXPECT_EQ(check_places(place, place, {Pose{}}, limits).verdict, LoopVerdict::taken);
 }
 
 }  // namespace

@@ -30,9 +30,21 @@ TEST(PlaceChoice, WhatSpeaksAgainstAPlaceIsPaidFor) {
   place.check.missing = 0.04;
   EXPECT_DOUBLE_EQ(fit_of(place.check), 0.76);
   place.check.beside = 0.1;
-  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.71);
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.74);
+  place.check.alignment.misfit = 0.06;
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.74) << "is usual";
+  place.check.alignment.misfit = 0.09;
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.68);
   place.check.missing = 0.5;
-  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.45) << "0.3 of it at most";
+  EXPECT_DOUBLE_EQ(fit_of(place.check), 0.42) << "0.3 of it at most";
+}
+
+/// Of what speaks against a place that was refused before that, nothing is known.
+TEST(PlaceChoice, APlaceThatWasRefusedBeforeFitsLess) {
+  EXPECT_DOUBLE_EQ(fit_of(asked(0.0, 0.8, 0.0, LoopVerdict::free_space).check), 0.8);
+  for (const LoopVerdict verdict : {LoopVerdict::starts_disagree, LoopVerdict::bent}) {
+    EXPECT_DOUBLE_EQ(fit_of(asked(0.0, 0.8, 0.0, verdict).check), 0.65);
+  }
 }
 
 TEST(PlaceChoice, TheBestOfThoseThatPassedIsChosen) {
@@ -43,8 +55,8 @@ TEST(PlaceChoice, TheBestOfThoseThatPassedIsChosen) {
       {asked(0.0, 0.75, 0.0, LoopVerdict::taken), asked(0.1, 0.85, 0.0, LoopVerdict::taken)});
   EXPECT_EQ(best.chosen, 1U);
   EXPECT_EQ(best.fit, 0.85);
-  EXPECT_FALSE(choice_of({asked(0.0, 0.49, 0.0, LoopVerdict::taken)}).chosen);
-  EXPECT_TRUE(choice_of({asked(0.0, 0.51, 0.0, LoopVerdict::taken)}).chosen);
+  EXPECT_FALSE(choice_of({asked(0.0, 0.44, 0.0, LoopVerdict::taken)}).chosen);
+  EXPECT_TRUE(choice_of({asked(0.0, 0.46, 0.0, LoopVerdict::taken)}).chosen);
   AskedPlace slides = asked(0.0, 0.9, 0.0, LoopVerdict::taken);
   slides.check.alignment.held = 5;
   EXPECT_FALSE(choice_of({slides}).chosen);
@@ -52,8 +64,7 @@ TEST(PlaceChoice, TheBestOfThoseThatPassedIsChosen) {
 
 TEST(PlaceChoice, NoneIsChosenWhereAnotherFitsNearlyAsWell) {
   const AskedPlace best = asked(0.0, 0.85, 0.0, LoopVerdict::taken);
-  for (const LoopVerdict verdict :
-       {LoopVerdict::taken, LoopVerdict::starts_disagree, LoopVerdict::free_space}) {
+  for (const LoopVerdict verdict : {LoopVerdict::taken, LoopVerdict::free_space}) {
     const PlaceChoice choice = choice_of({best, asked(30.0, 0.76, 0.0, verdict)});
     EXPECT_FALSE(choice.chosen);
     EXPECT_TRUE(choice.several);
@@ -72,22 +83,18 @@ TEST(PlaceChoice, ATwinThatIsRefutedIsNoRival) {
   EXPECT_EQ(choice_of({best, twin}).chosen, 0U);
 }
 
-/// Whatever speaks against one of them, unless it is large.
-TEST(PlaceChoice, TwoPlacesOnWhichNearlyAsMuchLiesAreAlike) {
+TEST(PlaceChoice, TwoPlacesThatFitWellAndNearlyAsWellAreAlike) {
   const AskedPlace best = asked(0.0, 0.75, 0.0, LoopVerdict::taken);
-  AskedPlace twin = asked(30.0, 0.76, 0.0, LoopVerdict::free_space);
-  twin.check.missing = 0.18;
-  EXPECT_EQ(choice_of({best, twin}).chosen, 0U);
-  EXPECT_TRUE(choice_of({best, twin}).alike);
-  twin.check.missing = 0.22;
-  EXPECT_FALSE(choice_of({best, twin}).alike);
-  EXPECT_TRUE(choice_of({best, asked(30.0, 0.66, 0.0, LoopVerdict::taken)}).alike);
-  EXPECT_FALSE(choice_of({best, asked(30.0, 0.64, 0.0, LoopVerdict::taken)}).alike);
-  EXPECT_FALSE(choice_of({best, asked(0.2, 0.75, 0.0, LoopVerdict::taken)}).alike);
-  EXPECT_FALSE(choice_of({asked(0.0, 0.6, 0.0, LoopVerdict::taken),
-                          asked(30.0, 0.6, 0.0, LoopVerdict::taken)})
+  const auto alike = [&](double x, double overlap) {
+    return choice_of({best, asked(x, overlap, 0.0, LoopVerdict::free_space)}).alike;
+  };
+  EXPECT_TRUE(alike(30.0, 0.66));
+  EXPECT_FALSE(alike(30.0, 0.64));
+  EXPECT_FALSE(alike(0.2, 0.75)) << "the same place";
+  EXPECT_FALSE(choice_of({asked(0.0, 0.59, 0.0, LoopVerdict::taken),
+                          asked(30.0, 0.59, 0.0, LoopVerdict::taken)})
                    .alike)
-      << "so little lies on many places";
+      << "so much fits many places";
 }
 
 TEST(PlaceChoice, ATurnCountsWhereTheRobotIs) {
