@@ -13,15 +13,15 @@
 namespace surefoot::mapping {
 
 struct AgreementLimits {
-  int searches = 3;           ///< that must say the same,
-  int silent = 1;             ///< among them so many in a row that say nothing,
-  double no_evidence = 0.45;  ///< a fit that says nothing; what places fit more in these searches
-  double evidence = 0.5;      ///< adds up to so much,
-  double way = 1.0;           ///< over so much way [m],
-  double fit_standing = 0.6;  ///< or in the mean they fit so well;
-  double alike_way = 4.0;     ///< of way since places looked alike [m]: then other things are seen
-  double missing = 0.15;      ///< walls: a pose at which they were missing is not believed
-  double missing_way = 10.0;  ///< on so much way [m]: what showed it is out of sight by then
+  int searches = 3;            ///< that must say the same,
+  int silent = 1;              ///< among them so many in a row that say nothing,
+  double no_evidence = 0.45;   ///< a fit that says nothing; what places fit more in these searches
+  double evidence = 0.5;       ///< adds up to so much,
+  double way = 1.0;            ///< over so much way [m],
+  double fit_standing = 0.55;  ///< or in the mean they fit so well;
+  double alike_way = 4.0;      ///< of way since places looked alike [m]: then other things are seen
+  double missing = 0.15;       ///< walls: a pose at which they were missing is not believed
+  double missing_way = 10.0;   ///< on so much way [m]: what showed it is out of sight by then
 };
 
 class PlaceAgreement {

@@ -202,12 +202,15 @@ void add_turns(Attempts& attempts, const KnotProblem& problem, const KnotWindow&
 /// By how many times a misfit is suspicious. Planes and poles tell a wrong place clearly; where
 /// most points lie in clouds, a scan fits nearly as well some degrees off.
 double most_of_usual(const KnotRegistration& found, const Config::Knots& config) {
-  const double clouds = static_cast<double>(found.clouds) / std::max(found.matches, 1);
-  const double firm = std::clamp((kNoneFirm - clouds) / (kNoneFirm - kAllFirm), 0.0, 1.0);
-  return 1.0 + (config.suspicious - 1.0) * firm;
+  return 1.0 + (config.suspicious - 1.0) * firmness(found);
 }
 
 }  // namespace
+
+double firmness(const KnotRegistration& found) {
+  const double clouds = static_cast<double>(found.clouds) / std::max(found.matches, 1);
+  return std::clamp((kNoneFirm - clouds) / (kNoneFirm - kAllFirm), 0.0, 1.0);
+}
 
 void UsualFit::learn(const KnotRegistration& found, double rate, const Config::Knots& config) {
   misfit += rate * (found.misfit - misfit);

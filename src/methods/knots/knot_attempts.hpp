@@ -22,6 +22,10 @@ struct UsualFit {
 [[nodiscard]] bool is_suspicious(const KnotRegistration& found, const UsualFit& usual,
                                  const Config::Knots& config);
 
+/// 1 where planes and poles hold a scan, less the more clouds do, 0 where these are half of its
+/// matches and more.
+[[nodiscard]] double firmness(const KnotRegistration& found);
+
 /// The best of as many registrations as the scan needs. Most need one. One that ends worse than
 /// usual is tried again from several motions: a map has many wrong places where a scan almost fits.
 /// docs/method.md, "Convergence".

@@ -141,8 +141,9 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] Beginning beginning_at(const Twist& velocity) const;
   [[nodiscard]] Registered register_second(const PreparedScan& scan,
                                            const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] bool is_better(const Registered& faster, const Registered& from_rest) const;
-  [[nodiscard]] Beginning registered_on(Beginning beginning, const PreparedScan& scan,
+  [[nodiscard]] bool is_better(const Registered& one, const Registered& other,
+                               double times_less) const;
+  [[nodiscard]] Beginning registered_on(Beginning beginning, int rounds, const PreparedScan& scan,
                                         const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] std::optional<Beginning> turned(const Beginning& beginning,
                                                 const PreparedScan& scan,

@@ -4,12 +4,14 @@
 // What the front-end does with a map's first two scans, of whose motion nothing is known yet.
 // docs/method.md, "The second scan".
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/health.hpp"
 #include "core/information.hpp"
 #include "core/level.hpp"
 #include "geometry/se3.hpp"
+#include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_front_end.hpp"
 #include "methods/knots/sweep_axis.hpp"
 #include "surefoot/seconds.hpp"
@@ -26,6 +28,13 @@ constexpr double kWalking = 2.0;  // [m/s] what is slower, a registration from r
 // where little holds a scan, any speed fits about as well: 1.12 times at most, of 47 starts on
 // playgrounds; a car's fits 1.33 times as well and better (KITTI).
 constexpr double kClearlyFaster = 1.2;
+
+// [rad/s] Who turns slower is found from rest as well; from there a faster turn is held back by
+// half, and with it what is mapped first bends. A turn is believed that disagrees as much, as long
+// as planes and poles hold the scan: among clouds it fits nearly as well some degrees off.
+constexpr double kTurning = 0.1;
+constexpr double kAsGood = 1.1;
+constexpr int kTurnRounds = 3;  // the two scans' turns approach the truth step by step
 
 constexpr double kVague = 0.3;  // [s] the first scan's place is as vague as after walking so long
 
@@ -121,41 +130,51 @@ KnotFrontEnd::Beginning KnotFrontEnd::beginning_at(const Twist& velocity) const 
   return beginning;
 }
 
-/// The second scan of a map: from rest, which finds a walker's velocity, or from a faster start if
-/// it fits clearly better there.
+/// The second scan of a map: from rest, which finds a walker's velocity, or turning, or from a
+/// faster start, if it fits as well or clearly better there.
 KnotFrontEnd::Registered KnotFrontEnd::register_second(const PreparedScan& scan,
                                                        const std::vector<std::uint32_t>& thinned) {
   const Twist fast = first_velocity(scan, thinned);
-  const Beginning from_rest = beginning_at(Twist::Zero()), from_fast = beginning_at(fast);
-  Beginning best = registered_on(from_rest, scan, thinned);
+  Beginning best = registered_on(beginning_at(Twist::Zero()), 1, scan, thinned);
+  if (std::abs(fast[5]) >= kTurning && firmness(best.second.found) > 0.0) {
+    const Twist turn = fast[5] * Twist::Unit(5);
+    Beginning turning = registered_on(beginning_at(turn), kTurnRounds, scan, thinned);
+    if (is_better(turning.second, best.second, 1.0 / kAsGood)) best = std::move(turning);
+  }
   if (speed(fast) >= kWalking) {
-    Beginning faster = registered_on(from_fast, scan, thinned);
-    if (is_better(faster.second, best.second)) best = std::move(faster);
+    const bool walks = speed(best.second.found.window.mean_velocity()) < kWalking;
+    Beginning faster = registered_on(beginning_at(fast), 1, scan, thinned);
+    if (is_better(faster.second, best.second, walks ? kClearlyFaster : 1.0)) {
+      best = std::move(faster);
+    }
   }
   take(best);
   return std::move(best.second);
 }
 
-/// Whether a faster start led to a better registration than rest did. Where rest led to a walker's
-/// speed it has to be clearly better.
-bool KnotFrontEnd::is_better(const Registered& faster, const Registered& from_rest) const {
-  if (!faster.estimate.trusted() || !from_rest.estimate.trusted()) return faster.estimate.trusted();
-  const bool walks = speed(from_rest.found.window.mean_velocity()) < kWalking;
-  return (walks ? kClearlyFaster : 1.0) * disagreement_of(faster) < disagreement_of(from_rest);
+/// Whether one start led to a registration of which so many times less disagrees than of another's.
+bool KnotFrontEnd::is_better(const Registered& one, const Registered& other,
+                             double times_less) const {
+  if (!one.estimate.trusted() || !other.estimate.trusted()) return one.estimate.trusted();
+  return times_less * disagreement_of(one) < disagreement_of(other);
 }
 
 /// The second scan on a map of the first, then the first on a map of the second, and the second
-/// again: a gait swings, and what the one scan was bent by the other was not.
-KnotFrontEnd::Beginning KnotFrontEnd::registered_on(Beginning beginning, const PreparedScan& scan,
+/// again, `rounds` times: a gait swings, and what the one scan was bent by the other was not.
+KnotFrontEnd::Beginning KnotFrontEnd::registered_on(Beginning beginning, int rounds,
+                                                    const PreparedScan& scan,
                                                     const std::vector<std::uint32_t>& thinned) {
   take(beginning);
   beginning.second = register_next(scan, thinned);
-  if (!beginning.second.estimate.trusted()) return beginning;
-  std::optional<Beginning> turn = turned(beginning, scan, thinned);
-  if (!turn) return beginning;
-  take(*turn);
-  turn->second = register_next(scan, thinned);
-  return turn->second.estimate.trusted() ? std::move(*turn) : beginning;
+  for (int round = 0; round < rounds && beginning.second.estimate.trusted(); ++round) {
+    std::optional<Beginning> turn = turned(beginning, scan, thinned);
+    if (!turn) break;
+    take(*turn);
+    turn->second = register_next(scan, thinned);
+    if (!turn->second.estimate.trusted()) break;
+    beginning = std::move(*turn);
+  }
+  return beginning;
 }
 
 /// The first scan's motion as a map of the second shows it. Its middle stays where it is; a gait's
