@@ -43,7 +43,8 @@ namespace surefoot::mapping {
   return limits;
 }
 
-/// And clearly so: of a wrong storey 0.97 fitted, and 0.69 of the right one, which was mapped badly.
+/// And clearly so: of a wrong storey 0.97 fitted, and 0.69 of the right one, which was mapped
+/// badly.
 [[nodiscard]] inline ChoiceLimits roofed_choice() {
   ChoiceLimits limits;
   limits.fit = 0.6;
