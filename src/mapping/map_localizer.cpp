@@ -192,6 +192,7 @@ void MapLocalizer::search() {
 void MapLocalizer::forget_places() {
   agreement_.forget();
   fitted_.clear();
+  elsewhere_.reset();
 }
 
 /// The nearest place within reach; none: the map does not show it.
@@ -224,12 +225,17 @@ std::optional<Pose> MapLocalizer::confirmed() {
   const SubmapAlignment found =
       align_submaps(place.registration(), seen.registration(), expected, 1);
   const Pose T_map_world = T_map_place * found.T_target_source * piece.T_world_piece.inverse();
-  if (found.matched < options_.confirming || !agree_here(*T_map_world_, T_map_world)) {
+  if (found.matched < options_.confirming ||
+      missing_between(place, seen, found.T_target_source) > options_.missing_at_most) {
     return std::nullopt;
   }
-  if (missing_between(place, seen, found.T_target_source) > options_.missing_at_most) {
+  // The odometry may have drifted farther than that; then the next look says so, too.
+  const bool twice = elsewhere_ && agree_here(*elsewhere_, T_map_world);
+  if (!twice && !agree_here(*T_map_world_, T_map_world)) {
+    elsewhere_ = T_map_world;
     return std::nullopt;
   }
+  elsewhere_.reset();
   // What the registration does not hold (the way along a corridor) stays as it was.
   return found.held == 6 ? T_map_world : *T_map_world_;
 }

@@ -134,6 +134,7 @@ class MapLocalizer {
   PlaceAgreement agreement_;
   std::vector<Pose> fitted_;  // T_map_world of the places that fitted best when last asked
   std::optional<Pose> T_map_world_;
+  std::optional<Pose> elsewhere_;  // T_map_world that the last look saw, which was not believed
   std::string message_ = "no scan yet";
   std::size_t scans_ = 0;
   bool looking_ = true;  // at scans, to search or to check
