@@ -44,11 +44,12 @@ namespace surefoot::mapping {
 }
 
 /// And clearly so: of a wrong storey 0.97 fitted, and 0.69 of the right one, which was mapped
-/// badly.
+/// badly; so no other may pass.
 [[nodiscard]] inline ChoiceLimits roofed_choice() {
   ChoiceLimits limits;
   limits.fit = 0.6;
-  limits.clearly = 0.3;
+  limits.clearly = 0.2;
+  limits.alone = true;
   return limits;
 }
 

@@ -63,12 +63,14 @@ PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
                          const Eigen::Vector3d& robot_in_world, const ChoiceLimits& limits) {
   PlaceChoice choice;
   choice.alike = any_alike(asked, robot_in_world, limits);
-  double best = limits.fit;
+  const auto passes = [&](const LoopCheck& check) {
+    return check.verdict == LoopVerdict::taken && check.alignment.held == 6 &&
+           fit_of(check) >= limits.fit;
+  };
+  double best = 0.0;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const LoopCheck& check = asked[i].check;
-    if (check.verdict != LoopVerdict::taken || check.alignment.held < 6) continue;
-    if (fit_of(check) < best) continue;
-    best = fit_of(check);
+    if (!passes(asked[i].check) || fit_of(asked[i].check) < best) continue;
+    best = fit_of(asked[i].check);
     choice.chosen = i;
   }
   if (!choice.chosen) return choice;
@@ -79,8 +81,9 @@ PlaceChoice choose_place(const std::vector<AskedPlace>& asked,
       continue;
     }
     next = std::max(next, fit_of(other.check));
+    choice.several = choice.several || (limits.alone && passes(other.check));
   }
-  choice.several = next > best - limits.clearly;
+  choice.several = choice.several || next > best - limits.clearly;
   if (choice.several) choice.chosen.reset();
   choice.fit = best;
   return choice;

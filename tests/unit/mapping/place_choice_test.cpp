@@ -74,6 +74,21 @@ TEST(PlaceChoice, NoneIsChosenWhereAnotherFitsNearlyAsWell) {
   }
 }
 
+/// Storeys are built alike, and of the right one the map may be the worse.
+TEST(PlaceChoice, NoneIsChosenWhereAnotherPassesTooIfItHasToBeAlone) {
+  ChoiceLimits limits;
+  limits.alone = true;
+  const auto chosen = [&](double overlap, LoopVerdict verdict) {
+    const std::vector<AskedPlace> places = {asked(0.0, 0.9, 0.0, LoopVerdict::taken),
+                                            asked(30.0, overlap, 0.0, verdict)};
+    EXPECT_TRUE(choice_of(places).chosen);
+    return choose_place(places, kRobot, limits).chosen.has_value();
+  };
+  EXPECT_FALSE(chosen(0.46, LoopVerdict::taken));
+  EXPECT_TRUE(chosen(0.44, LoopVerdict::taken));
+  EXPECT_TRUE(chosen(0.6, LoopVerdict::free_space)) << "that is refuted";
+}
+
 /// Where walls are missing it is a street that is built like it.
 TEST(PlaceChoice, ATwinThatIsRefutedIsNoRival) {
   const AskedPlace best = asked(0.0, 0.75, 0.0, LoopVerdict::taken);
