@@ -48,7 +48,7 @@ namespace surefoot::mapping {
 [[nodiscard]] inline ChoiceLimits roofed_choice() {
   ChoiceLimits limits;
   limits.fit = 0.6;
-  limits.clearly = 0.2;
+  limits.clearly = 0.3;
   limits.alone = true;
   return limits;
 }
