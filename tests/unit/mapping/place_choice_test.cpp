@@ -74,6 +74,15 @@ TEST(PlaceChoice, NoneIsChosenWhereAnotherFitsNearlyAsWell) {
   }
 }
 
+/// Its rivals as well, though not all was asked of them.
+TEST(PlaceChoice, APlaceThatWasRefusedBeforeIsARivalIfItFits) {
+  const AskedPlace best = asked(0.0, 0.75, 0.0, LoopVerdict::taken);
+  for (const LoopVerdict verdict : {LoopVerdict::starts_disagree, LoopVerdict::bent}) {
+    EXPECT_TRUE(choice_of({best, asked(30.0, 0.81, 0.0, verdict)}).several);
+    EXPECT_EQ(choice_of({best, asked(30.0, 0.79, 0.0, verdict)}).chosen, 0U);
+  }
+}
+
 /// Storeys are built alike, and of the right one the map may be the worse.
 TEST(PlaceChoice, NoneIsChosenWhereAnotherPassesTooIfItHasToBeAlone) {
   ChoiceLimits limits;

@@ -173,7 +173,6 @@ double way_until_found(MapLocalizer& localizer, const SceneWalk& walk, const Loo
   return static_cast<double>(before) * WalkOptions{}.step;
 }
 
-/// What fits badly is found once searches have agreed on some way, what fits well at once.
 /// A place is looked at every 8 m, and once more 2 m later: where both say the same, the odometry
 /// has drifted, and the place is not lost.
 TEST(LocalizerTest, WhatTwoLooksSayIsBelieved) {
@@ -195,6 +194,7 @@ TEST(LocalizerTest, WhatTwoLooksSayIsBelieved) {
   expect_right_or_not_found(localizer, walk, walk.scans.size() - 1);
 }
 
+/// What fits badly is found once searches have agreed on some way, what fits well at once.
 TEST(LocalizerTest, WhileTheRobotStandsAPlaceHasToFitWell) {
   WalkOptions options;
   options.length = 60.0;
