@@ -156,7 +156,7 @@ bool KnotFrontEnd::is_after_hole(const PreparedScan& scan) const {
 KnotFrontEnd::Registered KnotFrontEnd::register_scan(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned,
                                                      const KnotEnd& begin) {
-  Registered result{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}};
+  Registered result{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}, {}};
   KnotPoints points =
       sort_points(scan, choice_.choose(scan, thinned, session_.workers), result.predicted);
   result.found = register_in_attempts(points, problem(begin), result.predicted, usual_);
@@ -256,12 +256,15 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
     usual->learn(held_back, rotation, std::max(knots.usual_rate, 1.0 / agreed_));
   }
   usual_.learn(found, first_scan_ ? 1.0 : knots.usual_rate, knots);
+  bend_.learn(registered.bent);
   model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
   finish(found.window, found.last_two);
 }
 
 void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
                             Registered& registered) const {
+  registered.bent = registered.found.window;
+  registered.found.window = bend_.straightened(registered.bent);
   const KnotRegistration& found = registered.found;
   registered.trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
   const ScanTrajectory& trajectory = registered.trajectory;
@@ -347,6 +350,7 @@ const DeskewedScan& KnotFrontEnd::deskewed_scan() const {
 
 void KnotFrontEnd::clear_map() {
   map_.clear();
+  bend_.clear();
   views_.clear();
 }
 

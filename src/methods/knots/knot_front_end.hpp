@@ -14,6 +14,7 @@
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/knot_search.hpp"
 #include "methods/knots/surfel_map.hpp"
+#include "methods/knots/sweep_bend.hpp"
 #include "methods/knots/velocity_model.hpp"
 #include "methods/knots/walked_way.hpp"
 
@@ -47,6 +48,7 @@ class KnotFrontEnd : public FrontEnd {
     KnotEnd begin;
     KnotWindow predicted;
     KnotRegistration found;
+    KnotWindow bent;  // as registered, in a map that may be bent
     ScanTrajectory trajectory;
     Estimate estimate;
     Signs signs;
@@ -165,6 +167,7 @@ class KnotFrontEnd : public FrontEnd {
   SurfelMap map_;
   WalkedWay way_;  // within its reach
   VelocityModel model_;
+  SweepBend bend_;  // of the map
   PointChoice map_choice_;
   PointChoice choice_;
   KnotEnd end_;

@@ -26,6 +26,13 @@ Twist rotated(const Eigen::Quaterniond& rotation, const Twist& twist) {
   return turned;
 }
 
+Twist alike(const Twist& v) {
+  Twist shared = v;
+  shared[0] = shared[1] = 0.5 * (v[0] + v[1]);
+  shared[3] = shared[4] = 0.5 * (v[3] + v[4]);
+  return shared;
+}
+
 std::pair<std::size_t, double> KnotWindow::place_of(std::int64_t instant_ns) const {
   const double steps = seconds(instant_ns - begin_ns) / step;
   const auto last = static_cast<double>(segments() - 1);

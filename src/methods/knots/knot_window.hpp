@@ -50,4 +50,7 @@ struct KnotWindow {
 /// A velocity or difference in other axes.
 [[nodiscard]] Twist rotated(const Eigen::Quaterniond& rotation, const Twist& twist);
 
+/// Axes that are alike however the x axis lies share one value: x and y, roll and pitch.
+[[nodiscard]] Twist alike(const Twist& v);
+
 }  // namespace surefoot

@@ -23,14 +23,6 @@ std::array<double, 3> slopes_of(const KnotWindow& window, std::size_t k, double 
   return {phi / before, -1.0 / after - phi / before, 1.0 / after};
 }
 
-/// Axes that are alike however the map's x axis lies share one value.
-Twist alike(const Twist& v) {
-  Twist shared = v;
-  shared[0] = shared[1] = 0.5 * (v[0] + v[1]);
-  shared[3] = shared[4] = 0.5 * (v[3] + v[4]);
-  return shared;
-}
-
 }  // namespace
 
 VelocityModel::VelocityModel(const Config::Knots& config, const Twist& fluctuation)
@@ -79,19 +71,15 @@ void VelocityModel::add_to(BandedSystem& system, const KnotWindow& window,
   }
 }
 
-/// Expectation of e^2 / (1 - phi^2), given the scan, in the mean of its segments; learns what is
-/// usual of e.
+/// Expectation of e^2 / (1 - phi^2), given the scan, in the mean of its segments.
 Twist VelocityModel::squares_of(const KnotWindow& window,
                                 const BandedSystem::Covariance& covariance,
-                                const Eigen::Quaterniond& rotation) {
-  if (usual_.size() != window.segments()) usual_.assign(window.segments(), Twist::Zero());
+                                const Eigen::Quaterniond& rotation) const {
   const double phi = pull(window.step);
   Twist squares = Twist::Zero();
   for (std::size_t k = 1; k + 2 < window.knots.size(); ++k) {
     const Twist e = window.velocity(k + 1) - next(window.velocity(k), rotation, window.step);
-    const Twist own = rotated(rotation.conjugate(), e) - usual_[k];
-    squares += rotated(rotation, own).cwiseAbs2();
-    usual_[k] += config_.learning_rate * own;
+    squares += e.cwiseAbs2();
     const auto a = slopes_of(window, k, phi);
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {

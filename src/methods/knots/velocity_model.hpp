@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "methods/knots/banded_system.hpp"
 #include "methods/knots/knot_window.hpp"
 #include "surefoot/config.hpp"
@@ -18,10 +16,6 @@ namespace surefoot {
 /// with noise variance s^2 (1 - phi^2), so that v fluctuates by s. A trotting body swings by as
 /// much as 1 rad/s about a walk of constant speed, a wheeled one hardly at all: s comes from the
 /// data, per axis (horizontal, vertical, tilt, heading).
-///
-/// Noise that is the same in every scan is no body's: nobody swings in time with the sensor's
-/// turns. It is the map's, bent so that what is seen at the left does not go with what is seen at
-/// the right, and s does not learn from it.
 class VelocityModel {
  public:
   /// `fluctuation`: s before anything was learnt, as fluctuation().
@@ -58,12 +52,11 @@ class VelocityModel {
   [[nodiscard]] double pull(double step) const;
   [[nodiscard]] Twist squares_of(const KnotWindow& window,
                                  const BandedSystem::Covariance& covariance,
-                                 const Eigen::Quaterniond& rotation);
+                                 const Eigen::Quaterniond& rotation) const;
 
   Config::Knots config_;
   Twist mean_ = Twist::Zero();  // LiDAR frame
   Twist variance_;              // s^2
-  std::vector<Twist> usual_;    // the same in every scan of each segment's noise, LiDAR frame
   int learnt_ = 0;
 };
 

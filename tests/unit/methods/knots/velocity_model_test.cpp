@@ -225,33 +225,6 @@ TEST(VelocityModel, LearnsTheFluctuationOfAKnownProcess) {
   EXPECT_LT((seen - mean).head<3>().norm(), 0.1);
 }
 
-TEST(VelocityModel, WhatIsTheSameInEveryScanIsNoFluctuation) {
-  // Every sweep rolls over and back, whichever way the robot faces, as on a map that is bent along
-  // the street; the body itself swings by 0.3 rad/s.
-  Random random(7);
-  VelocityModel bent(Config().knots), plain(Config().knots);
-  for (int scan = 0; scan < 200; ++scan) {
-    const Pose start = random.pose(0.0, 0.0);
-    const Eigen::Quaterniond facing = so3_exp({0.0, 0.0, 0.02 * scan});
-    std::vector<Twist> swings;
-    for (std::size_t k = 0; k + 1 < kKnots; ++k) {
-      swings.push_back((Twist() << 0, 0, 0, random.normal(0.3), random.normal(0.3), 0).finished());
-    }
-    for (const double roll : {0.0, 2.0}) {
-      std::size_t k = 0;
-      const auto velocity = [&] {
-        Twist v = swings[k];
-        v.tail<3>() += facing * Eigen::Vector3d(k < kKnots / 2 ? roll : -roll, 0.0, 0.0);
-        ++k;
-        return v;
-      };
-      const KnotWindow window = window_of({facing, start.translation}, velocity);
-      (roll > 0.0 ? bent : plain).learn(window, no_covariance(), facing);
-    }
-  }
-  EXPECT_NEAR(bent.fluctuation()[3], plain.fluctuation()[3], 0.2 * plain.fluctuation()[3]);
-}
-
 TEST(VelocityModel, TheMeanOfManyScansFades) {
   VelocityModel model(Config().knots);
   const auto learn = [&](const Twist& velocity) {

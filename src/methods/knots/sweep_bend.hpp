@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "methods/knots/knot_window.hpp"
+#include "surefoot/trajectory.hpp"
+
+namespace surefoot {
+
+/// What the map is bent by, told from what all scans' motion has in common.
+///
+/// What is seen ahead can lie in the map with another attitude than what is seen behind: bent by
+/// a first scan whose motion was not known, or little by little. Each sweep then turns from the one
+/// to the other and back, and maps what it sees bent alike. All fits, and no residual tells. But
+/// nobody swings in time with the sensor's turns: over some scans, each segment's velocity is in
+/// the mean the one at which the sensor gets from scan to scan. What is left of it is the map's,
+/// and is taken out of the motion before that is published, learnt from and mapped.
+class SweepBend {
+ public:
+  /// Learns from a scan's knots as they were registered, in a map that begun with clear().
+  void learn(const KnotWindow& registered);
+  /// The scan's motion without what bends the map; its mean pose stays. The same knots as long as
+  /// nothing is known, or of a scan of more segments than usual.
+  [[nodiscard]] KnotWindow straightened(const KnotWindow& registered) const;
+  void clear() { *this = {}; }
+
+ private:
+  [[nodiscard]] double rate() const;
+  [[nodiscard]] Twist certainty() const;
+
+  std::vector<Twist> mean_;      // of each segment's velocity less the one from scan to scan,
+  std::vector<Twist> variance_;  // and of that in one scan; LiDAR frame
+  std::optional<StampedPose> last_;
+  int learnt_ = 0;
+};
+
+}  // namespace surefoot
