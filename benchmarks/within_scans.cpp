@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// within_scans RECORDING... [--method M] [--hole S]: what a trajectory file does not show. How well
-// the motion within each scan is known (attitude and deskewing, relative to mid-scan), and whether
-// the covariances tell the truth. Needs gt.tum in each folder. Exit codes: 0, 2 for bad input.
+// within_scans RECORDING... [--method M] [--hole S] [--start N] [--count N]: what a trajectory file
+// does not show. How well the motion within each scan is known (attitude and deskewing, relative to
+// mid-scan), and whether the covariances tell the truth. Needs gt.tum in each folder. Exit codes:
+// 0, 2 for bad input.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -39,6 +40,13 @@ constexpr std::int64_t kHole = 500'000'000;  // [ns] what is longer between two 
 // 2.5, 50 and 97.5 % of chi squared with six degrees of freedom.
 constexpr double kLower = 1.237, kMiddle = 5.348, kUpper = 14.449;
 
+struct Options {
+  std::string method = "surefoot";
+  double hole = 0.0;      ///< [s]
+  std::size_t start = 0;  ///< scans left out at first
+  std::size_t count = 1'000'000;
+};
+
 /// One scan, estimated and true.
 struct Pair {
   Estimate estimate;
@@ -56,7 +64,7 @@ bool in_hole(double since, double hole) {
   return std::fmod(since, kBetweenHoles) >= kBetweenHoles - hole;
 }
 
-std::vector<Pair> run(const std::string& recording, const std::string& method, double hole) {
+std::vector<Pair> run(const std::string& recording, const Options& options) {
   const Trajectory truth = io::read_tum(std::filesystem::path(recording) / "gt.tum");
   const auto true_pose = [&truth](std::int64_t stamp) -> std::optional<Pose> {
     if (stamp < truth.front().stamp_ns || stamp > truth.back().stamp_ns) return std::nullopt;
@@ -65,15 +73,17 @@ std::vector<Pair> run(const std::string& recording, const std::string& method, d
         .reference.front()
         .pose;
   };
-  Odometry odometry(method_config(method));
+  Odometry odometry(method_config(options.method));
   std::vector<Pair> pairs;
   std::optional<std::int64_t> first_ns;
   const auto scans = io::open_recording(recording);
+  std::size_t n = 0;
   while (const auto item = scans->next()) {
-    if (!item->scan || !item->remark.empty()) continue;
+    if (!item->scan || !item->remark.empty() || n++ < options.start) continue;
+    if (n > options.start + options.count) break;
     const std::int64_t since = item->scan->stamp_ns - first_ns.value_or(item->scan->stamp_ns);
     if (!first_ns) first_ns = item->scan->stamp_ns;
-    if (in_hole(1e-9 * static_cast<double>(since), hole)) continue;
+    if (in_hole(1e-9 * static_cast<double>(since), options.hole)) continue;
     Pair pair{odometry.add_scan(*item->scan), {}};
     bool known = pair.estimate.trusted();
     for (int i = 0; known && i < kInstants; ++i) {
@@ -194,13 +204,15 @@ void print_row(const std::string& recording, const std::vector<Pair>& pairs, dou
 
 int main(int argc, char** argv) {
   std::vector<std::string> recordings;
-  std::string method = "surefoot";
-  double hole = 0.0;
+  surefoot::benchmarks::Options options;
   CLI::App app{"Motion within the scans and covariances against the truth"};
   app.add_option("recordings", recordings, "Folders with gt.tum")->required();
-  app.add_option("--method", method, "As surefoot run's")->capture_default_str();
-  app.add_option("--hole", hole, "[s] left out of every 8; the covariances are those across it")
+  app.add_option("--method", options.method, "As surefoot run's")->capture_default_str();
+  app.add_option("--hole", options.hole,
+                 "[s] left out of every 8; the covariances are those across it")
       ->check(CLI::Range(0.0, 7.0));
+  app.add_option("--start", options.start, "Scans left out at first")->capture_default_str();
+  app.add_option("--count", options.count, "At most this many after them")->capture_default_str();
   try {
     app.parse(argc, argv);
     fmt::print(
@@ -209,8 +221,8 @@ int main(int argc, char** argv) {
         "error of 1 m, median over expected | below its 97.5 % bound [%] | between both "
         "bounds [%] |\n|---|---|---|---|---|---|---|\n");
     for (const std::string& recording : recordings) {
-      surefoot::benchmarks::print_row(recording, surefoot::benchmarks::run(recording, method, hole),
-                                      hole);
+      surefoot::benchmarks::print_row(recording, surefoot::benchmarks::run(recording, options),
+                                      options.hole);
     }
     return 0;
   } catch (const CLI::ParseError& error) {
