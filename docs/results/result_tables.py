@@ -8,6 +8,7 @@ import statistics
 HERE = pathlib.Path(__file__).resolve().parent
 APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
 RELATIVE = "Relative over 10 m, RMSE (%)"
+LATEST_SET = 15  # of those with layouts of their own
 
 
 class Kept:
@@ -274,9 +275,52 @@ def reporting(name):
     return made_by(markdown(head, rows), kept)
 
 
+def whole_runs(kept, method):
+    """Median and largest APE [m] of the runs that are whole, and how many these are."""
+    errors = kept.values(method)
+    if not errors:
+        return ["–"] * 2
+    whole = "" if len(errors) == len(kept.recordings) else f" ({len(errors)} whole)"
+    return [f"{statistics.median(errors):.3f} / {max(errors):.3f}{whole}",
+            f"{statistics.median(kept.values('kiss-icp')):.3f}"]
+
+
+def earlier_sets():
+    """A set a row: begun standing, and in motion as far as that was run."""
+    rows = []
+    for name in (f"reporting-{n}" for n in range(LATEST_SET - 1, 3, -1)):
+        kept = Results(name)
+        in_motion = HERE / f"{name}-in-motion.csv"
+        moving = whole_runs(Results(in_motion.stem), "surefoot") if in_motion.exists() else ["–"] * 2
+        rows.append([f"[{name}](results/{name}.csv)", kept.about["commit"],
+                     *whole_runs(kept, "surefoot"), *moving])
+    return markdown(["set", "commit", "begun standing", "kiss-icp", "in motion", "kiss-icp"], rows)
+
+
+def bend():
+    """What straightening a map is worth: means of the figures, geometric ones of the ratios."""
+    kept = Kept("bend")
+    lines = []
+    for hilltops in (False, True):
+        for moving in (False, True):
+            rows = [row for row in kept.rows[1:]
+                    if (row[0] == "hilltop") == hilltops and (row[3] != "0") == moving]
+            line = ["hilltops" if hilltops else "elsewhere", "in motion" if moving else "standing",
+                    str(len(rows))]
+            for first, form in ((4, "{:.4f}"), (6, "{:.1f}")):
+                before, now = ([float(row[at]) for row in rows] for at in (first, first + 1))
+                ratios = [b / a for a, b in zip(before, now)]
+                line += [form.format(statistics.mean(before)), form.format(statistics.mean(now)),
+                         f"{statistics.geometric_mean(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"]
+            lines.append(line)
+    head = ["where", "begun", "runs", "APE before [m]", "now", "ratio",
+            "within the scan before [mrad]", "now", "ratio"]
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
+
+
 def readme():
     """A method a row, over the set that nothing was tuned on."""
-    kept = Results("reporting-14")
+    kept = Results(f"reporting-{LATEST_SET}")
     names = {"surefoot": "**Surefoot**", "paper": "the paper's", "paper-surface": "a variant of it",
              "kiss-icp": "KISS-ICP", "genz-icp": "GenZ-ICP", "floam": "F-LOAM", "icp": "ICP"}
     rows = []
@@ -388,25 +432,12 @@ TABLES = {
     "thread-ratio": lambda: f"{wall_time(1, 1) / wall_time(2, 1):.2f}",
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),
-    "reporting-14": lambda: reporting("reporting-14"),
-    "reporting-14-in-motion": lambda: reporting("reporting-14-in-motion"),
-    "reporting-13": lambda: reporting("reporting-13"),
-    "reporting-13-in-motion": lambda: reporting("reporting-13-in-motion"),
-    "reporting-12": lambda: reporting("reporting-12"),
-    "reporting-12-in-motion": lambda: reporting("reporting-12-in-motion"),
-    "reporting-11": lambda: reporting("reporting-11"),
-    "reporting-11-in-motion": lambda: reporting("reporting-11-in-motion"),
-    "reporting-10": lambda: reporting("reporting-10"),
-    "reporting-10-in-motion": lambda: reporting("reporting-10-in-motion"),
-    "reporting-9": lambda: reporting("reporting-9"),
-    "reporting-9-in-motion": lambda: reporting("reporting-9-in-motion"),
-    "reporting-8": lambda: reporting("reporting-8"),
+    "latest-set": lambda: reporting(f"reporting-{LATEST_SET}"),
+    "latest-set-in-motion": lambda: reporting(f"reporting-{LATEST_SET}-in-motion"),
+    "earlier-sets": earlier_sets,
     "reporting-8-others": others,
-    "reporting-7": lambda: reporting("reporting-7"),
-    "reporting-6": lambda: reporting("reporting-6"),
-    "reporting-5": lambda: reporting("reporting-5"),
-    "reporting-4": lambda: reporting("reporting-4"),
     "reporting": lambda: reporting("reporting"),
+    "bend": bend,
     "relative-change": relative_change,
     "before": before,
     "before-largest": before_largest,

@@ -12,11 +12,33 @@ namespace surefoot {
 namespace {
 
 constexpr double kBendRate = 0.1;  // of the fading mean: ten scans, two or three of a trot's cycles
-constexpr int kFew = 5;            // scans: of fewer a gait's swing has not averaged out
+constexpr int kFew = 4;            // scans: of fewer a gait's swing has not averaged out
+constexpr double kSudden = 3.0;    // standard deviations of what a scan has of its own, at most
+constexpr double kTiny = 1e-12;
 constexpr double kMostApart = 0.5;  // [s] between scans that tell how fast the sensor moves
 
 Twist sum(const std::vector<Twist>& values) {
   return std::accumulate(values.begin(), values.end(), Twist(Twist::Zero()));
+}
+
+Twist sum_of_squares(const std::vector<Twist>& values) {
+  Twist sum = Twist::Zero();
+  for (const Twist& value : values) sum += value.cwiseAbs2();
+  return sum;
+}
+
+StampedPose middle_of(const KnotWindow& scan) {
+  const ScanTrajectory motion = scan.trajectory();
+  return {motion.mid_ns(), motion.at(0.5)};
+}
+
+bool follows(const StampedPose& next, const StampedPose& last) {
+  const double elapsed = seconds(next.stamp_ns - last.stamp_ns);
+  return elapsed > 0.0 && elapsed <= kMostApart;
+}
+
+Twist velocity_between(const StampedPose& from, const StampedPose& to) {
+  return difference(to.pose, from.pose) / seconds(to.stamp_ns - from.stamp_ns);
 }
 
 }  // namespace
@@ -25,36 +47,56 @@ Twist sum(const std::vector<Twist>& values) {
 double SweepBend::rate() const { return std::max(kBendRate, 1.0 / std::max(learnt_, 1)); }
 
 void SweepBend::learn(const KnotWindow& registered) {
-  const ScanTrajectory motion = registered.trajectory();
-  const StampedPose before = last_.value_or(StampedPose{motion.mid_ns(), {}});
-  const StampedPose now{motion.mid_ns(), motion.at(0.5)};
-  last_ = now;
-  const double elapsed = seconds(now.stamp_ns - before.stamp_ns);
-  if (elapsed <= 0.0 || elapsed > kMostApart) return;
+  const StampedPose now = middle_of(registered);
+  if (last_) {
+    const StampedPose then = middle_of(*last_);
+    if (before_ && follows(then, *before_) && follows(now, then)) learn_from(*last_, *before_, now);
+    before_ = then;
+  }
+  last_ = registered;
+}
+
+void SweepBend::learn_from(const KnotWindow& registered, const StampedPose& before,
+                           const StampedPose& after) {
   if (mean_.empty()) mean_ = variance_ = {registered.segments(), Twist::Zero()};
   if (registered.segments() != mean_.size()) return;
-
-  const Twist from_scan_to_scan = difference(now.pose, before.pose) / elapsed;
-  const Twist removed = certainty();
+  const StampedPose middle = middle_of(registered);
+  const Twist velocity_before = velocity_between(before, middle);
+  const Twist change = (velocity_between(middle, after) - velocity_before) /
+                       (0.5 * seconds(after.stamp_ns - before.stamp_ns));
+  double since = seconds(registered.begin_ns - before.stamp_ns) + 0.5 * registered.step -
+                 0.5 * seconds(middle.stamp_ns - before.stamp_ns);
+  std::vector<Twist> own;
+  for (const Twist& mean : mean_) {
+    const Twist from_scan_to_scan = velocity_before + since * change;
+    const Twist seen = registered.velocity(own.size() + 1) - from_scan_to_scan;
+    own.emplace_back(rotated(middle.pose.rotation.conjugate(), seen) - mean);
+    since += registered.step;
+  }
+  const Twist counted = counted_of(own), removed = certainty();
   ++learnt_;
   for (std::size_t k = 0; k < mean_.size(); ++k) {
-    const Twist seen =
-        rotated(now.pose.rotation.conjugate(), registered.velocity(k + 1) - from_scan_to_scan);
-    const Twist own = seen - mean_[k];
-    mean_[k] += rate() * own;  // [K35]
-    variance_[k] = (1.0 - rate()) * (variance_[k] + rate() * own.cwiseAbs2());
+    const Twist step = counted.cwiseProduct(own[k]);
+    mean_[k] += rate() * step;  // [K35]
+    variance_[k] = (1.0 - rate()) * (variance_[k] + rate() * step.cwiseAbs2());
     // Of a map of n scans one in n was mapped straight.
     mean_[k] -= removed.cwiseProduct(mean_[k]) / learnt_;
   }
 }
 
+/// How much of what a scan has of its own counts, per axis: who suddenly turns is no bend.
+Twist SweepBend::counted_of(const std::vector<Twist>& own) const {
+  if (learnt_ < kFew) return Twist::Ones();
+  const Twist most = kSudden * kSudden * alike(sum(variance_));
+  return (most.array() / alike(sum_of_squares(own)).array().max(kTiny)).min(1.0).sqrt();
+}
+
 /// The share of the mean that is more than chance, per axis (James and Stein's positive part).
 Twist SweepBend::certainty() const {
   if (learnt_ < kFew) return Twist::Zero();
-  std::vector<Twist> squares;
-  for (const Twist& mean : mean_) squares.emplace_back(mean.cwiseAbs2());
   const Twist chance = rate() / (2.0 - rate()) * alike(sum(variance_));
-  return (1.0 - chance.array() / alike(sum(squares)).array().max(1e-12)).max(0.0);  // [K36]
+  return (1.0 - chance.array() / alike(sum_of_squares(mean_)).array().max(kTiny))
+      .max(0.0);  // [K36]
 }
 
 KnotWindow SweepBend::straightened(const KnotWindow& registered) const {

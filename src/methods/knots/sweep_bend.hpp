@@ -21,7 +21,8 @@ namespace surefoot {
 /// and is taken out of the motion before that is published, learnt from and mapped.
 class SweepBend {
  public:
-  /// Learns from a scan's knots as they were registered, in a map that begun with clear().
+  /// Takes a scan's knots as they were registered, and learns from the scan before it: only the
+  /// scans about that tell how fast the sensor was.
   void learn(const KnotWindow& registered);
   /// The scan's motion without what bends the map; its mean pose stays. The same knots as long as
   /// nothing is known, or of a scan of more segments than usual.
@@ -29,12 +30,16 @@ class SweepBend {
   void clear() { *this = {}; }
 
  private:
+  void learn_from(const KnotWindow& registered, const StampedPose& before,
+                  const StampedPose& after);
   [[nodiscard]] double rate() const;
+  [[nodiscard]] Twist counted_of(const std::vector<Twist>& own) const;
   [[nodiscard]] Twist certainty() const;
 
   std::vector<Twist> mean_;      // of each segment's velocity less the one from scan to scan,
   std::vector<Twist> variance_;  // and of that in one scan; LiDAR frame
-  std::optional<StampedPose> last_;
+  std::optional<KnotWindow> last_;
+  std::optional<StampedPose> before_;  // the middle of the scan before the last
   int learnt_ = 0;
 };
 

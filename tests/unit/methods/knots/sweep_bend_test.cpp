@@ -127,14 +127,42 @@ TEST(SweepBend, FewScansTellNothingNorDoThoseFarApart) {
 
 TEST(SweepBend, AScanOfMoreSegmentsStaysAsItIs) {
   const Pattern bend = bend_of(0.01);
-  SweepBend bends, with_gap;
+  SweepBend bends;
   for (int n = 0; n < 10; ++n) bends.learn(scan_of(n, 0.0, bend));
   const KnotWindow longer = scan_of(10, 0.0, bend, 2 * kSegments);
   EXPECT_EQ(difference_of(bends.straightened(longer), longer), 0.0);
+  bends.learn(longer);
   const KnotWindow bent = scan_of(11, 0.0, bend);
   const KnotWindow before = bends.straightened(bent);
-  bends.learn(longer);
+  bends.learn(bent);  // and with it from the longer one
   EXPECT_EQ(difference_of(bends.straightened(bent), before), 0.0);
+}
+
+// Who sets off, or into a turn, is faster at a scan's end than at its beginning, time and again.
+TEST(SweepBend, WhoGetsFasterAndFasterIsNotABend) {
+  SweepBend bends;
+  double changed = 0.0;
+  const auto turning = [](double t) {
+    return Pose{so3_exp({0.0, 0.0, 1.5 * t * t}), {0.8 * t * t, 0.0, 0.4}};
+  };
+  for (int n = 0; n < 10; ++n) {
+    KnotWindow window = scan_of(n, 0.0, bend_of(0.0));
+    for (std::size_t k = 0; k < window.knots.size(); ++k) {
+      window.knots[k] = turning(0.1 * n + (static_cast<double>(k) - 1.0) * kSegment);
+    }
+    changed = std::max(changed, difference_of(bends.straightened(window), window));
+    bends.learn(window);
+  }
+  EXPECT_LT(changed, 0.001);
+}
+
+TEST(SweepBend, OneScanThatTurnsSuddenlyTellsLittle) {
+  Pattern kink = bend_of(0.0);
+  for (std::size_t k = 4; k <= kSegments; ++k) kink[k] << 0.0, 0.0, 0.0, 0.0, 0.0, 0.5;
+  SweepBend bends;
+  for (int n = 0; n < 30; ++n) bends.learn(scan_of(n, 0.02, n == 25 ? kink : bend_of(0.0)));
+  const KnotWindow scan = scan_of(30, 0.02, bend_of(0.0));
+  EXPECT_LT(difference_of(bends.straightened(scan), scan), 0.004);
 }
 
 TEST(SweepBend, ItIsTheSensorsWhicheverWayThatFaces) {
