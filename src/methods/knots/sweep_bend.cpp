@@ -14,6 +14,7 @@ namespace {
 constexpr double kBendRate = 0.1;  // of the fading mean: ten scans, two or three of a trot's cycles
 constexpr int kFew = 4;            // scans: of fewer a gait's swing has not averaged out
 constexpr double kSudden = 3.0;    // standard deviations of what a scan has of its own, at most
+constexpr double kLeast = 0.003;   // [m/s, rad/s] any sensor's velocity may vary by
 constexpr double kTiny = 1e-12;
 constexpr double kMostApart = 0.5;  // [s] between scans that tell how fast the sensor moves
 
@@ -87,8 +88,10 @@ void SweepBend::learn_from(const KnotWindow& registered, const StampedPose& befo
 /// How much of what a scan has of its own counts, per axis: who suddenly turns is no bend.
 Twist SweepBend::counted_of(const std::vector<Twist>& own) const {
   if (learnt_ < kFew) return Twist::Ones();
-  const Twist most = kSudden * kSudden * alike(sum(variance_));
-  return (most.array() / alike(sum_of_squares(own)).array().max(kTiny)).min(1.0).sqrt();
+  const Twist usual = alike(sum(variance_)).cwiseMax(kLeast * kLeast);
+  return (kSudden * kSudden * usual.array() / alike(sum_of_squares(own)).array().max(kTiny))
+      .min(1.0)
+      .sqrt();
 }
 
 /// The share of the mean that is more than chance, per axis (James and Stein's positive part).

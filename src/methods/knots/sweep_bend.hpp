@@ -37,7 +37,7 @@ class SweepBend {
   [[nodiscard]] Twist certainty() const;
 
   std::vector<Twist> mean_;      // of each segment's velocity less the one from scan to scan,
-  std::vector<Twist> variance_;  // and of that in one scan; LiDAR frame
+  std::vector<Twist> variance_;  // and of that in one scan; LiDAR frame, [m/s, rad/s]
   std::optional<KnotWindow> last_;
   std::optional<StampedPose> before_;  // the middle of the scan before the last
   int learnt_ = 0;

@@ -156,6 +156,20 @@ TEST(SweepBend, WhoGetsFasterAndFasterIsNotABend) {
   EXPECT_LT(changed, 0.001);
 }
 
+TEST(SweepBend, WhoStoodPerfectlyStillCanLearnYet) {
+  const Pattern bend = bend_of(0.01);
+  SweepBend bends;
+  for (int n = 0; n < 10; ++n) {
+    KnotWindow still = scan_of(n, 0.0, bend_of(0.0));
+    for (Pose& knot : still.knots) knot = {};
+    bends.learn(still);
+  }
+  for (int n = 10; n < 60; ++n) bends.learn(scan_of(n, 0.0, bend));
+  const KnotWindow bent = scan_of(60, 0.0, bend);
+  const KnotWindow truth = scan_of(60, 0.0, bend_of(0.0));
+  EXPECT_LT(difference_of(bends.straightened(bent), truth), 0.5 * difference_of(bent, truth));
+}
+
 TEST(SweepBend, OneScanThatTurnsSuddenlyTellsLittle) {
   Pattern kink = bend_of(0.0);
   for (std::size_t k = 4; k <= kSegments; ++k) kink[k] << 0.0, 0.0, 0.0, 0.0, 0.0, 0.5;
