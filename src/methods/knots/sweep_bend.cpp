@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kBendRate = 0.1;  // of the fading mean: ten scans, two or three of a trot's cycles
 constexpr int kFew = 4;            // scans: of fewer a gait's swing has not averaged out
-constexpr double kBendYoung = 5.0, kMostDoubt = 6.0;  // scans; times chance
-constexpr double kSudden = 3.0;   // standard deviations of what a scan has of its own, at most
-constexpr double kLeast = 0.003;  // [m/s, rad/s] any sensor's velocity may vary by
+constexpr double kMostDoubt = 6.0;  // times chance
+constexpr double kSudden = 3.0;     // standard deviations of what a scan has of its own, at most
+constexpr double kLeast = 0.003;    // [m/s, rad/s] any sensor's velocity may vary by
 constexpr double kTiny = 1e-12;
 constexpr double kMostApart = 0.5;  // [s] between scans that tell how fast the sensor moves
 
@@ -99,7 +99,7 @@ Twist SweepBend::counted_of(const std::vector<Twist>& own) const {
 /// bends a map is mostly its first scans: later more must speak for a bend than chance alone.
 Twist SweepBend::certainty() const {
   if (learnt_ < kFew) return Twist::Zero();
-  const double doubt = std::clamp(learnt_ / kBendYoung, 1.0, kMostDoubt);
+  const double doubt = std::clamp(static_cast<double>(learnt_) / kFew, 1.0, kMostDoubt);
   const Twist chance = doubt * rate() / (2.0 - rate()) * alike(sum(variance_));
   return (1.0 - chance.array() / alike(sum_of_squares(mean_)).array().max(kTiny))
       .max(0.0);  // [K36]
