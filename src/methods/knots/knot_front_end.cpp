@@ -156,7 +156,7 @@ bool KnotFrontEnd::is_after_hole(const PreparedScan& scan) const {
 KnotFrontEnd::Registered KnotFrontEnd::register_scan(const PreparedScan& scan,
                                                      const std::vector<std::uint32_t>& thinned,
                                                      const KnotEnd& begin) {
-  Registered result{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}, {}};
+  Registered result{begin, predict_knots(scan, begin, model_, config_.knots)};
   KnotPoints points =
       sort_points(scan, choice_.choose(scan, thinned, session_.workers), result.predicted);
   result.found = register_in_attempts(points, problem(begin), result.predicted, usual_);

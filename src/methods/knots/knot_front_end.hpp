@@ -47,11 +47,11 @@ class KnotFrontEnd : public FrontEnd {
   struct Registered {
     KnotEnd begin;
     KnotWindow predicted;
-    KnotRegistration found;
-    KnotWindow bent;  // as registered, in a map that may be bent
-    ScanTrajectory trajectory;
-    Estimate estimate;
-    Signs signs;
+    KnotRegistration found{};
+    KnotWindow bent{};  // as registered, in a map that may be bent
+    ScanTrajectory trajectory{};
+    Estimate estimate{};
+    Signs signs{};
     double deviation = 0.0;  // [m] of the worst held position, with what all scans err by alike
   };
   /// How a map's first scan moved, and the second one's registration on a map of that.

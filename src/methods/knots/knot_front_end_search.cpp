@@ -146,7 +146,7 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
     const Pose& place, const Twist& velocity, const PreparedScan& scan,
     const std::vector<std::uint32_t>& chosen) const {
   const KnotEnd begin = begin_at(place, scan, config_.knots);
-  Registered here{begin, predict_knots(scan, begin, model_, config_.knots), {}, {}, {}, {}, {}};
+  Registered here{begin, predict_knots(scan, begin, model_, config_.knots)};
   here.predicted = here.predicted.at_velocity(velocity);
   KnotPoints points = sort_points(scan, chosen, here.predicted);
   here.found.window = here.predicted;

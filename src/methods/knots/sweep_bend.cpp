@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBendRate = 0.1;  // of the fading mean: ten scans, two or three of a trot's cycles
 constexpr int kFew = 4;            // scans: of fewer a gait's swing has not averaged out
-constexpr double kMostDoubt = 6.0;  // times chance
+constexpr double kMostDoubt = 6.0;  // times chance, of a map of 24 scans and more
 constexpr double kSudden = 3.0;     // standard deviations of what a scan has of its own, at most
 constexpr double kLeast = 0.003;    // [m/s, rad/s] any sensor's velocity may vary by
 constexpr double kTiny = 1e-12;

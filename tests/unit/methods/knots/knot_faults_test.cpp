@@ -167,8 +167,8 @@ TEST(KnotFaults, AMapOfOneScanFromElsewhereIsDropped) {
     const auto all = add_scans(odometry, take_scans(furnished_hall(), motion, 12));
     for (std::size_t i = 4; i < all.size(); ++i) {
       EXPECT_TRUE(all[i].trusted()) << i << ' ' << statuses(all);
-      // Measured: at most 0.053, where the young map is straightened.
-      EXPECT_LT(end_error(all, all[i], motion), 0.065) << i << ' ' << statuses(all);
+      // Measured: at most 0.053, when the young map is straightened (0.042 before it was).
+      EXPECT_LT(end_error(all, all[i], motion), 0.055) << i << ' ' << statuses(all);
     }
   }
 }

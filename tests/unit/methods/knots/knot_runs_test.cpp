@@ -124,8 +124,8 @@ TEST(KnotRuns, AStraightWalkThroughABareHallIsFollowed) {
     const auto motion = straight_walk(speed);
     const auto scans = take_scans(bare_hall(), motion, kScans);
     const RunError error = run("straight, bare hall", "surefoot", scans, motion);
-    EXPECT_LT(error.translation, 0.01) << speed;   // measured: 0.0062, 0.0017
-    EXPECT_LT(error.rotation_deg, 0.06) << speed;  // measured: 0.046, 0.027
+    EXPECT_LT(error.translation, 0.01) << speed;    // measured: 0.0059, 0.0063
+    EXPECT_LT(error.rotation_deg, 0.045) << speed;  // measured: 0.028, 0.022
   }
 }
 

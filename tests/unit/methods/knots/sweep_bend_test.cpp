@@ -75,7 +75,7 @@ TEST(SweepBend, ASwingOfTheBodyStays) {
     changed = std::max(changed, difference_of(bends.straightened(scan), scan));
     bends.learn(scan);
   }
-  EXPECT_LT(changed, 0.004);  // the swing is 0.02 rad; measured: 0.0000
+  EXPECT_LT(changed, 0.0005);  // the swing is 0.02 rad; measured: 0.000005
 }
 
 // A map holds in equal parts what all its scans added; each is registered as it is bent.

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "methods/knots/sweep_bend.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/random.hpp"
 
@@ -19,6 +20,7 @@ using test::Random;
 
 constexpr double kStep = 0.0125;  // [s]
 constexpr std::size_t kKnots = 10;
+constexpr std::int64_t kSweepNs = 100'000'000;
 
 /// Covariances of knots that are known exactly.
 BandedSystem::Covariance no_covariance() {
@@ -31,7 +33,7 @@ BandedSystem::Covariance no_covariance() {
 /// A window that goes on from two poses with velocities [m/s, rad/s, map axes] one by one.
 KnotWindow window_of(const Pose& first, const std::function<Twist()>& next_velocity,
                      double first_step = kStep) {
-  KnotWindow window{{first}, first_step, kStep, 0, 100'000'000};
+  KnotWindow window{{first}, first_step, kStep, 0, kSweepNs};
   while (window.knots.size() < kKnots) {
     const double step = window.knots.size() == 1 ? first_step : kStep;
     window.knots.push_back(displaced(window.knots.back(), step * next_velocity()));
@@ -223,6 +225,38 @@ TEST(VelocityModel, LearnsTheFluctuationOfAKnownProcess) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(learnt[i], truth[i], 0.2 * truth[i]) << "axis " << i;
   const Twist seen = model.mean(Eigen::Quaterniond::Identity());
   EXPECT_LT((seen - mean).head<3>().norm(), 0.1);
+}
+
+TEST(VelocityModel, WhatIsTheSameInEveryScanIsNoFluctuation) {
+  // Every sweep rolls over and back, whichever way the robot faces, as on a map that is bent along
+  // the street; the body itself swings by 0.3 rad/s.
+  Random random(7);
+  VelocityModel bent(Config().knots), plain(Config().knots);
+  SweepBend bend;
+  for (int scan = 0; scan < 200; ++scan) {
+    const Pose start = random.pose(0.0, 0.0);
+    const Eigen::Quaterniond facing = so3_exp({0.0, 0.0, 0.02 * scan});
+    std::vector<Twist> swings;
+    for (std::size_t k = 0; k + 1 < kKnots; ++k) {
+      swings.push_back((Twist() << 0, 0, 0, random.normal(0.3), random.normal(0.3), 0).finished());
+    }
+    for (const double roll : {0.0, 2.0}) {
+      std::size_t k = 0;
+      const auto velocity = [&] {
+        Twist v = swings[k];
+        v.tail<3>() += facing * Eigen::Vector3d(k < kKnots / 2 ? roll : -roll, 0.0, 0.0);
+        ++k;
+        return v;
+      };
+      KnotWindow window = window_of({facing, start.translation}, velocity);
+      window.begin_ns = scan * kSweepNs;
+      window.end_ns = window.begin_ns + kSweepNs;
+      if (roll == 0.0) plain.learn(window, no_covariance(), facing);
+      if (roll > 0.0) bent.learn(bend.straightened(window), no_covariance(), facing);
+      if (roll > 0.0) bend.learn(window);
+    }
+  }
+  EXPECT_NEAR(bent.fluctuation()[3], plain.fluctuation()[3], 0.2 * plain.fluctuation()[3]);
 }
 
 TEST(VelocityModel, TheMeanOfManyScansFades) {
