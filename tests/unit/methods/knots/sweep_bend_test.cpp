@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace surefoot {
@@ -95,7 +96,7 @@ TEST(SweepBend, AMapIsStraightenedAndNotBentTheOtherWay) {
     worst = std::min(worst, sum / (n + 1));
   }
   EXPECT_LT(sum / 61.0, 0.2 * first);
-  EXPECT_GT(worst, -0.1 * first);
+  EXPECT_GT(worst, 0.0);  // measured: 0.0017; -0.0003 if u_k only fades
 }
 
 TEST(SweepBend, TheMeanPoseStays) {
@@ -138,6 +139,16 @@ TEST(SweepBend, AScanOfMoreSegmentsStaysAsItIs) {
   EXPECT_EQ(difference_of(bends.straightened(bent), before), 0.0);
 }
 
+// Of what the scans of a long walk have in common, not all is the map's.
+TEST(SweepBend, OfAnOlderMapAWeakBendIsNotBelieved) {
+  const Pattern bend = bend_of(0.0003);
+  SweepBend bends;
+  for (int n = 0; n < 60; ++n) bends.learn(scan_of(n, 0.1, bend));
+  const KnotWindow scan = scan_of(60, 0.1, bend);
+  // By chance alone 0.00002 would be taken out of 0.0004.
+  EXPECT_LT(difference_of(bends.straightened(scan), scan), 1e-9);
+}
+
 // Who sets off, or into a turn, is faster at a scan's end than at its beginning, time and again.
 TEST(SweepBend, WhoGetsFasterAndFasterIsNotABend) {
   SweepBend bends;
@@ -173,10 +184,13 @@ TEST(SweepBend, WhoStoodPerfectlyStillCanLearnYet) {
 TEST(SweepBend, OneScanThatTurnsSuddenlyTellsLittle) {
   Pattern kink = bend_of(0.0);
   for (std::size_t k = 4; k <= kSegments; ++k) kink[k] << 0.0, 0.0, 0.0, 0.0, 0.0, 0.5;
-  SweepBend bends;
-  for (int n = 0; n < 30; ++n) bends.learn(scan_of(n, 0.02, n == 25 ? kink : bend_of(0.0)));
-  const KnotWindow scan = scan_of(30, 0.02, bend_of(0.0));
-  EXPECT_LT(difference_of(bends.straightened(scan), scan), 0.004);
+  for (const auto& [at, scans] : {std::pair(6, 9), std::pair(25, 30)}) {
+    SweepBend bends;
+    for (int n = 0; n < scans; ++n) bends.learn(scan_of(n, 0.02, n == at ? kink : bend_of(0.0)));
+    const KnotWindow scan = scan_of(scans, 0.02, bend_of(0.0));
+    // Measured: 0.000004 rad, and counted in full 0.0039 in the young map.
+    EXPECT_LT(difference_of(bends.straightened(scan), scan), 0.0005) << at;
+  }
 }
 
 TEST(SweepBend, ItIsTheSensorsWhicheverWayThatFaces) {
