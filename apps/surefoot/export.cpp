@@ -60,7 +60,8 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   auto options = std::make_shared<ExportOptions>();
   runs::MapExport& files = options->files;
   CLI::App* command = app.add_subcommand(
-      "export", "Write a map of surefoot map as points, as a grid for planners, as heights");
+      "export",
+      "Write a map of surefoot map as points, as triangles, as a grid for planners, as heights");
   command
       ->add_option("map", options->map, "what surefoot map has written: map.surefoot or its folder")
       ->required();
@@ -76,6 +77,11 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
               "where on the earth the map's origin is: LATITUDE LONGITUDE [deg], HEIGHT above "
               "the ellipsoid [m], and the AZIMUTH of its x axis, clockwise from north [deg]")
           ->needs(tiles);
+  command->add_option("--mesh", files.mesh, "surfaces as triangles, to this PLY, OBJ or STL file");
+  command
+      ->add_option("--mesh-cell", files.triangles.cell, "edges of triangles are about as long [m]")
+      ->check(command_line::number_within(0.05, 2.0))
+      ->capture_default_str();
   command->add_option("--grid", files.grid,
                       "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
   command->add_option("--cell", files.occupancy.cell, "of the occupancy grid [m]")
@@ -94,6 +100,9 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
             "http://127.0.0.1:8000/ in a browser\n",
             options->files.tiles.string());
       }
+    }
+    if (!options->files.mesh.empty()) {
+      fmt::print("{}: {} triangles\n", options->files.mesh.string(), done.triangles);
     }
     for (const runs::ExportedGrid& grid : done.grids) {
       fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,

@@ -11,6 +11,7 @@
 #include "io/file_writer.hpp"
 #include "io/files/geotiff_writer.hpp"
 #include "io/files/las_writer.hpp"
+#include "io/files/mesh_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "report/page.hpp"
@@ -96,6 +97,12 @@ io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wante
   return counts;
 }
 
+std::size_t export_mesh(const mapping::SavedMap& map, const MapExport& wanted) {
+  const mapping::SurfaceMesh mesh = mapping::draw_mesh(map.pieces, wanted.triangles);
+  io::write_mesh(wanted.mesh, {mesh.vertices, mesh.triangles});
+  return mesh.triangles.size();
+}
+
 fs::path beside(fs::path file, const std::string& ending) { return file.replace_extension(ending); }
 
 ExportedGrid export_occupancy(const mapping::SavedMap& map, const MapExport& wanted) {
@@ -142,10 +149,11 @@ ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wan
 
 MapExported export_map(const fs::path& map, const MapExport& wanted) {
   if (wanted.pcd.empty() && wanted.ply.empty() && wanted.las.empty() && wanted.tiles.empty() &&
-      wanted.grid.empty() && wanted.elevation.empty()) {
+      wanted.mesh.empty() && wanted.grid.empty() && wanted.elevation.empty()) {
     throw std::invalid_argument(
-        "nothing to write: expected --pcd, --ply, --las, --tiles, --grid or --elevation");
+        "nothing to write: expected --pcd, --ply, --las, --tiles, --mesh, --grid or --elevation");
   }
+  if (!wanted.mesh.empty()) static_cast<void>(io::mesh_format(wanted.mesh));  // before all the work
   const mapping::SavedMap saved = read_saved_map(map);
   if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));
   if (!wanted.pcd.empty()) {
@@ -156,6 +164,7 @@ MapExported export_map(const fs::path& map, const MapExport& wanted) {
   if (!wanted.las.empty()) io::write_las(wanted.las, points_of<double>(saved));
   MapExported done;
   if (!wanted.tiles.empty()) done.tiles = export_tiles(saved, wanted);
+  if (!wanted.mesh.empty()) done.triangles = export_mesh(saved, wanted);
   if (!wanted.grid.empty()) done.grids.push_back(export_occupancy(saved, wanted));
   if (!wanted.elevation.empty()) done.grids.push_back(export_elevation(saved, wanted));
   return done;

@@ -10,6 +10,7 @@
 
 #include "io/files/point_tiles.hpp"
 #include "mapping/grid_map.hpp"
+#include "mapping/surface_mesh.hpp"
 #include "mapping/traversability.hpp"
 
 namespace surefoot::runs {
@@ -20,6 +21,8 @@ struct MapExport {
   std::filesystem::path
       tiles;  ///< a new folder: 3D Tiles, and a page that shows them if there is one
   std::optional<io::EarthPlace> tiles_at;
+  std::filesystem::path mesh;  ///< .ply, .obj or .stl
+  mapping::MeshOptions triangles;
   std::filesystem::path grid;       ///< .pgm and .yaml beside each other
   std::filesystem::path elevation;  ///< .asc and _variance.asc; .tif: all layers in one
   mapping::GridOptions occupancy;
@@ -36,6 +39,7 @@ struct ExportedGrid {
 struct MapExported {
   std::vector<ExportedGrid> grids;
   io::TileCounts tiles;
+  std::size_t triangles = 0;
 };
 
 /// Throws io::ReadError, io::WriteError, std::invalid_argument where nothing is asked for.

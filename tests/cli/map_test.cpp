@@ -87,6 +87,26 @@ TEST_F(MapCommand, BecomesTilesInAFolderOfTheirOwn) {
   EXPECT_FALSE(fs::exists(path("more")));
 }
 
+/// Triangles as others read them; the simulator does, and walks on them.
+TEST_F(MapCommand, BecomesASceneToWalkThrough) {
+  for (const char* file : {"mesh.ply", "mesh.obj", "mesh.STL"}) {
+    const ProcessResult result = surefoot({"export", "map", "--mesh", file, "--mesh-cell", "0.4"});
+    ASSERT_EQ(result.exit_code, 0) << result;
+    EXPECT_NE(result.output.find(" triangles"), std::string::npos) << result;
+    EXPECT_GT(fs::file_size(path(file)), 100'000U) << file;
+  }
+  EXPECT_EQ((fs::file_size(path("mesh.STL")) - 84) % 50, 0U);
+  write_content(path("way.txt"), "1 0 0\n6 0 0\n6 1 0\n1 1 0\n");
+  for (const char* file : {"mesh.ply", "mesh.obj"}) {
+    const ProcessResult result =
+        surefoot({"simulate", file, "--route", "way.txt", "--scans", "2", "--format", "pcap", "-q",
+                  "-o", file + std::string("-walk")});
+    EXPECT_EQ(result.exit_code, 0) << result;
+  }
+  expect_refused({"export", "map", "--mesh", "mesh.dae"}, "mesh.dae: ends with '.dae'");
+  expect_refused({"export", "map", "--mesh", "none.ply", "--mesh-cell", "0"}, "--mesh-cell");
+}
+
 TEST_F(MapCommand, HeightsAreLayersThatGdalReads) {
   const ProcessResult result = surefoot({"export", "map", "--elevation", "ground.tif",
                                          "--elevation-cell", "0.25", "--max-step", "0.1"});
