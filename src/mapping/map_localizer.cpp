@@ -33,7 +33,9 @@ MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
 void MapLocalizer::add(const PlacedScan& scan, const ScanPoints& points) {
   if (scan.restarted) {
     T_map_world_.reset();
+    last_.reset();
     forget_places();
+    agreement_.begin_anew();
     forget();
     message_ = "the odometry began anew";
   }

@@ -38,6 +38,8 @@ class PlaceAgreement {
   /// A search in which places looked alike: that one of them is not named any more says little.
   void add_alike(double way) { alike_at_ = way; }
   void forget() { agreed_.reset(); }
+  /// The robot's world is another one: poses in it that were remembered say nothing of it.
+  void begin_anew() { *this = PlaceAgreement(limits_); }
 
  private:
   struct Agreed {

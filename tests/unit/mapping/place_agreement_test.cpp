@@ -89,5 +89,16 @@ TEST(PlaceAgreement, AfterPlacesWereAlikeOtherThingsHaveToBeSeen) {
   EXPECT_TRUE(add_to(agreement, 0.9, 4.1));
 }
 
+/// In another world the same numbers are another place.
+TEST(PlaceAgreement, BegunAnewItRemembersNothing) {
+  PlaceAgreement agreement({});
+  agreement.add_missing(Pose(), 0.16, 0.0);
+  agreement.add_alike(0.0);
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(add_to(agreement, 0.9, 0.0));
+  agreement.begin_anew();
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(add_to(agreement, 0.9, 0.0));
+  EXPECT_TRUE(add_to(agreement, 0.9, 0.0));
+}
+
 }  // namespace
 }  // namespace surefoot::mapping
