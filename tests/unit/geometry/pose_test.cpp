@@ -56,7 +56,7 @@ TEST(Pose, RollPitchYawAreTheAnglesOfThreeTurns) {
     const Eigen::Quaterniond turns = so3_exp({0.0, 0.0, angles.z()}) *
                                      so3_exp({0.0, angles.y(), 0.0}) *
                                      so3_exp({angles.x(), 0.0, 0.0});
-    EXPECT_LT(turns.angularDistance(from_roll_pitch_yaw(angles)), 1e-7);
+    EXPECT_LT((turns.coeffs() - from_roll_pitch_yaw(angles).coeffs()).norm(), 1e-15);
     // Near the pole, at a pitch of 1.57, angles lose digits as 1 / cos(pitch) = 1256.
     EXPECT_LT((roll_pitch_yaw(turns) - angles).norm(), 1e-9);
   }
