@@ -25,7 +25,7 @@ using namespace surefoot::simulation;
 constexpr double kSeconds = 20.0;
 constexpr std::uint64_t kFirstScan = 40;  // the robot walks
 constexpr std::uint64_t kScans = 150;
-constexpr std::size_t kPacket = 16;
+constexpr std::size_t kPacket = 8;
 
 /// A trotting robot with a VLP-16 in one of the scenes.
 struct Studio {
@@ -126,10 +126,10 @@ class BareEmbree {
   BareEmbree(const BareEmbree&) = delete;
   BareEmbree& operator=(const BareEmbree&) = delete;
 
-  void cast(RTCRayHit16& packet) const {
+  void cast(RTCRayHit8& packet) const {
     alignas(64) std::array<int, kPacket> valid;
     valid.fill(-1);
-    intersect_coherent16(valid.data(), scene_, packet);
+    intersect_coherent8(valid.data(), scene_, packet);
   }
 
  private:
@@ -137,10 +137,10 @@ class BareEmbree {
   RTCScene scene_;
 };
 
-std::vector<RTCRayHit16> packets_of(const std::vector<Ray>& rays, float reach) {
-  std::vector<RTCRayHit16> packets(rays.size() / kPacket);
+std::vector<RTCRayHit8> packets_of(const std::vector<Ray>& rays, float reach) {
+  std::vector<RTCRayHit8> packets(rays.size() / kPacket);
   for (std::size_t i = 0; i < packets.size() * kPacket; ++i) {
-    RTCRayHit16& packet = packets[i / kPacket];
+    RTCRayHit8& packet = packets[i / kPacket];
     const std::size_t lane = i % kPacket;
     packet.ray.org_x[lane] = rays[i].origin.x();
     packet.ray.org_y[lane] = rays[i].origin.y();
@@ -159,11 +159,11 @@ std::vector<RTCRayHit16> packets_of(const std::vector<Ray>& rays, float reach) {
 void time_embree(benchmark::State& state, const std::string& scene) {
   const Studio studio(scene);
   const BareEmbree embree(studio.scene.mesh);
-  const std::vector<RTCRayHit16> packets =
+  const std::vector<RTCRayHit8> packets =
       packets_of(revolution(studio), static_cast<float>(studio.scanner.model().max_range));
   for (auto _ : state) {
-    for (const RTCRayHit16& unused : packets) {
-      RTCRayHit16 packet = unused;  // casting changes it
+    for (const RTCRayHit8& unused : packets) {
+      RTCRayHit8 packet = unused;  // casting changes it
       embree.cast(packet);
       benchmark::DoNotOptimize(packet);
     }

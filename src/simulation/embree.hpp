@@ -12,18 +12,18 @@
 
 namespace surefoot::simulation {
 
-/// Casts 16 rays that point in similar directions; `valid` is -1 for those to cast, else 0.
-inline void intersect_coherent16(const int* valid, RTCScene scene, RTCRayHit16& packet) {
+/// Casts 8 rays that point in similar directions; `valid` is -1 for those to cast, else 0.
+inline void intersect_coherent8(const int* valid, RTCScene scene, RTCRayHit8& packet) {
 #if SUREFOOT_EMBREE_MAJOR >= 4
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  rtcIntersect16(valid, scene, &packet, &arguments);
+  rtcIntersect8(valid, scene, &packet, &arguments);
 #else
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid, scene, &context, &packet);
+  rtcIntersect8(valid, scene, &context, &packet);
 #endif
 }
 

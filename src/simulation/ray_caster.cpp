@@ -15,7 +15,10 @@ namespace surefoot::simulation {
 
 namespace {
 
-constexpr std::size_t kPacket = 16;
+// Rays at a time. Embree cuts packets of 16 into these where the processor has no vectors of 16.
+constexpr std::size_t kPacket = 8;
+/// A number of each ray of a packet.
+using Lanes = Eigen::Array<float, kPacket, 1>;
 
 /// A mesh with two time steps is not needed: only whole objects move, as instances.
 RTCGeometry make_triangles(RTCDevice device, const TriangleMesh& mesh) {
@@ -52,28 +55,56 @@ RTCScene make_scene(RTCDevice device, const TriangleMesh& mesh) {
   return scene;
 }
 
-void set_ray(RTCRayHit16& packet, std::size_t i, const Ray& ray, float max_distance) {
-  packet.ray.org_x[i] = ray.origin.x();
-  packet.ray.org_y[i] = ray.origin.y();
-  packet.ray.org_z[i] = ray.origin.z();
-  packet.ray.dir_x[i] = ray.direction.x();
-  packet.ray.dir_y[i] = ray.direction.y();
-  packet.ray.dir_z[i] = ray.direction.z();
-  packet.ray.tnear[i] = 0.0F;
-  packet.ray.tfar[i] = max_distance;
-  packet.ray.time[i] = ray.time;
-  packet.ray.mask[i] = 0xffffffffU;
-  packet.ray.id[i] = 0;
-  packet.ray.flags[i] = 0;
-  packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-  packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+/// Rays into the first lanes. The others have none: Embree may look at the rays alone, not at their
+/// validity, and takes one that ends before it begins for none.
+void load(RTCRayHit8& packet, std::span<const Ray> rays, float max_distance) {
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    const Ray& ray = rays[std::min(i, rays.size() - 1)];
+    packet.ray.org_x[i] = ray.origin.x();
+    packet.ray.org_y[i] = ray.origin.y();
+    packet.ray.org_z[i] = ray.origin.z();
+    packet.ray.dir_x[i] = ray.direction.x();
+    packet.ray.dir_y[i] = ray.direction.y();
+    packet.ray.dir_z[i] = ray.direction.z();
+    packet.ray.time[i] = ray.time;
+  }
+  std::fill_n(packet.ray.tnear, kPacket, 0.0F);
+  std::fill_n(packet.ray.tfar, kPacket, -1.0F);
+  std::fill_n(packet.ray.tfar, rays.size(), max_distance);
+  std::fill_n(packet.ray.mask, kPacket, 0xffffffffU);
+  std::fill_n(packet.ray.id, kPacket, 0U);
+  std::fill_n(packet.ray.flags, kPacket, 0U);
+  std::fill_n(packet.hit.Ng_x, kPacket, 0.0F);
+  std::fill_n(packet.hit.Ng_y, kPacket, 0.0F);
+  std::fill_n(packet.hit.Ng_z, kPacket, 0.0F);
+  std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(packet.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
 }
 
-/// The lane of a packet that has no ray. Where the processor has no vectors of 16, Embree cuts the
-/// packet up and looks at the rays alone, not at their validity: it takes one that ends before it
-/// begins for none.
-void set_no_ray(RTCRayHit16& packet, std::size_t i) {
-  set_ray(packet, i, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), 0.0F}, -1.0F);
+void intersect(RTCScene scene, std::size_t rays, RTCRayHit8& packet) {
+  alignas(32) std::array<int, kPacket> valid{};
+  std::fill_n(valid.begin(), rays, -1);
+  intersect_coherent8(valid.data(), scene, packet);
+}
+
+Eigen::Vector3f unit_normal(const RTCRayHit8& packet, std::size_t i) {
+  return Eigen::Vector3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]).normalized();
+}
+
+/// |cos| of the angle between each ray and the normal of what it met; 0 where it met nothing.
+Lanes cosines_of_incidence(const RTCRayHit8& packet) {
+  const auto lanes = [](const float* values) { return Eigen::Map<const Lanes>(values); };
+  const auto x = lanes(packet.hit.Ng_x);
+  const auto y = lanes(packet.hit.Ng_y);
+  const auto z = lanes(packet.hit.Ng_z);
+  // Eigen's own root of several numbers is not rounded as one of a single number.
+  const Lanes length =
+      (x * x + (y * y + z * z)).max(std::numeric_limits<float>::min()).unaryExpr([](float square) {
+        return std::sqrt(square);
+      });
+  const Lanes dot = x / length * lanes(packet.ray.dir_x) +
+                    (y / length * lanes(packet.ray.dir_y) + z / length * lanes(packet.ray.dir_z));
+  return dot.abs().min(1.0F);
 }
 
 /// What of a mesh bears a foot.
@@ -160,8 +191,10 @@ struct RayCaster::Impl {
 
   void cast_packet(std::span<const Ray> rays, float max_distance, std::span<Hit> hits,
                    int panes_passed = 0) const;
-  void go_on_behind_panes(std::span<const Ray> rays, std::span<const Eigen::Vector3f> normals,
-                          float max_distance, std::span<Hit> hits, int panes_passed) const;
+  void go_on_behind_panes(std::span<const Ray> rays, const RTCRayHit8& packet, float max_distance,
+                          std::span<Hit> hits, int panes_passed) const;
+  static float cos_to_moving(const Ray& ray, const Eigen::Vector3f& normal,
+                             const Instance& instance);
 
   RTCDevice device;
   // What moves has a scene of its own: it is built anew for every scan, the fixed one never.
@@ -191,46 +224,40 @@ void RayCaster::set_interval(double begin, double end) {
 
 void RayCaster::Impl::cast_packet(std::span<const Ray> rays, float max_distance,
                                   std::span<Hit> hits, int panes_passed) const {
-  alignas(64) RTCRayHit16 packet;
-  alignas(64) std::array<int, kPacket> valid{};
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    valid[i] = -1;
-    set_ray(packet, i, rays[i], max_distance);
-  }
-  for (std::size_t i = rays.size(); i < kPacket; ++i) set_no_ray(packet, i);
-  intersect_coherent16(valid.data(), fixed, packet);
+  alignas(32) RTCRayHit8 packet;
+  load(packet, rays, max_distance);
+  intersect(fixed, rays.size(), packet);
   // Rays now end where they met something fixed; only what is nearer takes its place.
-  if (movers != nullptr) intersect_coherent16(valid.data(), movers, packet);
+  if (movers != nullptr) intersect(movers, rays.size(), packet);
 
-  std::array<Eigen::Vector3f, kPacket> normals;
+  const Lanes cosines = cosines_of_incidence(packet);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = Hit{};
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    const Eigen::Vector3f normal =
-        Eigen::Vector3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]).normalized();
-    normals[i] = normal;
-    const unsigned instance = packet.hit.instID[0][i];
-    const bool moving = instance != RTC_INVALID_GEOMETRY_ID;
-    hits[i].met = moving ? Met::moving : Met::still;
-    // A normal met inside an instance is in the object's frame, so the ray must be too; objects
-    // only turn about the vertical or not at all, and the ratio below needs the rotation alone.
-    Eigen::Vector3f direction = rays[i].direction;
-    if (moving) {
-      std::array<float, 12> matrix{};
-      rtcGetGeometryTransform(instances[instance].geometry, rays[i].time,
-                              RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, matrix.data());
-      const Eigen::Map<const Eigen::Matrix<float, 3, 4>> T_map_object(matrix.data());
-      direction = T_map_object.leftCols<3>().transpose() * direction;
-    }
     hits[i].distance = packet.ray.tfar[i];
-    hits[i].cos_incidence = std::min(1.0F, std::abs(normal.dot(direction)));
-    const std::vector<Material>& materials =
-        moving ? instances[instance].materials : static_materials;
-    hits[i].material = materials[packet.hit.primID[i]];
+    const unsigned instance = packet.hit.instID[0][i];
+    if (instance == RTC_INVALID_GEOMETRY_ID) {
+      hits[i].cos_incidence = cosines[static_cast<Eigen::Index>(i)];
+      hits[i].material = static_materials[packet.hit.primID[i]];
+    } else {
+      hits[i].met = Met::moving;
+      hits[i].cos_incidence = cos_to_moving(rays[i], unit_normal(packet, i), instances[instance]);
+      hits[i].material = instances[instance].materials[packet.hit.primID[i]];
+    }
   }
-  if (has_panes) {
-    go_on_behind_panes(rays, {normals.data(), rays.size()}, max_distance, hits, panes_passed);
-  }
+  if (has_panes) go_on_behind_panes(rays, packet, max_distance, hits, panes_passed);
+}
+
+/// A normal met inside an instance is in the object's frame, so the ray must be too; objects only
+/// turn about the vertical or not at all, and the ratio needs the rotation alone.
+float RayCaster::Impl::cos_to_moving(const Ray& ray, const Eigen::Vector3f& normal,
+                                     const Instance& instance) {
+  std::array<float, 12> matrix{};
+  rtcGetGeometryTransform(instance.geometry, ray.time, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                          matrix.data());
+  const Eigen::Map<const Eigen::Matrix<float, 3, 4>> T_map_object(matrix.data());
+  const Eigen::Vector3f direction = T_map_object.leftCols<3>().transpose() * ray.direction;
+  return std::min(1.0F, std::abs(normal.dot(direction)));
 }
 
 /// Fresnel's law after Schlick, both faces of a pane together: 8 % when looked at straight.
@@ -239,8 +266,7 @@ float pane_reflectance(float cos_incidence) {
   return kStraight + (1.0F - kStraight) * std::pow(1.0F - cos_incidence, 5.0F);
 }
 
-void RayCaster::Impl::go_on_behind_panes(std::span<const Ray> rays,
-                                         std::span<const Eigen::Vector3f> normals,
+void RayCaster::Impl::go_on_behind_panes(std::span<const Ray> rays, const RTCRayHit8& packet,
                                          float max_distance, std::span<Hit> hits,
                                          int panes_passed) const {
   constexpr int kMostPanes = 6;
@@ -259,7 +285,10 @@ void RayCaster::Impl::go_on_behind_panes(std::span<const Ray> rays,
     Ray& ray = onward[count];
     ray = rays[i];
     ray.origin += hits[i].distance * ray.direction;
-    if (mirrored) ray.direction -= 2.0F * normals[i].dot(ray.direction) * normals[i];
+    if (mirrored) {
+      const Eigen::Vector3f normal = unit_normal(packet, i);
+      ray.direction -= 2.0F * normal.dot(ray.direction) * normal;
+    }
     ray.origin += kClear * ray.direction;
     hits[i].passed = there * there;
     hits[i].met = mirrored ? Met::mirrored : Met::still;
@@ -290,13 +319,10 @@ void RayCaster::cast(std::span<const Ray> rays, float max_distance, std::span<Hi
 }
 
 std::optional<double> RayCaster::ground_below(const Eigen::Vector3d& point, double depth) const {
-  alignas(64) RTCRayHit16 packet;
-  alignas(64) std::array<int, kPacket> valid{};
-  valid[0] = -1;
-  set_ray(packet, 0, {point.cast<float>(), -Eigen::Vector3f::UnitZ(), 0.0F},
-          static_cast<float>(depth));
-  for (std::size_t i = 1; i < kPacket; ++i) set_no_ray(packet, i);
-  intersect_coherent16(valid.data(), impl_->firm == nullptr ? impl_->fixed : impl_->firm, packet);
+  const Ray down{point.cast<float>(), -Eigen::Vector3f::UnitZ(), 0.0F};
+  alignas(32) RTCRayHit8 packet;
+  load(packet, {&down, 1}, static_cast<float>(depth));
+  intersect(impl_->firm == nullptr ? impl_->fixed : impl_->firm, 1, packet);
   if (packet.hit.geomID[0] == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return point.z() - static_cast<double>(packet.ray.tfar[0]);
 }

@@ -47,7 +47,7 @@ class RayCaster {
   /// Puts the moving objects where they are between two instants [s]; in between they move evenly.
   void set_interval(double begin, double end);
   /// One hit a ray. @param max_distance [m]. Rays next to each other in the span should point in
-  /// similar directions: they are cast 16 at a time. Panes let a ray through or mirror it; the
+  /// similar directions: they are cast 8 at a time. Panes let a ray through or mirror it; the
   /// distance is then that along its whole way.
   void cast(std::span<const Ray> rays, float max_distance, std::span<Hit> hits) const;
   /// Height of the ground under a point [m], if there is any within `depth`: of what stands still
