@@ -55,36 +55,58 @@ void add_hit(Echo& echo, const LidarModel& model, const Hit& hit, double share) 
   echo.met = std::max(echo.met, hit.met);
 }
 
-/// Groups hits by distance; at most one echo a hit, nearest first.
-std::size_t group_hits(const LidarModel& model, std::span<const FootprintRay> footprint,
-                       std::span<const Hit> hits, std::array<Echo, kCross.size()>& echoes) {
-  std::array<std::size_t, kCross.size()> order{};
-  std::size_t met = 0;
-  for (std::size_t i = 0; i < std::min(hits.size(), order.size()); ++i) {
-    if (!hits[i].valid()) continue;
-    std::size_t place = met++;
-    for (; place > 0 && hits[order[place - 1]].distance > hits[i].distance; --place) {
-      order[place] = order[place - 1];
+/// Which hits met something, nearest first.
+class NearestFirst {
+ public:
+  explicit NearestFirst(std::span<const Hit> hits) {
+    for (std::size_t i = 0; i < std::min(hits.size(), order_.size()); ++i) {
+      if (!hits[i].valid()) continue;
+      std::size_t place = count_++;
+      for (; place > 0 && hits[order_[place - 1]].distance > hits[i].distance; --place) {
+        order_[place] = order_[place - 1];
+      }
+      order_[place] = i;
     }
-    order[place] = i;
   }
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < met; ++k) {
-    const Hit& hit = hits[order[k]];
-    const bool apart = count == 0 || static_cast<double>(hit.distance) >
-                                         echoes[count - 1].farthest + model.pulse_length;
-    if (apart) ++count;
-    add_hit(echoes[count - 1], model, hit, static_cast<double>(footprint[order[k]].share));
-  }
-  return count;
+  [[nodiscard]] bool empty() const { return next_ == count_; }
+  [[nodiscard]] std::size_t front() const { return order_[next_]; }
+  void pop_front() { ++next_; }
+
+ private:
+  std::array<std::size_t, kCross.size()> order_{};
+  std::size_t count_ = 0;
+  std::size_t next_ = 0;
+};
+
+/// Takes the nearest hit and those near enough to it or to each other.
+Echo take_echo(const LidarModel& model, std::span<const FootprintRay> footprint,
+               std::span<const Hit> hits, NearestFirst& left) {
+  Echo echo;
+  do {
+    const Hit& hit = hits[left.front()];
+    add_hit(echo, model, hit, static_cast<double>(footprint[left.front()].share));
+    left.pop_front();
+  } while (!left.empty() &&
+           static_cast<double>(hits[left.front()].distance) <= echo.farthest + model.pulse_length);
+  return echo;
 }
 
+/// Compares chance with odds / (1 + odds).
 bool detected(const Echo& echo, double chance) {
   constexpr double kCertain = 20.0;  // odds of 20^(1/0.15): 5e8 to 1
-  if (echo.power > kCertain) return chance < 1.0 - kRandomLoss;
+  constexpr double kKept = 1.0 - kRandomLoss;
+  if (echo.power > kCertain) return chance < kKept;
+  // The exponent lies between 6 and 7, and nearly all chances beyond both: no power is needed.
+  static_assert(1.0 / kDetectionWidth > 6.0 && 1.0 / kDetectionWidth < 7.0);
+  constexpr double kRounding = 1e-9;
+  const double cube = echo.power * echo.power * echo.power;
+  const double sixth = cube * cube;
+  const double seventh = sixth * echo.power;
+  const auto [low, high] = std::minmax(sixth, seventh);
+  if (chance * (1.0 + low) < (1.0 - kRounding) * kKept * low) return true;
+  if (chance * (1.0 + high) > (1.0 + kRounding) * kKept * high) return false;
   const double odds = std::pow(echo.power, 1.0 / kDetectionWidth);
-  const double probability = std::isinf(odds) ? 1.0 : odds / (1.0 + odds);
-  return chance < probability * (1.0 - kRandomLoss);
+  return chance < odds / (1.0 + odds) * kKept;
 }
 
 BeamReturn measure(const LidarModel& model, const Echo& echo, double standard_normal) {
@@ -111,25 +133,25 @@ std::span<const FootprintRay> footprint_rays(bool several) {
 
 BeamReturns detect(const LidarModel& model, std::span<const FootprintRay> footprint,
                    std::span<const Hit> hits, const CounterRandom& random, std::uint64_t counter) {
-  std::array<Echo, kCross.size()> echoes{};
-  const std::size_t count = group_hits(model, footprint, hits, echoes);
+  NearestFirst left(hits);
   BeamReturns returns;
   std::array<double, 2> powers{};
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::uint64_t i = 0; !left.empty(); ++i) {
+    const Echo echo = take_echo(model, footprint, hits, left);
     const std::uint64_t draw =
         counter * kDrawsPerBeam + std::min<std::uint64_t>(i, 1) * kDrawsPerReturn;
-    if (!detected(echoes[i], random.uniform(draw))) continue;
-    const BeamReturn value = measure(model, echoes[i], random.normal(draw + 1));
+    if (!detected(echo, random.uniform(draw))) continue;
+    const BeamReturn value = measure(model, echo, random.normal(draw + 1));
     if (value.range < model.min_range || value.range > model.max_range) continue;
     // The strongest goes first; of the others the last, that is the farthest, is kept.
-    if (returns.count == 0 || echoes[i].power <= powers[0]) {
+    if (returns.count == 0 || echo.power <= powers[0]) {
       const int slot = std::min(returns.count, 1);
       returns.values[static_cast<std::size_t>(slot)] = value;
-      powers[static_cast<std::size_t>(slot)] = echoes[i].power;
+      powers[static_cast<std::size_t>(slot)] = echo.power;
     } else {
       returns.values[1] = returns.values[0];
       returns.values[0] = value;
-      powers[0] = echoes[i].power;
+      powers[0] = echo.power;
     }
     returns.count = std::min(returns.count + 1, 2);
   }
