@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "surefoot/seconds.hpp"
@@ -20,7 +21,6 @@ constexpr std::uint64_t kPurposeBeam = 121;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr std::int64_t kTruthStepNs = 2'500'000;  // 400 Hz
 constexpr std::size_t kBlockSequences = 16;
-constexpr std::size_t kMaxFootprint = 8;
 
 /// Trunk and head of a Go2-sized robot, in the LiDAR's frame: the sensor stands on its back.
 Scene robot_body() {
@@ -48,15 +48,6 @@ std::uint64_t first_at_or_after(double time_ns, double sequence_ns) {
 Eigen::Vector3d direction_of(double azimuth, double elevation) {
   const double horizontal = std::cos(elevation);
   return {horizontal * std::cos(azimuth), -horizontal * std::sin(azimuth), std::sin(elevation)};
-}
-
-/// R_lidar_rotor: the rotor at a clockwise azimuth.
-Eigen::Matrix3d rotor_at(double azimuth) {
-  const double c = std::cos(azimuth);
-  const double s = std::sin(azimuth);
-  Eigen::Matrix3d rotation;
-  rotation << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
-  return rotation;
 }
 
 }  // namespace
@@ -104,36 +95,62 @@ double Scanner::firing_ns(std::uint64_t sequence, std::size_t laser) const {
   return static_cast<double>(sequence) * model_.sequence_ns + model_.lasers[laser].offset_ns;
 }
 
-double Scanner::reported_azimuth(std::uint64_t sequence, std::size_t laser) const {
+Scanner::AzimuthReading Scanner::azimuth_reading(std::uint64_t sequence) const {
   const auto per_reading = static_cast<std::uint64_t>(model_.sequences_per_azimuth);
-  const double rate = kTwoPi / model_.turn_ns;
-  const double read_ns =
-      static_cast<double>(sequence - sequence % per_reading) * model_.sequence_ns;
-  double reading = rate * std::fmod(read_ns, model_.turn_ns);
+  AzimuthReading reading;
+  reading.time_ns = static_cast<double>(sequence - sequence % per_reading) * model_.sequence_ns;
+  reading.azimuth = kTwoPi / model_.turn_ns * within_turn(reading.time_ns, model_.turn_ns);
   if (model_.azimuth_unit > 0.0) {
-    reading = std::round(reading / model_.azimuth_unit) * model_.azimuth_unit;
+    reading.azimuth = std::round(reading.azimuth / model_.azimuth_unit) * model_.azimuth_unit;
   }
-  const double azimuth = reading + rate * (firing_ns(sequence, laser) - read_ns);
-  return azimuth - kTwoPi * std::floor(azimuth / kTwoPi);
+  return reading;
+}
+
+double Scanner::azimuth_after(const AzimuthReading& reading, double time_ns) const {
+  const double azimuth = reading.azimuth + kTwoPi / model_.turn_ns * (time_ns - reading.time_ns);
+  return azimuth < kTwoPi ? azimuth : azimuth - kTwoPi;
+}
+
+double Scanner::reported_azimuth(std::uint64_t sequence, std::size_t laser) const {
+  return azimuth_after(azimuth_reading(sequence), firing_ns(sequence, laser));
 }
 
 std::size_t Scanner::slot(std::size_t laser, std::size_t sequence) const {
   return laser * kBlockSequences + sequence;
 }
 
+void Scanner::fire(const Block& block) {
+  std::array<AzimuthReading, kBlockSequences> readings;
+  for (std::size_t i = 0; i < block.sequences; ++i) readings[i] = azimuth_reading(block.first + i);
+  const double rate = kTwoPi / model_.turn_ns;
+  for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
+    const bool with_last =
+        laser > 0 && model_.lasers[laser].offset_ns == model_.lasers[laser - 1].offset_ns;
+    for (std::size_t i = 0; i < block.sequences; ++i) {
+      Firing& firing = firings_[slot(laser, i)];
+      if (with_last) {
+        firing = firings_[slot(laser - 1, i)];
+        continue;
+      }
+      firing.sequence = block.first + i;
+      firing.time_ns = firing_ns(firing.sequence, laser);
+      firing.reported_azimuth = azimuth_after(readings[i], firing.time_ns);
+      firing.rotor = Rotor(rate * within_turn(firing.time_ns, model_.turn_ns));
+      const Pose T_map_lidar = motion_.T_map_lidar(1e-9 * firing.time_ns);
+      firing.R_map_rotor = firing.rotor.after(T_map_lidar.rotation.toRotationMatrix());
+      firing.position = T_map_lidar.translation;
+    }
+  }
+}
+
 void Scanner::aim(const Block& block, double begin_ns, double end_ns) {
   for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
     const RotorBeam& beam = beams_[laser];
     for (std::size_t i = 0; i < block.sequences; ++i) {
-      const double time_ns = firing_ns(block.first + i, laser);
-      const Pose T_map_lidar = motion_.T_map_lidar(1e-9 * time_ns);
-      Firing& firing = firings_[slot(laser, i)];
-      firing.R_map_rotor = T_map_lidar.rotation.toRotationMatrix() *
-                           rotor_at(kTwoPi / model_.turn_ns * std::fmod(time_ns, model_.turn_ns));
-      firing.position = T_map_lidar.translation;
+      const Firing& firing = firings_[slot(laser, i)];
       const Eigen::Vector3f origin =
           (firing.R_map_rotor * beam.origin + firing.position).cast<float>();
-      const double within = (time_ns - begin_ns) / (end_ns - begin_ns);
+      const double within = (firing.time_ns - begin_ns) / (end_ns - begin_ns);
       Ray* rays = &aimed_[slot(laser, i) * footprint_.size()];
       for (std::size_t part = 0; part < footprint_.size(); ++part) {
         rays[part] = {origin, (firing.R_map_rotor * beam.footprint[part]).cast<float>(),
@@ -147,44 +164,50 @@ void Scanner::aim_at_body(const Block& block) {
   for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
     const RotorBeam& beam = beams_[laser];
     for (std::size_t i = 0; i < block.sequences; ++i) {
-      const double time_ns = firing_ns(block.first + i, laser);
-      const Eigen::Matrix3d R_lidar_rotor =
-          rotor_at(kTwoPi / model_.turn_ns * std::fmod(time_ns, model_.turn_ns));
+      const Rotor& rotor = firings_[slot(laser, i)].rotor;
       Ray* rays = &aimed_[slot(laser, i) * footprint_.size()];
       for (std::size_t part = 0; part < footprint_.size(); ++part) {
-        rays[part] = {(R_lidar_rotor * beam.origin).cast<float>(),
-                      (R_lidar_rotor * beam.footprint[part]).cast<float>(), 0.0F};
+        rays[part] = {(rotor * beam.origin).cast<float>(),
+                      (rotor * beam.footprint[part]).cast<float>(), 0.0F};
       }
     }
   }
 }
 
-void Scanner::report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
-                     const BeamReturn& value, bool last, SimulatedScan& result) const {
+void Scanner::hide_behind_body() {
+  for (std::size_t i = 0; i < hits_.size(); ++i) {
+    if (!body_hits_[i].valid()) continue;
+    hits_[i] = body_hits_[i];
+    hits_[i].met = Met::robot;
+  }
+}
+
+void Scanner::report(const Firing& firing, std::size_t laser, const BeamReturn& value, bool last,
+                     SimulatedScan& result) const {
   const RotorBeam& beam = beams_[laser];
-  const Eigen::Matrix3d reported = rotor_at(reported_azimuth(sequence, laser));
-  const std::int64_t time_ns = std::llround(firing_ns(sequence, laser)) + options_.start_ns;
+  const Rotor reported(firing.reported_azimuth);
+  const std::int64_t time_ns = std::llround(firing.time_ns) + options_.start_ns;
   result.scan.points.push_back(
       (reported * (beam.origin + value.range * beam.direction)).cast<float>());
   result.scan.intensities.push_back(static_cast<float>(value.intensity));
   result.scan.times_ns.push_back(static_cast<std::int32_t>(time_ns - result.scan.stamp_ns));
   result.scan.rings.push_back(model_.lasers[laser].ring);
   result.raw.push_back(
-      {sequence, static_cast<std::uint16_t>(laser), last, value.range, value.intensity});
+      {firing.sequence, static_cast<std::uint16_t>(laser), last, value.range, value.intensity});
   result.true_points.push_back(
       firing.R_map_rotor * (beam.origin + value.true_range * beam.direction) + firing.position);
   result.labels.push_back(label_of(value));
 }
 
-void Scanner::add_airborne(std::uint64_t sequence, std::size_t laser, BeamReturns& returns) const {
+void Scanner::add_airborne(const Firing& firing, std::size_t laser, BeamReturns& returns) const {
   double surface = model_.max_range;
   for (int k = 0; k < returns.count; ++k) {
     surface = std::min(surface, returns.values[static_cast<std::size_t>(k)].true_range);
   }
   const std::optional<double> range =
-      air_.range(sequence * model_.lasers.size() + laser,
-                 reported_azimuth(sequence, laser) + model_.lasers[laser].azimuth_offset,
-                 1e-9 * firing_ns(sequence, laser), surface);
+      air_.range(firing.sequence * model_.lasers.size() + laser,
+                 firing.reported_azimuth + model_.lasers[laser].azimuth_offset,
+                 1e-9 * firing.time_ns, surface);
   if (!range || *range < model_.min_range) return;
   // It hides what is behind it from a sensor that reports one return a beam.
   returns.values[1] = returns.values[0];
@@ -197,27 +220,21 @@ void Scanner::add_airborne(std::uint64_t sequence, std::size_t laser, BeamReturn
 }
 
 void Scanner::collect(const Block& block, SimulatedScan& result) const {
-  std::array<Hit, kMaxFootprint> met{};
-  const std::size_t parts = std::min(footprint_.size(), met.size());
   for (std::size_t i = 0; i < block.sequences; ++i) {
     for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
-      const std::size_t first = slot(laser, i) * footprint_.size();
-      for (std::size_t part = 0; part < parts; ++part) {
-        const bool body_hit = body_ && body_hits_[first + part].valid();
-        met[part] = body_hit ? body_hits_[first + part] : hits_[first + part];
-        if (body_hit) met[part].met = Met::robot;
-      }
-      const std::uint64_t sequence = block.first + i;
-      BeamReturns returns = detect(model_, footprint_, {met.data(), parts}, random_,
-                                   sequence * model_.lasers.size() + laser);
-      if (!options_.air.clear()) add_airborne(sequence, laser, returns);
+      const Firing& firing = firings_[slot(laser, i)];
+      const std::span hits =
+          std::span(hits_).subspan(slot(laser, i) * footprint_.size(), footprint_.size());
+      BeamReturns returns =
+          detect(model_, footprint_, hits, random_, firing.sequence * model_.lasers.size() + laser);
+      if (!options_.air.clear()) add_airborne(firing, laser, returns);
       const int wanted = std::min(returns.count, options_.dual_return ? 2 : 1);
       for (int k = 0; k < wanted; ++k) {
         const BeamReturn& value = returns.values[static_cast<std::size_t>(k)];
         const bool last =
             wanted == 2 &&
             value.true_range > returns.values[static_cast<std::size_t>(1 - k)].true_range;
-        report(sequence, laser, firings_[slot(laser, i)], value, last, result);
+        report(firing, laser, value, last, result);
       }
     }
   }
@@ -236,12 +253,14 @@ SimulatedScan Scanner::scan(std::uint64_t index) {
   for (std::uint64_t first = result.first_sequence; first < result.end_sequence;
        first += kBlockSequences) {
     const Block block{first, std::min<std::size_t>(kBlockSequences, result.end_sequence - first)};
+    fire(block);
     if (body_) {
       aim_at_body(block);
       body_->cast(aimed_, max_distance, body_hits_);
     }
     aim(block, begin_ns, end_ns);
     rays_->cast(aimed_, max_distance, hits_);
+    if (body_) hide_behind_body();
     collect(block, result);
   }
   return result;

@@ -16,6 +16,7 @@
 #include "simulation/motion.hpp"
 #include "simulation/ray_caster.hpp"
 #include "simulation/return_model.hpp"
+#include "simulation/rotor.hpp"
 #include "surefoot/scan.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -89,6 +90,10 @@ class Scanner {
   };
   /// One firing: the rotor's pose in the map at its instant.
   struct Firing {
+    std::uint64_t sequence = 0;
+    double time_ns = 0.0;
+    double reported_azimuth = 0.0;
+    Rotor rotor;
     Eigen::Matrix3d R_map_rotor;
     Eigen::Vector3d position;
   };
@@ -97,13 +102,22 @@ class Scanner {
     std::uint64_t first = 0;
     std::size_t sequences = 0;
   };
+  /// The rotor's azimuth as the sensor last read it.
+  struct AzimuthReading {
+    double time_ns = 0.0;
+    double azimuth = 0.0;
+  };
 
+  [[nodiscard]] AzimuthReading azimuth_reading(std::uint64_t sequence) const;
+  [[nodiscard]] double azimuth_after(const AzimuthReading& reading, double time_ns) const;
+  void fire(const Block& block);
   void aim(const Block& block, double begin_ns, double end_ns);
   void aim_at_body(const Block& block);
+  void hide_behind_body();
   void collect(const Block& block, SimulatedScan& result) const;
-  void add_airborne(std::uint64_t sequence, std::size_t laser, BeamReturns& returns) const;
-  void report(std::uint64_t sequence, std::size_t laser, const Firing& firing,
-              const BeamReturn& value, bool last, SimulatedScan& result) const;
+  void add_airborne(const Firing& firing, std::size_t laser, BeamReturns& returns) const;
+  void report(const Firing& firing, std::size_t laser, const BeamReturn& value, bool last,
+              SimulatedScan& result) const;
   [[nodiscard]] std::size_t slot(std::size_t laser, std::size_t sequence) const;
 
   RayCaster* rays_;

@@ -112,6 +112,56 @@ TEST(LidarModelTest, OthersKeepToTheirPeriodsAndUnknownNamesAreRefused) {
   EXPECT_THROW((void)lidar_model("hdl-64"), std::invalid_argument);
 }
 
+TEST(RotorTest, TurnsVectorsAndFramesLikeItsMatrix) {
+  const double azimuth = 0.7;
+  Eigen::Matrix3d R_lidar_rotor;
+  R_lidar_rotor << std::cos(azimuth), std::sin(azimuth), 0.0, -std::sin(azimuth), std::cos(azimuth),
+      0.0, 0.0, 0.0, 1.0;
+  const Eigen::Vector3d v(1.0, -2.0, 3.0);
+  const Eigen::Matrix3d R_map_lidar = so3_exp({0.3, -0.2, 2.0}).toRotationMatrix();
+  EXPECT_EQ(Rotor(azimuth) * v, R_lidar_rotor * v);
+  EXPECT_EQ(Rotor(azimuth).after(R_map_lidar), R_map_lidar * R_lidar_rotor);
+}
+
+TEST(RotorTest, TimeWithinATurnIsTheRemainderToTheBit) {
+  const double turn_ns = lidar_model("vlp16").turn_ns;
+  for (const std::string& name : lidar_names()) {
+    const double step_ns = lidar_model(name).sequence_ns;
+    for (double sequence = 0.0; sequence * step_ns < 36e12; sequence += 4999.0) {  // ten hours
+      const double time_ns = sequence * step_ns;
+      ASSERT_EQ(within_turn(time_ns, turn_ns), std::fmod(time_ns, turn_ns)) << name << time_ns;
+    }
+  }
+  for (double turn = 1.0; turn < 1e6; ++turn) {
+    ASSERT_EQ(within_turn(turn * turn_ns, turn_ns), 0.0);
+    const double before_ns = std::nextafter(turn * turn_ns, 0.0);
+    ASSERT_EQ(within_turn(before_ns, turn_ns), std::fmod(before_ns, turn_ns));
+  }
+}
+
+TEST(ReturnModelTest, ABeamIsDetectedByADrawAgainstItsOdds) {
+  const LidarModel model = lidar_model("vlp16");
+  const CounterRandom random(5, 1);
+  int detections = 0;
+  for (std::uint64_t beam = 0; beam < 50'000; ++beam) {
+    // A facing wall of concrete whose power goes from 1/1024 to 32 times what is detected half of
+    // the time.
+    const double wanted = std::exp2(random.uniform(8 * beam + 7, -10.0, 5.0));
+    Hit hit{.distance = 40.0F, .cos_incidence = 1.0F, .material = Material::concrete};
+    hit.passed = static_cast<float>(wanted * 0.1 / reflectivity(hit.material) *
+                                    std::pow(40.0 / model.half_detection_range, 2.0));
+    const double power = static_cast<double>(hit.passed) * reflectivity(hit.material) / 0.1 *
+                         std::pow(model.half_detection_range / 40.0, 2.0);
+    const double odds = std::pow(power, 1.0 / 0.15);
+    const bool expected = random.uniform(8 * beam) < 0.997 * odds / (1.0 + odds);
+    const auto returns = detect(model, footprint_rays(false), {&hit, 1}, random, beam);
+    ASSERT_EQ(returns.count == 1, expected) << power;
+    detections += returns.count;
+  }
+  EXPECT_GT(detections, 10'000);
+  EXPECT_LT(detections, 40'000);
+}
+
 TEST(ScannerTest, FiringTimesAndAzimuthsAreTheSensors) {
   Studio studio(room());
   const SimulatedScan scan = studio.scanner.scan(3);
