@@ -14,4 +14,9 @@ Pose Motion::T_map_body(double time) const {
   return {from_roll_pitch_yaw(value.tail<3>()), value.head<3>()};
 }
 
+void Motion::T_map_lidar(std::span<const double> times, std::span<Pose> poses) const {
+  for (std::size_t i = 0; i < times.size(); ++i) poses[i] = T_map_body(times[i]);
+  for (std::size_t i = 0; i < times.size(); ++i) poses[i] = poses[i] * T_body_lidar_;
+}
+
 }  // namespace surefoot::simulation

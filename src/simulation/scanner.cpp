@@ -50,6 +50,16 @@ Eigen::Vector3d direction_of(double azimuth, double elevation) {
   return {horizontal * std::cos(azimuth), -horizontal * std::sin(azimuth), std::sin(elevation)};
 }
 
+void reserve(SimulatedScan& scan, std::size_t points) {
+  scan.scan.points.reserve(points);
+  scan.scan.intensities.reserve(points);
+  scan.scan.times_ns.reserve(points);
+  scan.scan.rings.reserve(points);
+  scan.raw.reserve(points);
+  scan.true_points.reserve(points);
+  scan.labels.reserve(points);
+}
+
 }  // namespace
 
 Scanner::Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
@@ -77,6 +87,7 @@ Scanner::Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
     beams_.push_back(std::move(beam));
   }
   if (options_.robot_body) body_ = std::make_unique<RayCaster>(robot_body());
+  readings_.resize(kBlockSequences);
   firings_.resize(model_.lasers.size() * kBlockSequences);
   aimed_.resize(firings_.size() * footprint_.size());
   hits_.resize(aimed_.size());
@@ -120,26 +131,34 @@ std::size_t Scanner::slot(std::size_t laser, std::size_t sequence) const {
 }
 
 void Scanner::fire(const Block& block) {
-  std::array<AzimuthReading, kBlockSequences> readings;
-  for (std::size_t i = 0; i < block.sequences; ++i) readings[i] = azimuth_reading(block.first + i);
-  const double rate = kTwoPi / model_.turn_ns;
+  for (std::size_t i = 0; i < block.sequences; ++i) {
+    readings_[i] = azimuth_reading(block.first + i);
+  }
   for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
-    const bool with_last =
-        laser > 0 && model_.lasers[laser].offset_ns == model_.lasers[laser - 1].offset_ns;
-    for (std::size_t i = 0; i < block.sequences; ++i) {
-      Firing& firing = firings_[slot(laser, i)];
-      if (with_last) {
-        firing = firings_[slot(laser - 1, i)];
-        continue;
-      }
-      firing.sequence = block.first + i;
-      firing.time_ns = firing_ns(firing.sequence, laser);
-      firing.reported_azimuth = azimuth_after(readings[i], firing.time_ns);
-      firing.rotor = Rotor(rate * within_turn(firing.time_ns, model_.turn_ns));
-      const Pose T_map_lidar = motion_.T_map_lidar(1e-9 * firing.time_ns);
-      firing.R_map_rotor = firing.rotor.after(T_map_lidar.rotation.toRotationMatrix());
-      firing.position = T_map_lidar.translation;
+    if (laser > 0 && model_.lasers[laser].offset_ns == model_.lasers[laser - 1].offset_ns) {
+      std::copy_n(&firings_[slot(laser - 1, 0)], block.sequences, &firings_[slot(laser, 0)]);
+    } else {
+      fire(block, laser);
     }
+  }
+}
+
+void Scanner::fire(const Block& block, std::size_t laser) {
+  std::array<double, kBlockSequences> times;
+  std::array<Pose, kBlockSequences> T_map_lidar;
+  Firing* const firings = &firings_[slot(laser, 0)];
+  for (std::size_t i = 0; i < block.sequences; ++i) {
+    Firing& firing = firings[i];
+    firing.sequence = block.first + i;
+    firing.time_ns = firing_ns(firing.sequence, laser);
+    firing.reported_azimuth = azimuth_after(readings_[i], firing.time_ns);
+    firing.rotor = Rotor(kTwoPi / model_.turn_ns * within_turn(firing.time_ns, model_.turn_ns));
+    times[i] = 1e-9 * firing.time_ns;
+  }
+  motion_.T_map_lidar({times.data(), block.sequences}, {T_map_lidar.data(), block.sequences});
+  for (std::size_t i = 0; i < block.sequences; ++i) {
+    firings[i].R_map_rotor = firings[i].rotor.after(T_map_lidar[i].rotation.toRotationMatrix());
+    firings[i].position = T_map_lidar[i].translation;
   }
 }
 
@@ -244,6 +263,7 @@ SimulatedScan Scanner::scan(std::uint64_t index) {
   SimulatedScan result;
   result.first_sequence = first_sequence(index);
   result.end_sequence = first_sequence(index + 1);
+  reserve(result, (result.end_sequence - result.first_sequence) * model_.lasers.size());
   const double begin_ns = static_cast<double>(result.first_sequence) * model_.sequence_ns;
   const double end_ns = static_cast<double>(result.end_sequence) * model_.sequence_ns;
   result.scan.stamp_ns = options_.start_ns + std::llround(begin_ns);

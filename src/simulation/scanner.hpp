@@ -111,6 +111,7 @@ class Scanner {
   [[nodiscard]] AzimuthReading azimuth_reading(std::uint64_t sequence) const;
   [[nodiscard]] double azimuth_after(const AzimuthReading& reading, double time_ns) const;
   void fire(const Block& block);
+  void fire(const Block& block, std::size_t laser);
   void aim(const Block& block, double begin_ns, double end_ns);
   void aim_at_body(const Block& block);
   void hide_behind_body();
@@ -131,6 +132,7 @@ class Scanner {
   std::unique_ptr<RayCaster> body_;
   // Working memory of one block, laser by laser, sequence by sequence: neighbours in it point
   // nearly the same way, which ray packets reward with twice the speed.
+  std::vector<AzimuthReading> readings_;  ///< one a sequence
   std::vector<Firing> firings_;
   std::vector<Ray> aimed_;
   std::vector<Hit> hits_;

@@ -69,6 +69,16 @@ TEST(CubicBSplineTest, RefusesTooFewControlsAndABadStep) {
   EXPECT_THROW(CubicBSpline<6>(CubicBSpline<6>::Controls(4), 0.0), std::invalid_argument);
 }
 
+TEST(MotionTest, SeveralTimesHaveThePosesOfEachToTheBit) {
+  const Motion motion = room_motion(gait_model("trot"), 4.0, 5);
+  const std::vector<double> times = {0.0, 1.0 / 3.0, 0.34, 2.5, 3.999};
+  std::vector<Pose> poses(times.size());
+  motion.T_map_lidar(times, poses);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_EQ(poses[i].matrix(), motion.T_map_lidar(times[i]).matrix());
+  }
+}
+
 TEST(GaitTest, EveryHarmonicHasTheAmplitudeThatWasAsked) {
   for (const char* name : {"trot", "walk", "stairs", "run", "handheld"}) {
     const GaitModel gait = bare(gait_model(name));
