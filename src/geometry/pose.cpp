@@ -60,16 +60,7 @@ Eigen::Vector3d roll_pitch_yaw(const Eigen::Quaterniond& rotation) {
 
 Eigen::Quaterniond from_roll_pitch_yaw(const Eigen::Vector3d& angles) {
   const Eigen::Vector3d half = 0.5 * angles;
-  const double sin_roll = std::sin(half.x());
-  const double cos_roll = std::cos(half.x());
-  const double sin_pitch = std::sin(half.y());
-  const double cos_pitch = std::cos(half.y());
-  const double sin_yaw = std::sin(half.z());
-  const double cos_yaw = std::cos(half.z());
-  return {cos_yaw * cos_pitch * cos_roll + sin_yaw * sin_pitch * sin_roll,
-          cos_yaw * cos_pitch * sin_roll - sin_yaw * sin_pitch * cos_roll,
-          cos_yaw * sin_pitch * cos_roll + sin_yaw * cos_pitch * sin_roll,
-          sin_yaw * cos_pitch * cos_roll - cos_yaw * sin_pitch * sin_roll};
+  return from_half_angles(SineCosine(half.x()), SineCosine(half.y()), SineCosine(half.z()));
 }
 
 }  // namespace surefoot

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "geometry/sine_cosine.hpp"
+
 namespace surefoot {
 
 /// [v]_x, so that hat(a) * b == a.cross(b).
@@ -20,6 +22,16 @@ namespace surefoot {
 [[nodiscard]] Eigen::Matrix3d so3_left_jacobian(const Eigen::Vector3d& rotation_vector);
 /// Inverse of J_l; |phi| <= pi.
 [[nodiscard]] Eigen::Matrix3d so3_left_jacobian_inverse(const Eigen::Vector3d& rotation_vector);
+
+/// from_roll_pitch_yaw of angles whose halves have these sines and cosines.
+[[nodiscard]] inline Eigen::Quaterniond from_half_angles(const SineCosine& roll,
+                                                         const SineCosine& pitch,
+                                                         const SineCosine& yaw) {
+  return {yaw.cosine * pitch.cosine * roll.cosine + yaw.sine * pitch.sine * roll.sine,
+          yaw.cosine * pitch.cosine * roll.sine - yaw.sine * pitch.sine * roll.cosine,
+          yaw.cosine * pitch.sine * roll.cosine + yaw.sine * pitch.cosine * roll.sine,
+          yaw.sine * pitch.cosine * roll.cosine - yaw.cosine * pitch.sine * roll.sine};
+}
 
 /// The shortest turn that brings one direction to another, neither of them zero; of opposite ones,
 /// half a turn about an axis across.

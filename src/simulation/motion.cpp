@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "geometry/so3.hpp"
+
 namespace surefoot::simulation {
 
 Motion::Motion(std::vector<PoseAngles> controls, const Pose& T_body_lidar)
@@ -15,8 +17,22 @@ Pose Motion::T_map_body(double time) const {
 }
 
 void Motion::T_map_lidar(std::span<const double> times, std::span<Pose> poses) const {
-  for (std::size_t i = 0; i < times.size(); ++i) poses[i] = T_map_body(times[i]);
-  for (std::size_t i = 0; i < times.size(); ++i) poses[i] = poses[i] * T_body_lidar_;
+  if (times.empty()) return;
+  const Eigen::Vector3d first = 0.5 * spline_(times.front()).tail<3>();
+  const SineCosineNear roll(first.x());
+  const SineCosineNear pitch(first.y());
+  const SineCosineNear yaw(first.z());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const PoseAngles value = spline_(times[i]);
+    const Eigen::Vector3d half = 0.5 * value.tail<3>();
+    poses[i] = {from_half_angles(roll(half.x()), pitch(half.y()), yaw(half.z())), value.head<3>()};
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    // A product of two unit quaternions is one without being normalised.
+    const Pose T_map_body = poses[i];
+    poses[i] = {T_map_body.rotation * T_body_lidar_.rotation,
+                T_map_body * T_body_lidar_.translation};
+  }
 }
 
 }  // namespace surefoot::simulation

@@ -32,7 +32,8 @@ class Motion {
   /// @param time seconds since the recording's start.
   [[nodiscard]] Pose T_map_body(double time) const;
   [[nodiscard]] Pose T_map_lidar(double time) const { return T_map_body(time) * T_body_lidar_; }
-  /// The same, one pose a time: faster than one by one, whose steps wait for each other.
+  /// The same to 1e-15, one pose a time: faster than one by one where the times lie so close
+  /// together that the body has turned little.
   void T_map_lidar(std::span<const double> times, std::span<Pose> poses) const;
   /// Body's position and angles, for spectra and derivatives.
   [[nodiscard]] PoseAngles body_angles(double time) const { return spline_(time); }

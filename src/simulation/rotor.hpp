@@ -5,8 +5,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstdint>
+
+#include "geometry/sine_cosine.hpp"
 
 namespace surefoot::simulation {
 
@@ -15,23 +16,24 @@ class Rotor {
  public:
   Rotor() = default;
   /// @param azimuth clockwise [rad].
-  explicit Rotor(double azimuth) : cosine_(std::cos(azimuth)), sine_(std::sin(azimuth)) {}
+  explicit Rotor(double azimuth) : azimuth_(azimuth) {}
+  explicit Rotor(const SineCosine& azimuth) : azimuth_(azimuth) {}
 
   [[nodiscard]] Eigen::Vector3d operator*(const Eigen::Vector3d& v) const {
-    return {cosine_ * v.x() + sine_ * v.y(), cosine_ * v.y() - sine_ * v.x(), v.z()};
+    return {azimuth_.cosine * v.x() + azimuth_.sine * v.y(),
+            azimuth_.cosine * v.y() - azimuth_.sine * v.x(), v.z()};
   }
   /// R_map_rotor of R_map_lidar.
   [[nodiscard]] Eigen::Matrix3d after(const Eigen::Matrix3d& R_map_lidar) const {
     Eigen::Matrix3d R_map_rotor;
-    R_map_rotor.col(0) = cosine_ * R_map_lidar.col(0) - sine_ * R_map_lidar.col(1);
-    R_map_rotor.col(1) = sine_ * R_map_lidar.col(0) + cosine_ * R_map_lidar.col(1);
+    R_map_rotor.col(0) = azimuth_.cosine * R_map_lidar.col(0) - azimuth_.sine * R_map_lidar.col(1);
+    R_map_rotor.col(1) = azimuth_.sine * R_map_lidar.col(0) + azimuth_.cosine * R_map_lidar.col(1);
     R_map_rotor.col(2) = R_map_lidar.col(2);
     return R_map_rotor;
   }
 
  private:
-  double cosine_ = 1.0;
-  double sine_ = 0.0;
+  SineCosine azimuth_;
 };
 
 /// Time since the turn began: std::fmod(time_ns, turn_ns) without its loop. Exact for times that

@@ -106,11 +106,15 @@ double Scanner::firing_ns(std::uint64_t sequence, std::size_t laser) const {
   return static_cast<double>(sequence) * model_.sequence_ns + model_.lasers[laser].offset_ns;
 }
 
+double Scanner::true_azimuth(double time_ns) const {
+  return kTwoPi / model_.turn_ns * within_turn(time_ns, model_.turn_ns);
+}
+
 Scanner::AzimuthReading Scanner::azimuth_reading(std::uint64_t sequence) const {
   const auto per_reading = static_cast<std::uint64_t>(model_.sequences_per_azimuth);
   AzimuthReading reading;
   reading.time_ns = static_cast<double>(sequence - sequence % per_reading) * model_.sequence_ns;
-  reading.azimuth = kTwoPi / model_.turn_ns * within_turn(reading.time_ns, model_.turn_ns);
+  reading.azimuth = true_azimuth(reading.time_ns);
   if (model_.azimuth_unit > 0.0) {
     reading.azimuth = std::round(reading.azimuth / model_.azimuth_unit) * model_.azimuth_unit;
   }
@@ -146,13 +150,14 @@ void Scanner::fire(const Block& block) {
 void Scanner::fire(const Block& block, std::size_t laser) {
   std::array<double, kBlockSequences> times;
   std::array<Pose, kBlockSequences> T_map_lidar;
+  const SineCosineNear azimuth(true_azimuth(firing_ns(block.first, laser)));
   Firing* const firings = &firings_[slot(laser, 0)];
   for (std::size_t i = 0; i < block.sequences; ++i) {
     Firing& firing = firings[i];
     firing.sequence = block.first + i;
     firing.time_ns = firing_ns(firing.sequence, laser);
     firing.reported_azimuth = azimuth_after(readings_[i], firing.time_ns);
-    firing.rotor = Rotor(kTwoPi / model_.turn_ns * within_turn(firing.time_ns, model_.turn_ns));
+    firing.rotor = Rotor(azimuth(true_azimuth(firing.time_ns)));
     times[i] = 1e-9 * firing.time_ns;
   }
   motion_.T_map_lidar({times.data(), block.sequences}, {T_map_lidar.data(), block.sequences});
@@ -204,6 +209,7 @@ void Scanner::hide_behind_body() {
 void Scanner::report(const Firing& firing, std::size_t laser, const BeamReturn& value, bool last,
                      SimulatedScan& result) const {
   const RotorBeam& beam = beams_[laser];
+  // Not from angles nearby: a coordinate of 1e-16 m would change by more than its float's rounding.
   const Rotor reported(firing.reported_azimuth);
   const std::int64_t time_ns = std::llround(firing.time_ns) + options_.start_ns;
   result.scan.points.push_back(

@@ -108,6 +108,7 @@ class Scanner {
     double azimuth = 0.0;
   };
 
+  [[nodiscard]] double true_azimuth(double time_ns) const;
   [[nodiscard]] AzimuthReading azimuth_reading(std::uint64_t sequence) const;
   [[nodiscard]] double azimuth_after(const AzimuthReading& reading, double time_ns) const;
   void fire(const Block& block);
