@@ -14,8 +14,11 @@ namespace {
 constexpr double kBendRate = 0.1;  // of the fading mean: ten scans, two or three of a trot's cycles
 constexpr int kFew = 4;            // scans: of fewer a gait's swing has not averaged out
 constexpr double kMostDoubt = 6.0;  // times chance, of a map of 24 scans and more
-constexpr double kSudden = 3.0;     // standard deviations of what a scan has of its own, at most
-constexpr double kLeast = 0.003;    // [m/s, rad/s] any sensor's velocity may vary by
+constexpr double kUnknown = 200.0;  // so many means compared tell how they wander as well as that
+constexpr std::size_t kScansApart = 30;  // of two means: hardly a scan counts in both
+constexpr double kWanderRate = 0.02;
+constexpr double kSudden = 3.0;   // standard deviations of what a scan has of its own, at most
+constexpr double kLeast = 0.003;  // [m/s, rad/s] any sensor's velocity may vary by
 constexpr double kTiny = 1e-12;
 constexpr double kMostApart = 0.5;  // [s] between scans that tell how fast the sensor moves
 
@@ -60,7 +63,7 @@ void SweepBend::learn(const KnotWindow& registered) {
 
 void SweepBend::learn_from(const KnotWindow& registered, const StampedPose& before,
                            const StampedPose& after) {
-  if (mean_.empty()) mean_ = variance_ = {registered.segments(), Twist::Zero()};
+  if (mean_.empty()) mean_ = variance_ = straightened_ = {registered.segments(), Twist::Zero()};
   if (registered.segments() != mean_.size()) return;
   const StampedPose middle = middle_of(registered);
   const Twist velocity_before = velocity_between(before, middle);
@@ -82,8 +85,11 @@ void SweepBend::learn_from(const KnotWindow& registered, const StampedPose& befo
     mean_[k] += rate() * step;  // [K35]
     variance_[k] = (1.0 - rate()) * (variance_[k] + rate() * step.cwiseAbs2());
     // Of a map of n scans one in n was mapped straight.
-    mean_[k] -= removed.cwiseProduct(mean_[k]) / learnt_;
+    const Twist straight = removed.cwiseProduct(mean_[k]) / learnt_;
+    mean_[k] -= straight;
+    straightened_[k] += straight;
   }
+  compare_means();
 }
 
 /// How much of what a scan has of its own counts, per axis: who suddenly turns is no bend.
@@ -95,14 +101,37 @@ Twist SweepBend::counted_of(const std::vector<Twist>& own) const {
       .sqrt();
 }
 
-/// The share of the mean that is more than chance, per axis (James and Stein's positive part). What
-/// bends a map is mostly its first scans: later more must speak for a bend than chance alone.
+/// What bends a map stays as it is; by how much means differ of scans far apart tells what a gait
+/// adds that nearly keeps time with the sensor's turns, as 2.5 strides a second do
+/// with ten turns.
+void SweepBend::compare_means() {
+  std::vector<Twist> now = mean_;
+  for (std::size_t k = 0; k < now.size(); ++k) now[k] += straightened_[k];
+  means_.push_back(now);
+  if (means_.size() <= kScansApart) return;
+  for (std::size_t k = 0; k < now.size(); ++k) now[k] -= means_.front()[k];
+  means_.pop_front();
+  const Twist squares = 0.5 * alike(sum_of_squares(now));
+  wander_ += kWanderRate * (squares.cwiseQuotient(chance().cwiseMax(kTiny)) - wander_);
+  ++compared_;
+}
+
+/// The square of what the mean would be by chance, were scans independent of each other.
+Twist SweepBend::chance() const { return rate() / (2.0 - rate()) * alike(sum(variance_)); }
+
+/// What bends a map is mostly its first scans: later more must speak for a bend than chance alone,
+/// until it is known how means wander.
+Twist SweepBend::doubt() const {
+  const double at_first = std::clamp(static_cast<double>(learnt_) / kFew, 1.0, kMostDoubt);
+  const double unknown = kUnknown / (kUnknown + compared_);
+  return wander_.array() + unknown * at_first;
+}
+
+/// The share of the mean that is more than chance, per axis (James and Stein's positive part).
 Twist SweepBend::certainty() const {
   if (learnt_ < kFew) return Twist::Zero();
-  const double doubt = std::clamp(static_cast<double>(learnt_) / kFew, 1.0, kMostDoubt);
-  const Twist chance = doubt * rate() / (2.0 - rate()) * alike(sum(variance_));
-  return (1.0 - chance.array() / alike(sum_of_squares(mean_)).array().max(kTiny))
-      .max(0.0);  // [K36]
+  const Twist squares = alike(sum_of_squares(mean_)).cwiseMax(kTiny);
+  return (1.0 - doubt().cwiseProduct(chance()).array() / squares.array()).max(0.0);  // [K36]
 }
 
 KnotWindow SweepBend::straightened(const KnotWindow& registered) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -32,12 +33,19 @@ class SweepBend {
  private:
   void learn_from(const KnotWindow& registered, const StampedPose& before,
                   const StampedPose& after);
+  void compare_means();
   [[nodiscard]] double rate() const;
+  [[nodiscard]] Twist chance() const;
+  [[nodiscard]] Twist doubt() const;
   [[nodiscard]] Twist counted_of(const std::vector<Twist>& own) const;
   [[nodiscard]] Twist certainty() const;
 
-  std::vector<Twist> mean_;      // of each segment's velocity less the one from scan to scan,
-  std::vector<Twist> variance_;  // and of that in one scan; LiDAR frame, [m/s, rad/s]
+  std::vector<Twist> mean_;          // of each segment's velocity less the one from scan to scan,
+  std::vector<Twist> variance_;      // and of that in one scan; LiDAR frame, [m/s, rad/s]
+  std::vector<Twist> straightened_;  // of the mean, since the map began
+  std::deque<std::vector<Twist>> means_;  // of the last scans, with what was straightened
+  Twist wander_ = Twist::Zero();          // of means far apart, as a multiple of chance
+  int compared_ = 0;
   std::optional<KnotWindow> last_;
   std::optional<StampedPose> before_;  // the middle of the scan before the last
   int learnt_ = 0;
