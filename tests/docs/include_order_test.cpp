@@ -69,7 +69,7 @@ const std::vector<Layer> kLayers = {
     {"ros2", {"io", "live"}},
     {"mapping", {"geometry", "core"}},
     {"evaluation", {"geometry"}},
-    {"simulation", {"sensors"}},
+    {"simulation", {"geometry", "sensors"}},
     {"report", {}},
     {"live_page", {"core", "live", "report"}},
     {"process", {}},
