@@ -11,6 +11,7 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
+#include "process/progress.hpp"
 #include "runs/map_export.hpp"
 
 namespace surefoot::app {
@@ -90,7 +91,12 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   add_elevation_options(*command, files);
   command->callback([options, at] {
     if (at->count() > 0) options->files.tiles_at = earth_place(options->place);
+    process::Progress progress("blocks", false);
+    options->files.triangles.progress = [&](std::size_t blocks, std::size_t all) {
+      progress.update(blocks, static_cast<double>(blocks) / static_cast<double>(all));
+    };
     const runs::MapExported done = runs::export_map(options->map, options->files);
+    progress.finish();
     if (done.tiles.tiles > 0) {
       fmt::print("{}: {} points in {} tiles, {} levels\n", options->files.tiles.string(),
                  done.tiles.points, done.tiles.tiles, done.tiles.levels);

@@ -111,8 +111,10 @@ class Mesher {
   VoxelTable inner_, border_;
 };
 
-/// Of points beyond a block's border those that its border's distances and normals hang on.
-double margin_of(double cell) { return 3.0 * cell + kSurfaceRadius; }
+/// [m] Of points beyond a block's border those that its border's distances and normals hang on: a
+/// cell, its corners' reach, what the planes there are fitted to, and that thinned over whole
+/// cubes.
+double margin_of(double cell) { return 4.0 * cell + kSurfaceRadius; }
 
 Eigen::Vector2d along_ground(const Piece& piece, const Eigen::Vector3f& point) {
   return (piece.T_world_piece * point.cast<double>()).head<2>();
@@ -166,11 +168,13 @@ std::map<std::pair<int, int>, std::vector<std::size_t>> blocks_of(const std::vec
 SurfaceMesh draw_mesh(const std::vector<Piece>& pieces, const MeshOptions& options) {
   const int side = std::max(4, static_cast<int>(std::lround(options.block / options.cell)));
   Mesher mesher(options.cell);
-  for (const auto& [place, chosen] :
-       blocks_of(pieces, side * options.cell, margin_of(options.cell))) {
+  const auto blocks = blocks_of(pieces, side * options.cell, margin_of(options.cell));
+  std::size_t done = 0;
+  for (const auto& [place, chosen] : blocks) {
     const Eigen::Vector2i low(side * place.first, side * place.second);
     const Block block{low, low + Eigen::Vector2i(side, side)};
     mesher.add_block(distances_about(pieces, chosen, block, options.cell), block);
+    if (options.progress) options.progress(++done, blocks.size());
   }
   return std::move(mesher.mesh);
 }

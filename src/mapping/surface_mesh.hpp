@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "mapping/piece.hpp"
@@ -22,6 +24,8 @@ struct SurfaceMesh {
 struct MeshOptions {
   double cell = 0.2;    ///< edges are about as long [m]
   double block = 50.0;  ///< the map is meshed in blocks of this side, one after the other [m]
+  /// Told after each block: how many of how many are done.
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 /// Surfaces of pieces that lie where they belong: floors, walls, whatever is smooth within half a

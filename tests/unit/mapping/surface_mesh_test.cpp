@@ -139,6 +139,19 @@ TEST(SurfaceMeshTest, IsTheSameForBlocksOfAnySize) {
   EXPECT_EQ(places(3.0), whole);
 }
 
+TEST(SurfaceMeshTest, TellsHowFarItIs) {
+  std::vector<std::size_t> told;
+  const auto tell = [&](std::size_t done, std::size_t all) {
+    told.push_back(done);
+    EXPECT_LE(done, all);
+    if (done == all) told.push_back(0);
+  };
+  static_cast<void>(draw_mesh({room()}, {.block = 5.0, .progress = tell}));
+  ASSERT_GT(told.size(), 4U);
+  EXPECT_EQ(told.front(), 1U);
+  EXPECT_EQ(told.back(), 0U) << "all are done";
+}
+
 /// From both sides a wall of 0.2 m has two faces, each towards its own side.
 TEST(SurfaceMeshTest, AThinWallKeepsBothFaces) {
   Piece piece = seen_from({{0.0F, -3.0F, 1.0F}, {0.0F, 3.0F, 1.0F}});
