@@ -9,6 +9,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
 RELATIVE = "Relative over 10 m, RMSE (%)"
 LATEST_SET = 15  # of those with layouts of their own
+CHANGED_SET = "reporting-16"  # run by two defaults, without the other methods
 
 
 class Kept:
@@ -297,6 +298,27 @@ def earlier_sets():
     return markdown(["set", "commit", "begun standing", "kiss-icp", "in motion", "kiss-icp"], rows)
 
 
+def changed_set():
+    """One default against another on a set that neither was made on."""
+    rows, kept = [], None
+    for begun, ending in (("standing", ""), ("in motion", "-in-motion")):
+        kept = Results(f"{CHANGED_SET}{ending}")
+        before = Results(f"{CHANGED_SET}{ending}-before")
+        ratios = [kept.value(name, "surefoot") / before.value(name, "surefoot")
+                  for name in kept.recordings
+                  if kept.value(name, "surefoot") and before.value(name, "surefoot")]
+        rows.append([begun, *(f"{statistics.median(run.values('surefoot')):.3f} / "
+                              f"{max(run.values('surefoot')):.3f}" for run in (before, kept)),
+                     f"{statistics.geometric_mean(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
+                     f"{len(ratios)} of {len(kept.recordings)}"])
+    return (f"{markdown(['begun', 'before', 'now', 'ratio', 'whole runs'], rows)}\n\n"
+            f"Kept in [{CHANGED_SET}.csv](results/{CHANGED_SET}.csv), "
+            f"[-before](results/{CHANGED_SET}-before.csv), "
+            f"[-in-motion](results/{CHANGED_SET}-in-motion.csv) and "
+            f"[-in-motion-before](results/{CHANGED_SET}-in-motion-before.csv): "
+            f"commit {kept.about['commit']}, and {before.about['commit']} before.")
+
+
 def bend():
     """What straightening a map is worth: means of the figures, geometric ones of the ratios."""
     kept = Kept("bend")
@@ -433,6 +455,7 @@ TABLES = {
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),
     "latest-set": lambda: reporting(f"reporting-{LATEST_SET}"),
+    "changed-set": changed_set,
     "latest-set-in-motion": lambda: reporting(f"reporting-{LATEST_SET}-in-motion"),
     "earlier-sets": earlier_sets,
     "reporting-8-others": others,
