@@ -148,7 +148,7 @@ void Scanner::fire(const Block& block) {
 }
 
 void Scanner::fire(const Block& block, std::size_t laser) {
-  std::array<double, kBlockSequences> times;
+  std::array<double, kBlockSequences> times{};
   std::array<Pose, kBlockSequences> T_map_lidar;
   const SineCosineNear azimuth(true_azimuth(firing_ns(block.first, laser)));
   Firing* const firings = &firings_[slot(laser, 0)];
