@@ -92,10 +92,10 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   command->callback([options, at] {
     if (at->count() > 0) options->files.tiles_at = earth_place(options->place);
     process::Progress progress("blocks", false);
-    options->files.triangles.progress = [&](std::size_t blocks, std::size_t all) {
-      progress.update(blocks, static_cast<double>(blocks) / static_cast<double>(all));
-    };
-    const runs::MapExported done = runs::export_map(options->map, options->files);
+    const runs::MapExported done =
+        runs::export_map(options->map, options->files, [&](std::size_t blocks, std::size_t all) {
+          progress.update(blocks, static_cast<double>(blocks) / static_cast<double>(all));
+        });
     progress.finish();
     if (done.tiles.tiles > 0) {
       fmt::print("{}: {} points in {} tiles, {} levels\n", options->files.tiles.string(),

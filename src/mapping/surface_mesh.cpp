@@ -165,7 +165,8 @@ std::map<std::pair<int, int>, std::vector<std::size_t>> blocks_of(const std::vec
 
 }  // namespace
 
-SurfaceMesh draw_mesh(const std::vector<Piece>& pieces, const MeshOptions& options) {
+SurfaceMesh draw_mesh(const std::vector<Piece>& pieces, const MeshOptions& options,
+                      const MeshProgress& progress) {
   const int side = std::max(4, static_cast<int>(std::lround(options.block / options.cell)));
   Mesher mesher(options.cell);
   const auto blocks = blocks_of(pieces, side * options.cell, margin_of(options.cell));
@@ -174,7 +175,7 @@ SurfaceMesh draw_mesh(const std::vector<Piece>& pieces, const MeshOptions& optio
     const Eigen::Vector2i low(side * place.first, side * place.second);
     const Block block{low, low + Eigen::Vector2i(side, side)};
     mesher.add_block(distances_about(pieces, chosen, block, options.cell), block);
-    if (options.progress) options.progress(++done, blocks.size());
+    if (progress) progress(++done, blocks.size());
   }
   return std::move(mesher.mesh);
 }

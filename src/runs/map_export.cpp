@@ -97,8 +97,9 @@ io::TileCounts export_tiles(const mapping::SavedMap& map, const MapExport& wante
   return counts;
 }
 
-std::size_t export_mesh(const mapping::SavedMap& map, const MapExport& wanted) {
-  const mapping::SurfaceMesh mesh = mapping::draw_mesh(map.pieces, wanted.triangles);
+std::size_t export_mesh(const mapping::SavedMap& map, const MapExport& wanted,
+                        const mapping::MeshProgress& progress) {
+  const mapping::SurfaceMesh mesh = mapping::draw_mesh(map.pieces, wanted.triangles, progress);
   io::write_mesh(wanted.mesh, {mesh.vertices, mesh.triangles});
   return mesh.triangles.size();
 }
@@ -147,7 +148,8 @@ ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wan
 
 }  // namespace
 
-MapExported export_map(const fs::path& map, const MapExport& wanted) {
+MapExported export_map(const fs::path& map, const MapExport& wanted,
+                       const mapping::MeshProgress& progress) {
   if (wanted.pcd.empty() && wanted.ply.empty() && wanted.las.empty() && wanted.tiles.empty() &&
       wanted.mesh.empty() && wanted.grid.empty() && wanted.elevation.empty()) {
     throw std::invalid_argument(
@@ -164,7 +166,7 @@ MapExported export_map(const fs::path& map, const MapExport& wanted) {
   if (!wanted.las.empty()) io::write_las(wanted.las, points_of<double>(saved));
   MapExported done;
   if (!wanted.tiles.empty()) done.tiles = export_tiles(saved, wanted);
-  if (!wanted.mesh.empty()) done.triangles = export_mesh(saved, wanted);
+  if (!wanted.mesh.empty()) done.triangles = export_mesh(saved, wanted, progress);
   if (!wanted.grid.empty()) done.grids.push_back(export_occupancy(saved, wanted));
   if (!wanted.elevation.empty()) done.grids.push_back(export_elevation(saved, wanted));
   return done;

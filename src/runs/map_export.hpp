@@ -42,7 +42,9 @@ struct MapExported {
   std::size_t triangles = 0;
 };
 
-/// Throws io::ReadError, io::WriteError, std::invalid_argument where nothing is asked for.
-MapExported export_map(const std::filesystem::path& map, const MapExport& wanted);
+/// `progress`: of the mesh, which takes longest. Throws io::ReadError, io::WriteError,
+/// std::invalid_argument where nothing is asked for.
+MapExported export_map(const std::filesystem::path& map, const MapExport& wanted,
+                       const mapping::MeshProgress& progress = {});
 
 }  // namespace surefoot::runs

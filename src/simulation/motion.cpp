@@ -25,11 +25,9 @@ void Motion::T_map_lidar(std::span<const double> times, std::span<Pose> poses) c
   for (std::size_t i = 0; i < times.size(); ++i) {
     const PoseAngles value = spline_(times[i]);
     const Eigen::Vector3d half = 0.5 * value.tail<3>();
-    poses[i] = {from_half_angles(roll(half.x()), pitch(half.y()), yaw(half.z())), value.head<3>()};
-  }
-  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Pose T_map_body{from_half_angles(roll(half.x()), pitch(half.y()), yaw(half.z())),
+                          value.head<3>()};
     // A product of two unit quaternions is one without being normalised.
-    const Pose T_map_body = poses[i];
     poses[i] = {T_map_body.rotation * T_body_lidar_.rotation,
                 T_map_body * T_body_lidar_.translation};
   }

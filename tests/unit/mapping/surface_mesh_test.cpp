@@ -146,7 +146,7 @@ TEST(SurfaceMeshTest, TellsHowFarItIs) {
     EXPECT_LE(done, all);
     if (done == all) told.push_back(0);
   };
-  static_cast<void>(draw_mesh({room()}, {.block = 5.0, .progress = tell}));
+  static_cast<void>(draw_mesh({room()}, {.block = 5.0}, tell));
   ASSERT_GT(told.size(), 4U);
   EXPECT_EQ(told.front(), 1U);
   EXPECT_EQ(told.back(), 0U) << "all are done";
