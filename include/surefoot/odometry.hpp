@@ -69,7 +69,9 @@ class Odometry {
   Odometry(Odometry&&) noexcept;
   Odometry& operator=(Odometry&&) noexcept;
 
-  /// Never throws for what is in a scan: a scan that cannot be used is `rejected`.
+  /// Never throws for what is in a scan: a scan that cannot be used is `rejected`. So is one whose
+  /// stamp is not after the last one's; ten in a row whose stamps rise tell that the clock was set
+  /// back, and the next ones are taken as they come.
   Estimate add_scan(const Scan& scan);
 
   [[nodiscard]] const Config& config() const;

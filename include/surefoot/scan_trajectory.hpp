@@ -36,6 +36,8 @@ class ScanTrajectory {
 
   /// The same motion seen from another frame: every pose becomes T_new_old * pose.
   [[nodiscard]] ScanTrajectory moved(const Pose& T_new_old) const;
+  /// The same motion so much later [ns].
+  [[nodiscard]] ScanTrajectory delayed(std::int64_t by_ns) const;
 
  private:
   std::vector<Pose> boundaries_;

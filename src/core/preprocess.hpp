@@ -21,7 +21,6 @@ struct PreparedScan {
   std::vector<float> intensities;       ///< empty or one per point
   std::vector<std::uint16_t> rings;     ///< likewise; lasers counted from the lowest
   std::string rejection;                ///< why the scan cannot be used; empty if it can
-  double unstamped = 0.0;  ///< [s] since the scan before, besides what their stamps tell
 };
 
 /// Drops points that are no returns or out of range and normalises the times, eq. (1).

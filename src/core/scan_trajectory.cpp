@@ -39,4 +39,11 @@ ScanTrajectory ScanTrajectory::moved(const Pose& T_new_old) const {
   return result;
 }
 
+ScanTrajectory ScanTrajectory::delayed(std::int64_t by_ns) const {
+  ScanTrajectory result = *this;
+  result.start_ns_ += by_ns;
+  result.end_ns_ += by_ns;
+  return result;
+}
+
 }  // namespace surefoot

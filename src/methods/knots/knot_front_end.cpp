@@ -75,7 +75,6 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   emptied_.centres.clear();
-  unstamped_ += scan.unstamped;
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
   reversed_ = are_opposite(sweep_axis_, sweep_axis(scan));
@@ -175,7 +174,6 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   way_.add(last_pose_->pose);
-  unstamped_ = 0.0;
   return publish(trajectory, std::move(registered.estimate));
 }
 
@@ -200,7 +198,7 @@ KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
 
 /// [s] from the last trusted pose to an instant.
 double KnotFrontEnd::since_trusted(std::int64_t instant_ns) const {
-  return seconds(instant_ns - last_pose_->stamp_ns) + unstamped_;
+  return seconds(instant_ns - last_pose_->stamp_ns);
 }
 
 /// [m/s]

@@ -172,7 +172,6 @@ class KnotFrontEnd : public FrontEnd {
   PointChoice choice_;
   KnotEnd end_;
   std::optional<StampedPose> last_pose_;
-  double unstamped_ = 0.0;  // [s] since then, besides what stamps tell
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
   Dependence dependence_;

@@ -85,7 +85,6 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
   way_.clear();
   way_.add(T_map_lidar);
-  unstamped_ = 0.0;
   held_ns_ = trajectory.mid_ns();
   return publish(trajectory, std::move(estimate));
 }

@@ -19,7 +19,7 @@ constexpr double kMostSegments = 3.0;
 KnotEnd beginning_of(const PreparedScan& scan, const KnotEnd& last, const VelocityModel& model,
                      const Config& config) {
   const double segment = seconds(scan.end_ns - scan.start_ns) / config.knots.segments;
-  const double until_start = seconds(scan.start_ns - last.stamp_ns) + scan.unstamped;
+  const double until_start = seconds(scan.start_ns - last.stamp_ns);
   const double until_end = seconds(scan.end_ns - last.stamp_ns);
   const double longest = config.motion_prior.max_extrapolation;
   if (until_start <= longest && until_end >= std::max(segment, kInstant)) return last;

@@ -110,5 +110,14 @@ TEST(ScanTrajectory, SeenFromAnotherFrameEveryPoseMoves) {
   }
 }
 
+TEST(ScanTrajectory, DelayedItIsTheSameMotionLater) {
+  Random random(8);
+  const ScanTrajectory trajectory = random_trajectory(random, 4);
+  const ScanTrajectory delayed = trajectory.delayed(-77);
+  EXPECT_EQ(delayed.mid_ns(), trajectory.mid_ns() - 77);
+  EXPECT_EQ(delayed.end_ns(), trajectory.end_ns() - 77);
+  EXPECT_LT(difference(delayed.at(0.3), trajectory.at(0.3)), 1e-15);
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -204,6 +204,35 @@ TEST(KnotFaults, AClockThatIsSetBackLeavesAHole) {
   EXPECT_NEAR(moved.translation.norm(), 0.5 * 1.1, 0.05);
 }
 
+// One scan from a clock that was an hour ahead: a second later the odometry follows the true time.
+TEST(KnotFaults, OneStampFarAheadIsNotWaitedFor) {
+  constexpr std::int64_t kHourNs = 3'600'000'000'000;
+  std::vector<Scan> scans = walk_scans();
+  scans[kEvent].stamp_ns += kHourNs;
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  for (std::size_t i = kEvent + 1; i < kEvent + 11; ++i) {
+    EXPECT_EQ(all[i].status, Status::rejected) << i;
+  }
+  EXPECT_NEAR(all[kEvent + 11].evidence.gap, std::log(11.0), 1e-6);
+  for (std::size_t i = kEvent + 11; i < all.size(); ++i) {
+    EXPECT_TRUE(all[i].trusted()) << statuses(all);
+    EXPECT_EQ(all[i].segment, 0);
+    EXPECT_LE(std::abs(all[i].stamp_ns - scans[i].stamp_ns), 100'000'000) << i;
+    EXPECT_LT(all[i].evidence.gap, i == kEvent + 11 ? 3.0 : 1e-6) << i;
+  }
+  EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
+}
+
+// Stamps that stand, or jump about, tell no time that could be followed.
+TEST(KnotFaults, StampsThatDoNotRiseAreNotFollowed) {
+  std::vector<Scan> scans = walk_scans();
+  for (std::size_t i = kEvent; i < scans.size(); ++i) scans[i].stamp_ns = 0;
+  Odometry odometry;
+  const auto all = add_scans(odometry, scans);
+  for (std::size_t i = kEvent; i < all.size(); ++i) EXPECT_EQ(all[i].status, Status::rejected);
+}
+
 // Sent late or twice, a scan takes no time of its own.
 TEST(KnotFaults, AScanThatComesLateOrTwiceLeavesNone) {
   std::vector<Scan> scans = walk_scans();

@@ -34,17 +34,5 @@ TEST(KnotPrediction, AScanBeginsWhereTheLastOneEnded) {
   EXPECT_EQ(begin.prior.information, walking_end().prior.information);
 }
 
-// The clock was set back while the sensor walked on: no more is known than after a gap as long.
-TEST(KnotPrediction, TimeThatNoStampTellsIsAGapLikeAnyOther) {
-  PreparedScan unstamped = scan_after(0.0);
-  unstamped.unstamped = 0.8;
-  const KnotEnd told = beginning_of(scan_after(0.8), walking_end(), walking(), Config());
-  const KnotEnd begin = beginning_of(unstamped, walking_end(), walking(), Config());
-  EXPECT_EQ(begin.prior.information, told.prior.information);
-  EXPECT_EQ(begin.prior.means[1].translation, told.prior.means[1].translation);
-  EXPECT_NEAR(begin.prior.means[1].translation.x(), 2.5, 1e-12);  // carried on for so long
-  EXPECT_EQ(begin.stamp_ns, unstamped.start_ns);
-}
-
 }  // namespace
 }  // namespace surefoot
