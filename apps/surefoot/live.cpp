@@ -20,6 +20,7 @@
 #include "live_page/page_viewer.hpp"
 #endif
 #include "map_outcome.hpp"
+#include "process/build_version.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "recorded_options.hpp"
@@ -104,7 +105,7 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     listener.watch = [port = *arguments.page, has_map](const std::string& title,
                                                        live::CommandQueue& commands,
                                                        const live::LiveRecording& recording) {
-      return show_page({port, title, SUREFOOT_VERSION, has_map}, commands, recording);
+      return show_page({port, title, process::build_version(), has_map}, commands, recording);
     };
   }
 #endif

@@ -4,6 +4,7 @@
 
 #include "command_line/program.hpp"
 #include "commands.hpp"
+#include "process/build_version.hpp"
 #include "process/exit_codes.hpp"
 
 namespace {
@@ -41,5 +42,6 @@ int main(int argc, char** argv) {
   CLI::App app{"Surefoot: LiDAR odometry for robots that walk"};
   int exit_code = surefoot::process::kDone;
   add_commands(app, exit_code);
-  return surefoot::command_line::run_program(app, SUREFOOT_VERSION, argc, argv, exit_code);
+  return surefoot::command_line::run_program(app, surefoot::process::build_version(), argc, argv,
+                                             exit_code);
 }

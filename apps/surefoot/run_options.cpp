@@ -8,11 +8,13 @@
 #include <CLI/CLI.hpp>
 
 #include "command_line/option_checks.hpp"
+#include "process/build_version.hpp"
 #include "reader_options.hpp"
 
 namespace surefoot::app {
 
 void add_run_options(CLI::App& command, runs::RunOptions& options) {
+  options.version = process::build_version();
   command.add_option(
       "-o,--output", options.output,
       "folder for the results (default: results/<input>-<time>, linked as results/latest)");
@@ -33,7 +35,8 @@ void add_run_options(CLI::App& command, runs::RunOptions& options) {
       .add_option("--extrinsic", options.extrinsic,
                   "T_base_lidar: x y z [m] roll pitch yaw [deg]; the base is level at the start")
       ->expected(6)
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command
       .add_option("--level", options.level,
                   "ground: from the first scan; none: the LiDAR's own z axis")

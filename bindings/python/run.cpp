@@ -11,6 +11,7 @@
 #include "bindings.hpp"
 #include "config.hpp"
 #include "poses.hpp"
+#include "process/build_version.hpp"
 #include "reading.hpp"
 #include "runs/odometry_run.hpp"
 #include "runs/run_folder.hpp"
@@ -118,6 +119,7 @@ std::filesystem::path run(const std::filesystem::path& input,
                           const py::object& config, const py::object& say,
                           const py::object& progress, const py::kwargs& keywords) {
   RunOptions options;
+  options.version = process::build_version();
   options.input = input;
   options.output = output.value_or("");
   set_config(options, config);

@@ -20,6 +20,7 @@ inline constexpr const char* kDefaultMethod = "surefoot";
 
 /// What a run is asked for.
 struct RunOptions {
+  std::string version;  ///< of the program, for run.yaml; empty: the release
   std::filesystem::path input;
   io::OpenOptions reader;
   bool is_live = false;                    ///< the input is the name of what is running, no file

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <string>
+
 #include "io/file_writer.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
@@ -33,11 +38,20 @@ TEST(Commands, EverySubcommandHasHelp) {
   }
 }
 
+// And in a checkout the commit, so that a result tells which code it is of.
 TEST(Commands, VersionIsTheFileVersion) {
   const ScratchFolder scratch;
   const ProcessResult result = run_surefoot({"--version"}, scratch.path());
   EXPECT_EQ(result.exit_code, 0) << result;
-  EXPECT_EQ(result.output, file_content(std::string(SUREFOOT_SOURCE_DIR) + "/VERSION"));
+  std::string version = file_content(std::string(SUREFOOT_SOURCE_DIR) + "/VERSION");
+  version.pop_back();
+  ASSERT_EQ(result.output.substr(0, version.size()), version);
+  const std::string more = result.output.substr(version.size());
+  EXPECT_TRUE(std::regex_match(more, std::regex(R"((\+[0-9a-f]{7,40}(\.changed)?)?\n)"))) << more;
+  if (std::filesystem::exists(std::string(SUREFOOT_SOURCE_DIR) + "/.git") &&
+      std::system("command -v git > /dev/null") == 0) {
+    EXPECT_NE(more, "\n");
+  }
 }
 
 TEST(Commands, ConfigPrintsWhatTheMethodReads) {
