@@ -8,7 +8,7 @@ import statistics
 HERE = pathlib.Path(__file__).resolve().parent
 APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
 RELATIVE = "Relative over 10 m, RMSE (%)"
-LATEST_SET = 15  # of those with layouts of their own
+LATEST_SET = 16  # of those with layouts of their own
 CHANGED_SET = "reporting-16"  # run by two defaults, without the other methods
 
 
@@ -350,7 +350,8 @@ def readme():
         errors = kept.values(method)
         rows.append([names[method], f"{statistics.median(errors):.3f}", f"{max(errors):.3f}",
                      f"{len(errors)} of {len(kept.recordings)}"])
-    return markdown(["method", "median", "largest", "whole runs"], rows)
+    table = markdown(["method", "median", "largest", "whole runs"], rows)
+    return f"{table}\n\nAt commit {kept.about['commit']}: {link(kept, 'docs/results')}."
 
 
 def wall_time(threads, which):
@@ -450,6 +451,7 @@ TABLES = {
     "time-median": lambda: f"{wall_time(1, 1):.1f}",
     "time-p99": lambda: f"{wall_time(1, 2):.1f}",
     "time-two": lambda: f"{wall_time(2, 1):.1f}",
+    "time-commit": lambda: Kept("whole_run").about["commit"],
     "time-machine": lambda: Kept("whole_run").about["machine"].split(",")[0],
     "thread-ratio": lambda: f"{wall_time(1, 1) / wall_time(2, 1):.2f}",
     "within-below": lambda: within_scans(2),
