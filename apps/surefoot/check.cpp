@@ -48,12 +48,15 @@ int execute(const CheckCommand& command) {
       command.check, {[&](std::size_t scans, double share) { progress.update(scans, share); }, say,
                       [&] { return interrupt.interrupted(); }});
   progress.finish();
+  if (interrupt.interrupted()) {
+    fmt::print(stderr, "interrupted: what was not looked at may be anything, so no verdict\n");
+    return process::kInterrupted;
+  }
   if (!command.html.empty()) {
     io::write_whole_file(command.html,
                          checks::to_html(check, command.check.input.filename().string()));
   }
   fmt::print("{}", command.json ? checks::to_json(check) + "\n" : checks::to_text(check));
-  if (interrupt.interrupted()) return process::kInterrupted;
   return check.suffers() ? process::kSomeFailed : process::kDone;
 }
 

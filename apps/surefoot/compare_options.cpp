@@ -73,7 +73,7 @@ void add_verdict_options(CLI::App& command, experiments::CompareOptions& options
   group.add_choice<Cover>(
       "--cover", options.cover,
       "What a run has to cover: truth, recording (the truth from its first scan to its last), or "
-      "auto: the truth, unless --start or --count leave scans out",
+      "auto: the truth but for a second at either end, unless --start or --count leave scans out",
       {{"auto", Cover::automatic}, {"truth", Cover::truth}, {"recording", Cover::recording}});
   group
       .add("--full-coverage", options.rules.full_coverage,
@@ -101,6 +101,7 @@ void add_compare_options(CLI::App& command, experiments::CompareOptions& options
                               "paper,paper+deskew.segments=8",
                               fmt::join(methods(), ", ")))
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
   command_line::OptionGroup(command, "Runs")
       .add_flag("--no-map", options.no_map, "Do not write map.ply");

@@ -70,7 +70,8 @@ void add_error_options(CLI::App& command, evaluation::EvaluationOptions& options
   group
       .add("--segments", options.segment_lengths,
            "Lengths of KITTI's segment error [m], such as 10,20,50")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 }  // namespace surefoot::app

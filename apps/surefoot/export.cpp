@@ -77,6 +77,8 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
               "--tiles-at", options->place,
               "where on the earth the map's origin is: LATITUDE LONGITUDE [deg], HEIGHT above "
               "the ellipsoid [m], and the AZIMUTH of its x axis, clockwise from north [deg]")
+          ->delimiter(',')
+          ->allow_extra_args(false)
           ->needs(tiles);
   command->add_option("--mesh", files.mesh, "surfaces as triangles, to this PLY, OBJ or STL file");
   command
@@ -89,6 +91,7 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
       ->check(command_line::number_within(0.01, 10.0))
       ->capture_default_str();
   add_elevation_options(*command, files);
+  command->add_flag("--overwrite", files.overwrite, "write also where files are already");
   command->callback([options, at] {
     if (at->count() > 0) options->files.tiles_at = earth_place(options->place);
     process::Progress progress("blocks", false);

@@ -19,6 +19,7 @@ void add_reference_command(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input,
                       "what surefoot run reads; default: that of --config's run.yaml");
   add_run_options(*command, *options);
+  command->remove_option(command->get_option("--method"));  // by Surefoot's own alone
   command->callback([command, options, &exit_code] {
     options->reference = true;
     exit_code = run_recording(*command, *options);

@@ -22,8 +22,10 @@ void add_report_command(CLI::App& app, int& exit_code) {
       ->add_option("folders", options->folders,
                    "what surefoot run has written; several are compared")
       ->required();
-  command->add_option("--truth", options->truth,
-                      "TUM file (default: gt.tum of each run's recording, where there is one)");
+  command->add_option(
+      "--truth", options->truth,
+      "a trajectory with stamps and rotations (default: gt.tum of each run's recording, "
+      "where there is one)");
   command->add_option("-o,--output", options->output,
                       "the page (default: report.html in the folder, or here for several)");
   command->add_option("--title", options->title, "of the page (default: the recording)");

@@ -20,9 +20,10 @@
 #include "run_command.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
+#include "runs/run_files.hpp"
+#include "surefoot/quantile.hpp"
 #ifdef SUREFOOT_HAS_PCAP
 #include "live/live_log.hpp"
-#include "surefoot/quantile.hpp"
 #endif
 
 namespace surefoot::app {
@@ -30,7 +31,11 @@ namespace surefoot::app {
 namespace {
 
 void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& options) {
-  if (outcome.interrupted) fmt::print("interrupted: what was done up to here is written\n");
+  if (outcome.interrupted) {
+    fmt::print("interrupted: {}\n", outcome.scans() > 0
+                                        ? "what was done up to here is written"
+                                        : "no scan's pose was known yet, none is written");
+  }
   if (options.reference) {
     fmt::print("{} scans at once, {:.1f} m\n", outcome.scans(), outcome.length);
   } else {
@@ -44,6 +49,10 @@ void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& opti
   }
   if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
   if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
+  if (outcome.segments > 1) {
+    fmt::print("  {} segments, each in a frame of its own: {}N.tum\n", outcome.segments,
+               runs::kSegmentFiles);
+  }
   if (outcome.map) print_map_outcome(*outcome.map);
   if (outcome.localization) print_localization(*outcome.localization);
   fmt::print("results: {}\n", outcome.folder.string());
@@ -123,7 +132,11 @@ int run_recording(CLI::App& command, runs::RunOptions& options) {
   }
   const bool apart = say_if_apart(outcome);
   if (outcome.interrupted) return process::kInterrupted;
-  return apart || outcome.unreadable > 0 ? process::kSomeFailed : process::kDone;
+  if (options.quiet) {
+    for (const std::string& loss : outcome.losses) complain(loss);
+  }
+  const bool damaged = outcome.unreadable > 0 || !outcome.losses.empty();
+  return apart || damaged ? process::kSomeFailed : process::kDone;
 }
 
 void add_run_command(CLI::App& app, int& exit_code) {

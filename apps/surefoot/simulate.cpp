@@ -104,6 +104,8 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
             [&value](const std::vector<double>& xyz) { value = Eigen::Vector3d::Map(xyz.data()); },
             help)
         ->expected(3)
+        ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(command_line::number_within(-most, most));
   };
   vector("--mount", request.mount_offset, 5.0, "LiDAR in the body's frame: x y z [m]");
@@ -147,6 +149,7 @@ void add_output_options(CLI::App& command, SimulateArguments& arguments) {
           [&request](const std::vector<std::string>& names) { request.format.choose(names); },
           "pcd, pcap (VLP-16 packets), mcap, rosbag2 (both ROS 2), or several with commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"pcd", "pcap", "mcap", "rosbag2"}));
   command.add_flag("--true-points", request.format.true_points,
                    "Every point's exact position in the map, too");

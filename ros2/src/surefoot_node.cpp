@@ -5,6 +5,7 @@
 #include <surefoot/odometry.hpp>
 
 #include <tf2_ros/transform_broadcaster.h>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -42,6 +43,17 @@ std::int64_t stamp_of(const builtin_interfaces::msg::Time& time) {
   return std::int64_t{time.sec} * 1'000'000'000 + time.nanosec;
 }
 
+// No clock gives so many seconds, and every one that counts nanoseconds gives more [s, ns].
+constexpr double kNoSeconds = 1e12;
+
+/// Of a time within a sweep [s]; what cannot be one is at an end, far from any other.
+std::int32_t nanoseconds(double seconds) {
+  constexpr double kLongest = 2.0;
+  if (!std::isfinite(seconds)) return 0;
+  return static_cast<std::int32_t>(
+      std::lround(std::clamp(seconds, -kLongest, kLongest) * kNanoseconds));
+}
+
 /// Nanoseconds after the stamp of a point, by whichever field there is.
 std::function<std::int32_t(const std::uint8_t*)> times_of(const Cloud& cloud) {
   if (const Field* t = find(cloud, "t", Field::UINT32, 4)) {
@@ -50,15 +62,13 @@ std::function<std::int32_t(const std::uint8_t*)> times_of(const Cloud& cloud) {
     };
   }
   if (const Field* time = find(cloud, "time", Field::FLOAT32, 4)) {
-    return [time](const std::uint8_t* p) {
-      return static_cast<std::int32_t>(std::lround(load<float>(p, *time) * kNanoseconds));
-    };
+    return [time](const std::uint8_t* p) { return nanoseconds(load<float>(p, *time)); };
   }
   if (const Field* stamp = find(cloud, "timestamp", Field::FLOAT64, 8)) {
     const double begin = static_cast<double>(stamp_of(cloud.header.stamp)) / kNanoseconds;
     return [stamp, begin](const std::uint8_t* p) {
-      return static_cast<std::int32_t>(
-          std::lround((load<double>(p, *stamp) - begin) * kNanoseconds));
+      const double value = load<double>(p, *stamp);
+      return nanoseconds((value > kNoSeconds ? value / kNanoseconds : value) - begin);
     };
   }
   return {};

@@ -69,7 +69,9 @@ std::vector<fs::path> suite_recordings(const fs::path& folder) {
 
 void check_given(const CompareOptions& options) {
   if (options.recordings.empty() && options.suites.empty()) {
-    throw std::runtime_error("nothing to compare: expected recordings, or --suite");
+    throw std::runtime_error(
+        "nothing to compare: expected recordings (before --truth and --suite, which take all that "
+        "follows), or --suite");
   }
   if (!options.truths.empty() && options.truths.size() != options.recordings.size()) {
     throw std::runtime_error(fmt::format("--truth: {} files for {} recordings; expected one each",
@@ -79,6 +81,9 @@ void check_given(const CompareOptions& options) {
     for (const fs::path& path : *paths) {
       if (!fs::exists(path)) throw std::runtime_error(path.string() + ": no such file or folder");
     }
+  }
+  for (const std::string& suite : options.suites) {
+    if (!is_set_name(suite)) (void)suite_recordings(suite);
   }
 }
 
@@ -175,6 +180,7 @@ bool make_suite(const std::string& seeds, const fs::path& folder, int jobs, bool
 }  // namespace
 
 bool make_suites(const CompareOptions& options) {
+  check_given(options);
   return std::all_of(options.suites.begin(), options.suites.end(), [&](const std::string& suite) {
     return !is_set_name(suite) ||
            make_suite(suite, suite_folder(options, suite), options.jobs, options.quiet);

@@ -30,7 +30,8 @@ struct CompareInput {
 /// Throws std::runtime_error for what does not exist, is given twice, or leaves nothing to compare.
 [[nodiscard]] std::vector<CompareInput> find_inputs(const CompareOptions& options);
 
-/// Makes those of --suite's sets that are named and not there yet, in the output folder.
+/// Makes those of --suite's sets that are named and not there yet, in the output folder, if all
+/// else that was given is there.
 /// @returns false if it was interrupted. Throws std::runtime_error.
 [[nodiscard]] bool make_suites(const CompareOptions& options);
 

@@ -35,23 +35,48 @@ std::string file_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The part of the truth between a run's first scan and its last.
-Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder) {
+/// The part of the truth between a run's first scan and its last; at either end no more than so
+/// much [ns] is left out.
+Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder, std::int64_t most) {
   const std::vector<std::int64_t> stamps =
       runs::read_scans_csv(run_folder / runs::kScansFile).stamps_ns;
-  if (stamps.empty()) return truth;
-  const auto [first, last] = std::minmax_element(stamps.begin(), stamps.end());
+  if (stamps.empty() || truth.empty()) return truth;
+  const auto [earliest, latest] = std::minmax_element(stamps.begin(), stamps.end());
+  const std::int64_t begin = truth.front().stamp_ns, end = truth.back().stamp_ns;
+  const std::int64_t first = *earliest - begin > most ? begin : *earliest;
+  const std::int64_t last = end - *latest > most ? end : *latest;
   Trajectory part;
   std::copy_if(truth.begin(), truth.end(), std::back_inserter(part),
-               [first = *first, last = *last](const StampedPose& stamped) {
+               [first, last](const StampedPose& stamped) {
                  return stamped.stamp_ns >= first && stamped.stamp_ns <= last;
                });
   return part.size() < 2 ? truth : part;
 }
 
+constexpr std::int64_t kAll = std::int64_t{1} << 62;  // [ns]
+
 bool clips_truth(const CompareOptions& options) {
   if (options.cover != Cover::automatic) return options.cover == Cover::recording;
   return options.start > 0 || options.count > 0;
+}
+
+/// A truth often goes on a little before the first scan and after the last: a short recording is
+/// whole all the same.
+evaluation::RunVerdict judge_run(const Trajectory& truth, const Trajectory& estimate,
+                                 const evaluation::Evaluation& found, const CompareOptions& options,
+                                 const fs::path& run_folder) {
+  constexpr std::int64_t kALittle = 1'000'000'000;  // [ns]
+  const evaluation::EvaluationOptions& evaluation = options.evaluation;
+  const auto verdict = evaluation::judge(truth, estimate, found, evaluation, options.rules);
+  const bool lacks = verdict.outcome == evaluation::Outcome::stopped ||
+                     verdict.outcome == evaluation::Outcome::partial;
+  if (!lacks || options.cover != Cover::automatic || clips_truth(options) ||
+      evaluation.association.method == evaluation::AssociationMethod::index) {
+    return verdict;
+  }
+  const Trajectory asked = between_scans(truth, run_folder, kALittle);
+  return evaluation::judge(asked, estimate, evaluation::evaluate("", asked, estimate, evaluation),
+                           evaluation, options.rules);
 }
 
 /// Everything about one method on one recording.
@@ -94,13 +119,12 @@ class ResultMaker {
     }
     try {
       const Trajectory estimate = io::read_tum(folder / runs::kTrajectoryFile);
-      const Trajectory truth = clips_truth(options_) ? between_scans(truth_, folder) : truth_;
+      const Trajectory truth = clips_truth(options_) ? between_scans(truth_, folder, kAll) : truth_;
       result.evaluation = evaluation::evaluate(variant.label, truth, estimate, options_.evaluation);
       evaluation::EvaluationOptions from_start = options_.evaluation;
       from_start.alignment = evaluation::AlignmentMethod::origin;
       result.from_start = evaluation::evaluate(variant.label, truth, estimate, from_start);
-      result.verdict = evaluation::judge(truth, estimate, *result.evaluation, options_.evaluation,
-                                         options_.rules);
+      result.verdict = judge_run(truth, estimate, *result.evaluation, options_, folder);
       truth_part = truth;
       path = evaluation::aligned(estimate, result.evaluation->alignment);
     } catch (const std::exception& error) {

@@ -61,6 +61,10 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
       if (const std::string text = runs::unfinished_text(request.estimates[i]); !text.empty()) {
         listener.note(names[i] + ": " + text);
       }
+      if (const std::size_t segments = runs::segments_of(request.estimates[i]); segments > 1) {
+        listener.note(names[i] + ": " + std::to_string(segments) +
+                      " segments, each in a frame of its own, are laid on the reference as one");
+      }
       evaluations.push_back(
           evaluation::evaluate(names[i], reference.truth.poses, estimate, options));
       paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/folder_report.hpp"
 
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
 #include "experiments/comparison_folder.hpp"
 #include "io/recording.hpp"
 #include "runs/report_maker.hpp"
@@ -9,9 +14,36 @@
 
 namespace surefoot::experiments {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path page_of(const ReportRequest& request) {
+  if (!request.output.empty()) return request.output;
+  return request.folders.size() == 1 ? request.folders.front() / runs::kReportFile
+                                     : fs::path(runs::kReportFile);
+}
+
+/// An earlier page may go; a map, a link or a device is somebody else's.
+void require_page_or_nothing(const fs::path& file) {
+  constexpr std::string_view kPage = "<!doctype html>";
+  const fs::file_status status = fs::symlink_status(file);
+  if (!fs::exists(status)) return;
+  if (fs::is_regular_file(status)) {
+    std::string begin(kPage.size(), '\0');
+    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
+    if (begin == kPage || fs::file_size(file) == 0) return;
+  }
+  throw std::invalid_argument(file.string() +
+                              ": is there already and is no page; choose another name");
+}
+
+}  // namespace
+
 ReportOutcome report_folders(const ReportRequest& request,
                              const std::function<void(const std::string& text)>& complain) {
-  namespace fs = std::filesystem;
+  const fs::path file = page_of(request);
+  require_page_or_nothing(file);
   runs::ReportMaker maker(request.truth);
   std::size_t added = 0;
   for (const fs::path& folder : request.folders) {
@@ -30,9 +62,6 @@ ReportOutcome report_folders(const ReportRequest& request,
   if (added == 0) throw io::ReadError("none of the folders holds a run");
   for (const std::string& problem : maker.problems()) complain(problem);
   const bool is_whole = added == request.folders.size() && maker.problems().empty();
-  fs::path file = request.output;
-  if (file.empty()) file = runs::kReportFile;
-  if (request.output.empty() && request.folders.size() == 1) file = request.folders.front() / file;
   runs::write_report(maker.take(request.title), file, request.map_points);
   return {file, is_whole};
 }

@@ -108,6 +108,13 @@ void add_pose(Truth& truth, const Words& words, std::size_t first, std::size_t l
   truth.poses.push_back(pose);
 }
 
+/// Of EuRoC's state estimate: time, position, w x y z of the rotation, then velocity and biases.
+void add_euroc_pose(Truth& truth, const Words& words, std::size_t line) {
+  Words pose(words.begin(), words.begin() + 4);
+  pose.insert(pose.end(), {words[5], words[6], words[7], words[4]});
+  add_pose(truth, pose, 1, line, stamp_of(words[0], line));
+}
+
 void add_row(Truth& truth, const Words& words, std::size_t line) {
   switch (words.size()) {
     case 4:
@@ -131,9 +138,11 @@ void add_row(Truth& truth, const Words& words, std::size_t line) {
     case 13:
       truth.poses.push_back({stamp_of(words[0], line), matrix_of(words, 1, line)});
       return;
+    case 17:
+      return add_euroc_pose(truth, words, line);
     default:
       fail_at_line(line, std::to_string(words.size()) +
-                             " columns; expected 4, 8, 9, 12 or 13: times and poses");
+                             " columns; expected 4, 8, 9, 12, 13 or 17: times and poses");
   }
 }
 

@@ -96,11 +96,21 @@ class LiveMessages final : public io::MessageSource {
       ++messages_;
       last_ = arrival.received;
       if (record_) record_->add(*source_, arrival);
+      if (keeps_) keep_within(arrival.bytes.size());
       kept_.push_back(std::move(arrival));
       return true;
     }
     ended_ = true;
     return false;
+  }
+  /// Nobody can tell yet whether what comes is of any use: a memory is not filled with it.
+  void keep_within(std::size_t more) {
+    constexpr std::size_t kMost = std::size_t{512} << 20;  // some forty of the densest scans
+    kept_bytes_ += more;
+    if (kept_bytes_ <= kMost) return;
+    throw io::ReadError(source_->name() + ": no scan in the first " + std::to_string(messages_) +
+                        " messages, " + std::to_string(kept_bytes_ >> 20) +
+                        " MiB; expected clouds or packets of a known sensor");
   }
   io::Message message_of(const TopicArrival& arrival) {
     received_ = arrival.received;
@@ -113,6 +123,7 @@ class LiveMessages final : public io::MessageSource {
   std::deque<TopicArrival> kept_;
   TopicArrival given_;
   std::size_t next_kept_ = 0;
+  std::size_t kept_bytes_ = 0;
   std::size_t messages_ = 0;
   std::optional<Clock::time_point> last_;
   Clock::time_point received_;

@@ -87,6 +87,7 @@ class PageServer::Impl final : public SessionHost {
   PageFigures figures_;
   std::uint64_t version_ = 1;  ///< of what there is to tell
   int periods_ = 0;
+  bool accept_again_ = false;
 
   mutable std::mutex mutex_;  ///< of what follows
   std::deque<PageScan> scans_;
@@ -135,8 +136,12 @@ void PageServer::Impl::run() {
 
 void PageServer::Impl::accept() {
   acceptor_.async_accept([this](const Error& error, tcp::socket socket) {
-    if (!error) take(std::move(socket));
-    if (error != asio::error::operation_aborted) accept();
+    if (error == asio::error::operation_aborted) return;
+    // Where there are no more files to open, the next one fails at once, too: by the timer, then.
+    accept_again_ = static_cast<bool>(error);
+    if (error) return;
+    accept();
+    take(std::move(socket));
   });
 }
 
@@ -151,8 +156,9 @@ void PageServer::Impl::wait() {
   timer_.expires_after(kPeriod);
   timer_.async_wait([this](const Error& error) {
     if (error) return;
+    wait();  // first: what is thrown below ends no period
+    if (std::exchange(accept_again_, false)) accept();
     look();
-    wait();
   });
 }
 

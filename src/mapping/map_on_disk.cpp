@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/map_on_disk.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -11,6 +14,26 @@
 #include <system_error>
 
 namespace surefoot::mapping {
+
+namespace {
+
+/// Until it is, a power cut may leave a file's name without what was written to it; false where the
+/// disk says that it is not.
+bool reaches_disk(const std::filesystem::path& path) {
+  const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return false;
+  const bool reached = ::fsync(handle) == 0 || errno == EINVAL;  // a file system without
+  const int why = errno;
+  ::close(handle);
+  errno = why;
+  return reached;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+}  // namespace
 
 SavedMap open_map(const std::filesystem::path& file) {
   errno = 0;
@@ -38,13 +61,17 @@ SavedMap load_map(const std::filesystem::path& path) {
 
 void store_map(const std::filesystem::path& file, const SavedMap& map) {
   std::filesystem::path part = file;
-  part += ".part";
+  part += ".surefoot-part";
   std::error_code error;
   std::ofstream stream(part, std::ios::binary);
   write_map(stream, map);
   stream.close();
-  if (stream) std::filesystem::rename(part, file, error);
-  if (stream && !error) return;
+  const bool written = stream && reaches_disk(part);
+  if (written) std::filesystem::rename(part, file, error);
+  if (written && !error) {
+    (void)reaches_disk(folder_of(file));  // a folder that cannot be opened has it all the same
+    return;
+  }
   const int why = errno;
   std::error_code ignored;
   std::filesystem::remove(part, ignored);

@@ -21,11 +21,15 @@ InterruptGuard::InterruptGuard() {
   signalled = 0;
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  // Of a terminal that goes; who asked not to hear of it (nohup) does not.
+  ignores_hangup_ = std::signal(SIGHUP, on_signal) == SIG_IGN;
+  if (ignores_hangup_) std::signal(SIGHUP, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  if (!ignores_hangup_) std::signal(SIGHUP, SIG_DFL);
 }
 
 bool InterruptGuard::interrupted() const { return signalled != 0; }

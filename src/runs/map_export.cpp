@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "runs/map_export.hpp"
 
+#include <array>
 #include <memory>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -106,12 +108,54 @@ std::size_t export_mesh(const mapping::SavedMap& map, const MapExport& wanted,
 
 fs::path beside(fs::path file, const std::string& ending) { return file.replace_extension(ending); }
 
+/// The image and what tells of it.
+std::array<fs::path, 2> occupancy_files(const MapExport& wanted) {
+  return {beside(wanted.grid, ".pgm"), beside(wanted.grid, ".yaml")};
+}
+
+bool is_geotiff(const fs::path& file) {
+  return file.extension() == ".tif" || file.extension() == ".tiff";
+}
+
+/// Heights and their variances: of a GeoTIFF the same file.
+std::array<fs::path, 2> elevation_files(const MapExport& wanted) {
+  if (is_geotiff(wanted.elevation)) return {wanted.elevation, wanted.elevation};
+  const fs::path heights = beside(wanted.elevation, ".asc");
+  fs::path variances = heights;
+  variances.replace_filename(heights.stem().string() + "_variance.asc");
+  return {heights, variances};
+}
+
+/// What is somebody's already is not found after all the work, and not written over.
+void check_files(const MapExport& wanted) {
+  std::vector<fs::path> files = {wanted.pcd, wanted.ply, wanted.las, wanted.mesh};
+  if (!wanted.grid.empty()) {
+    const auto of_grid = occupancy_files(wanted);
+    files.insert(files.end(), of_grid.begin(), of_grid.end());
+  }
+  if (!wanted.elevation.empty()) {
+    const auto [heights, variances] = elevation_files(wanted);
+    files.push_back(heights);
+    if (variances != heights) files.push_back(variances);
+  }
+  std::set<fs::path> known;
+  for (const fs::path& file : files) {
+    if (file.empty()) continue;
+    if (!known.insert(fs::absolute(file).lexically_normal()).second) {
+      throw std::invalid_argument(file.string() + ": is asked for twice");
+    }
+    if (!wanted.overwrite && fs::exists(file)) {
+      throw io::WriteError(file.string() +
+                           ": is there already; choose another name, or --overwrite");
+    }
+  }
+}
+
 ExportedGrid export_occupancy(const mapping::SavedMap& map, const MapExport& wanted) {
   const mapping::OccupancyGrid grid = mapping::draw_occupancy(map.pieces, wanted.occupancy);
-  const fs::path image = beside(wanted.grid, ".pgm");
+  const auto [image, description] = occupancy_files(wanted);
   io::write_whole_file(image, mapping::format_pgm(grid));
-  io::write_whole_file(beside(wanted.grid, ".yaml"),
-                       mapping::format_grid_yaml(grid, image.filename().string()));
+  io::write_whole_file(description, mapping::format_grid_yaml(grid, image.filename().string()));
   return {image, grid.width, grid.height, grid.cell};
 }
 
@@ -134,15 +178,13 @@ std::string elevation_layers(const mapping::ElevationGrid& grid,
 
 ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wanted) {
   const mapping::ElevationGrid grid = mapping::draw_elevation(map.pieces, wanted.elevation_cell);
-  if (wanted.elevation.extension() == ".tif" || wanted.elevation.extension() == ".tiff") {
-    io::write_whole_file(wanted.elevation, elevation_layers(grid, wanted.robot));
-    return {wanted.elevation, grid.width, grid.height, grid.cell};
+  const auto [heights, variances] = elevation_files(wanted);
+  if (is_geotiff(heights)) {
+    io::write_whole_file(heights, elevation_layers(grid, wanted.robot));
+  } else {
+    io::write_whole_file(heights, mapping::format_asc(grid, grid.heights));
+    io::write_whole_file(variances, mapping::format_asc(grid, grid.variances));
   }
-  const fs::path heights = beside(wanted.elevation, ".asc");
-  io::write_whole_file(heights, mapping::format_asc(grid, grid.heights));
-  fs::path variances = heights;
-  variances.replace_filename(heights.stem().string() + "_variance.asc");
-  io::write_whole_file(variances, mapping::format_asc(grid, grid.variances));
   return {heights, grid.width, grid.height, grid.cell};
 }
 
@@ -156,6 +198,7 @@ MapExported export_map(const fs::path& map, const MapExport& wanted,
         "nothing to write: expected --pcd, --ply, --las, --tiles, --mesh, --grid or --elevation");
   }
   if (!wanted.mesh.empty()) static_cast<void>(io::mesh_format(wanted.mesh));  // before all the work
+  check_files(wanted);
   const mapping::SavedMap saved = read_saved_map(map);
   if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));
   if (!wanted.pcd.empty()) {

@@ -28,6 +28,7 @@ struct MapExport {
   mapping::GridOptions occupancy;
   double elevation_cell = 0.2;  ///< [m]
   mapping::LeggedRobot robot;
+  bool overwrite = false;  ///< files that are there already, too (never a folder of tiles)
 };
 
 struct ExportedGrid {
@@ -42,8 +43,8 @@ struct MapExported {
   std::size_t triangles = 0;
 };
 
-/// `progress`: of the mesh, which takes longest. Throws io::ReadError, io::WriteError,
-/// std::invalid_argument where nothing is asked for.
+/// `progress`: of the mesh, which takes longest. Throws io::ReadError, io::WriteError (before any
+/// work where a file is there already), std::invalid_argument where nothing is asked for.
 MapExported export_map(const std::filesystem::path& map, const MapExport& wanted,
                        const mapping::MeshProgress& progress = {});
 

@@ -20,6 +20,7 @@
 #include "runs/loop_truth.hpp"
 #include "runs/map_run.hpp"
 #include "runs/output_checks.hpp"
+#include "runs/output_folder.hpp"
 #include "runs/report_maker.hpp"
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
@@ -61,6 +62,7 @@ class OdometryRun final : public RunControl {
       : options_(options),
         listener_(listener),
         config_(config_of(options)),
+        method_(method_of(options)),
         recording_(&recording),
         odometry_(config_, options.threads),
         T_lidar_written_(written_frame(options, config_)),
@@ -80,6 +82,7 @@ class OdometryRun final : public RunControl {
   void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   [[nodiscard]] std::string no_scan_text() const;
+  void refuse_unreadable(const std::string& error) const;
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
@@ -96,6 +99,7 @@ class OdometryRun final : public RunControl {
   const RunOptions& options_;
   const RunListener& listener_;
   const Config config_;
+  const std::string method_;
   io::Recording* recording_;
   std::unique_ptr<io::Recording> read_again_;
   Odometry odometry_;
@@ -124,6 +128,7 @@ RunOutcome OdometryRun::execute() {
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
   if (!item) throw io::ReadError(no_scan_text());
   if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
+  if (!item->scan) refuse_unreadable(item->error);
   std::optional<Reference> reference;
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
@@ -147,6 +152,8 @@ RunOutcome OdometryRun::execute() {
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
   outcome_.poses = output.poses();
   outcome_.length = output.length();
+  outcome_.segments = std::max<std::size_t>(output.segments().size(), 1);
+  outcome_.losses = recording_->losses();
   write_page(outcome_.folder);
   return std::move(outcome_);
 }
@@ -177,6 +184,21 @@ std::string OdometryRun::no_scan_text() const {
       "{}: none of the {} scans that {} names is there; expected the recording of that run, "
       "read with its options",
       input, options_.only_stamps.size(), options_.like.string());
+}
+
+/// A recording of which no scan can be read leaves nothing behind, and an earlier run where it is.
+/// Of many the first ones tell.
+void OdometryRun::refuse_unreadable(const std::string& error) const {
+  if (options_.is_live) return;
+  constexpr int kToldBy = 100;
+  const std::unique_ptr<io::Recording> again = io::open_recording(options_.input, options_.reader);
+  again->skip(options_.start);
+  int unreadable = 0;
+  for (auto item = again->next(); item; item = again->next()) {
+    if (item->scan || ++unreadable == kToldBy) return;
+  }
+  throw io::ReadError(fmt::format("{}: none of {} scans can be read, the first: {}",
+                                  options_.input.string(), unreadable, error));
 }
 
 void OdometryRun::for_all(std::optional<io::ScanItem> item,
@@ -324,8 +346,8 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
     return found == outcome_.statuses.end() ? 0 : found->second;
   };
   RunDescription run;
-  run.version = SUREFOOT_VERSION;
-  run.method = method_of(options_);
+  run.version = options_.version.empty() ? SUREFOOT_VERSION : options_.version;
+  run.method = method_;
   run.input = options_.is_live ? options_.input.string()
                                : std::filesystem::absolute(options_.input).string();
   run.content = recording_->description();
@@ -392,6 +414,11 @@ void OdometryRun::write_page(const std::filesystem::path& folder) const {
 
 RunOutcome run_odometry(const RunOptions& options, const RunListener& listener) {
   (void)config_of(options);  // what is wrong with it is told before a long recording is opened
+  if (is_run_folder(options.input)) {
+    throw io::ReadError(options.input.string() +
+                        ": is the folder of a run; expected a recording (its run.yaml names one: "
+                        "--config repeats that run)");
+  }
   std::unique_ptr<io::Recording> recording = io::open_recording(options.input, options.reader);
   if (!options.only_stamps.empty()) {
     recording = io::select_scans(std::move(recording), options.only_stamps);

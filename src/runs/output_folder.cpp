@@ -90,6 +90,10 @@ fs::path new_folder(const fs::path& input) {
   return folder;
 }
 
+fs::path whole_path(const fs::path& path) {
+  return path.empty() ? path : fs::weakly_canonical(path);
+}
+
 fs::path ready_folder(const fs::path& asked, const fs::path& input) {
   if (asked.empty()) return new_folder(input);
   refuse_recording(asked, input);
@@ -117,16 +121,20 @@ bool remove_run_files(const fs::path& folder, const fs::path& but) {
 
 OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool overwrite,
                            const fs::path& continued)
-    : path_(ready_folder(asked, input)), lock_(path_) {
+    : continued_(whole_path(continued)), path_(ready_folder(asked, input)), lock_(path_) {
+  if (!overwrite) refuse_losses();
+  replaced_ = remove_run_files(path_, continued_);
+}
+
+void OutputFolder::refuse_losses() const {
   std::error_code ignored;
-  if (!overwrite && !continued.empty() &&
-      fs::equivalent(path_, fs::absolute(continued).parent_path(), ignored)) {
+  if (!continued_.empty() && fs::equivalent(path_, continued_.parent_path(), ignored)) {
     throw std::runtime_error(
         fmt::format("{}: holds the map that is to be continued; choose another folder, or "
                     "--overwrite that map by the joint one",
                     path_.string()));
   }
-  if (!overwrite && !is_run_folder(path_)) {
+  if (!is_run_folder(path_)) {
     if (const std::string foreign = foreign_file(path_); !foreign.empty()) {
       throw std::runtime_error(
           fmt::format("{}: holds {}, which no run has left there; choose another folder, or "
@@ -134,7 +142,13 @@ OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool ov
                       path_.string(), foreign));
     }
   }
-  replaced_ = remove_run_files(path_, continued);
+  for (const char* map : {kSavedMapFile, kApartMapFile}) {
+    if (!fs::exists(path_ / map, ignored)) continue;
+    throw std::runtime_error(
+        fmt::format("{}: holds {}, a map to come back to; choose another folder, or --overwrite "
+                    "it with the rest of that run",
+                    path_.string(), map));
+  }
 }
 
 bool is_run_folder(const fs::path& folder) {

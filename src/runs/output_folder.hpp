@@ -17,7 +17,8 @@ class OutputFolder {
   /// to it. An earlier run's files are removed, so that files of two runs never lie beside each
   /// other. Throws std::runtime_error for a folder that another run is writing to, that the
   /// recording itself lies in, or, unless `overwrite`, that holds files of a run's names, or
-  /// scans, which no run has left, or the map file `continued` (empty: none). That one stays.
+  /// scans, which no run has left, a map to come back to, or the map file `continued` (empty:
+  /// none). That one stays.
   OutputFolder(const std::filesystem::path& asked, const std::filesystem::path& input,
                bool overwrite, const std::filesystem::path& continued = {});
 
@@ -26,6 +27,9 @@ class OutputFolder {
   [[nodiscard]] bool replaced() const { return replaced_; }
 
  private:
+  void refuse_losses() const;
+
+  std::filesystem::path continued_;  // whole, before results/latest points elsewhere
   std::filesystem::path path_;
   process::FolderLock lock_;
   bool replaced_;

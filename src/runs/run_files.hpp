@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 namespace surefoot::runs {
 
@@ -13,6 +14,8 @@ inline constexpr const char* kDenseTrajectoryFile = "trajectory_dense.tum";
 inline constexpr const char* kKittiTrajectoryFile = "trajectory_kitti.txt";
 /// Then the segment's number and ".tum"; where a run has several.
 inline constexpr const char* kSegmentFiles = "trajectory_segment_";
+/// Stands in trajectory.tum where a segment's poses begin; then its number.
+inline constexpr std::string_view kSegmentBegins = "# segment ";
 inline constexpr const char* kScansFile = "scans.csv";
 inline constexpr const char* kMapFile = "map.ply";
 inline constexpr const char* kDeskewingFile = "deskewing.ply";

@@ -24,8 +24,6 @@ namespace {
 
 /// An hour of ten scans a second, more than a picture can show.
 constexpr std::size_t kPicturePoses = 1 << 15;
-/// Stands in trajectory.tum where a segment's poses begin.
-constexpr std::string_view kSegmentBegins = "# segment ";
 
 }  // namespace
 

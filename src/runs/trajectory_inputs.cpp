@@ -28,6 +28,17 @@ fs::path trajectory_file(const fs::path& path) {
   return path;
 }
 
+/// A recording's truth would be a perfect estimate of itself.
+void refuse_recording(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored) || fs::exists(path / kTrajectoryFile, ignored) ||
+      !fs::exists(path / kTruthFile, ignored)) {
+    return;
+  }
+  throw io::ReadError(path.string() + ": is a recording, with its " + kTruthFile +
+                      "; expected an estimate: a trajectory, or the folder of a run");
+}
+
 /// What an estimate is called: its file without extension, or the run's folder.
 std::string name_of(const fs::path& path) {
   std::error_code ignored;
@@ -73,6 +84,11 @@ bool is_table(const fs::path& file, bool find_format) {
   if (!find_format || !fs::exists(file, ignored)) return false;
   if (io::is_bag_file(file) || fs::is_directory(file, ignored)) return true;
   const std::size_t columns = columns_of(file);
+  constexpr std::size_t kNanosecondDigits = 16;  // TUM's stamps are seconds
+  const std::string row = first_row(file);
+  const std::size_t begin = std::min(row.find_first_not_of(" \t"), row.size());
+  const std::size_t end = std::min(row.find_first_not_of("0123456789", begin), row.size());
+  if (end - begin >= kNanosecondDigits && (end == row.size() || row[end] != '.')) return true;
   return columns == 4 || columns == 9 || columns == 13 || has_commas(file);
 }
 
@@ -105,11 +121,21 @@ ReferenceTrajectory read_reference(const ReferenceRequest& request) {
 }
 
 Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& reference) {
+  refuse_recording(path);
   Trajectory estimate = read_trajectory(trajectory_file(path), reference.format);
   if (reference.is_foreign) {
     for (StampedPose& pose : estimate) pose.pose = pose.pose * reference.truth.T_lidar_truth;
   }
   return estimate;
+}
+
+std::size_t segments_of(const fs::path& path) {
+  std::ifstream stream(trajectory_file(path));
+  std::size_t count = 1;
+  for (std::string line; std::getline(stream, line);) {
+    count += line.starts_with(kSegmentBegins) ? 1 : 0;
+  }
+  return count;
 }
 
 std::vector<std::string> estimate_names(const std::vector<fs::path>& files) {

@@ -42,6 +42,10 @@ struct ReferenceTrajectory {
 [[nodiscard]] Trajectory read_estimate(const std::filesystem::path& path,
                                        const ReferenceTrajectory& reference);
 
+/// In how many segments, each in a frame of its own, a run left its trajectory (a file, or its
+/// folder): 1 for any other.
+[[nodiscard]] std::size_t segments_of(const std::filesystem::path& path);
+
 /// What estimates are called: the file without extension, or the run's folder; whole paths where
 /// these are not unique.
 [[nodiscard]] std::vector<std::string> estimate_names(

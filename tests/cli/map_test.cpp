@@ -74,6 +74,20 @@ TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   expect_refused({"export", "map"}, "nothing to write");
 }
 
+TEST_F(MapCommand, IsNotWrittenOverWhatIsThere) {
+  write_content(path("kept.pcd"), "mine");
+  write_content(path("heights_variance.asc"), "mine");
+  expect_refused({"export", "map", "--ply", "new.ply", "--pcd", "kept.pcd"},
+                 "kept.pcd: is there already");
+  expect_refused({"export", "map", "--elevation", "heights.asc"}, "heights_variance.asc");
+  expect_refused({"export", "map", "--ply", "one", "--las", "./one"}, "twice");
+  EXPECT_FALSE(fs::exists(path("new.ply")));
+  EXPECT_EQ(file_content(path("kept.pcd")), "mine");
+  const ProcessResult result = surefoot({"export", "map", "--pcd", "kept.pcd", "--overwrite"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_GT(fs::file_size(path("kept.pcd")), 100'000U);
+}
+
 TEST_F(MapCommand, BecomesTilesInAFolderOfTheirOwn) {
   const ProcessResult result =
       surefoot({"export", "map", "--tiles", "tiles", "--tiles-at", "48.1", "11.6", "520", "90"});

@@ -90,7 +90,7 @@ TEST_F(ReferenceCommand, UsesTheScansAndParametersThatItIsToldTo) {
 }
 
 TEST_F(ReferenceCommand, RefusesWhatCannotBeOne) {
-  expect_refused({"reference", "in", "-o", "out", "--method", "paper"}, "paper");
+  expect_refused({"reference", "in", "-o", "out", "--method", "paper"}, "--method");
   expect_refused({"reference", "nowhere", "-o", "out"}, "nowhere");
   expect_refused({"reference", "in", "-o", "out", "--start", "12"}, "in");
   expect_refused({"reference", "in", "-o", "out", "--set", "knots.wings=2"}, "knots.wings");

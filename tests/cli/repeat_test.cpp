@@ -67,7 +67,7 @@ TEST_P(Interrupt, LeavesWholeFiles) {
   EXPECT_NO_THROW((void)io::parse_ply(std::as_bytes(std::span(map))));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Interrupt, testing::Values(SIGINT, SIGTERM));
+INSTANTIATE_TEST_SUITE_P(All, Interrupt, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 }  // namespace
 }  // namespace surefoot::test

@@ -56,10 +56,17 @@ class TemporaryFile {
     std::vector<std::byte> part(1 << 18);
     while (const std::size_t got = content.read(part)) {
       file.write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(got));
-      if (!file.flush()) {
+      if (!file.flush() || !has_room()) {
         throw ReadError(path_.string() + ": no room to decompress it into (disk full?)");
       }
     }
+  }
+  /// What is compressed may be any length: others need the disk as well.
+  [[nodiscard]] bool has_room() const {
+    constexpr std::uintmax_t kLeft = std::uintmax_t{64} << 20;
+    std::error_code error;
+    const fs::space_info space = fs::space(path_, error);
+    return error || space.available >= kLeft;
   }
   void remove() const {
     std::error_code ignored;

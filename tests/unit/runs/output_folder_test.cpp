@@ -29,11 +29,27 @@ class OutputFolderTest : public test::Scratch {
 
 TEST_F(OutputFolderTest, AnEarlierRunsFilesGoAndOthersStay) {
   for (const char* name : kRunFiles) write(std::string("out/") + name, scans_csv_header());
+  fs::remove(folder_ / "out" / kSavedMapFile);
+  fs::remove(folder_ / "out" / kApartMapFile);
   const auto thesis = write("out/thesis.tex", "years of work");
   const OutputFolder folder(folder_ / "out", folder_ / "in", false);
   EXPECT_TRUE(folder.replaced());
   for (const char* name : kRunFiles) EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
   EXPECT_TRUE(fs::exists(thesis));
+}
+
+TEST_F(OutputFolderTest, AMapToComeBackToIsNotLost) {
+  write("out/scans.csv", scans_csv_header());
+  for (const char* name : {kSavedMapFile, kApartMapFile}) {
+    const auto map = write(std::string("out/") + name, "days of work");
+    expect_refused("out", name);
+    EXPECT_TRUE(fs::exists(map));
+    EXPECT_TRUE(fs::exists(folder_ / "out/scans.csv"));
+    fs::remove(map);
+  }
+  write(std::string("out/") + kSavedMapFile, "old");
+  const OutputFolder taken(folder_ / "out", folder_ / "in", true);
+  EXPECT_FALSE(fs::exists(taken.path() / kSavedMapFile));
 }
 
 TEST_F(OutputFolderTest, WhatNoRunHasLeftIsRefused) {
@@ -77,6 +93,15 @@ TEST_F(Latest, PointsToTheLastRun) {
     EXPECT_TRUE(fs::is_symlink("results/latest"));
     EXPECT_TRUE(fs::equivalent("results/latest", folder.path()));
   }
+}
+
+TEST_F(Latest, MapContinuesTheOneItPointedTo) {
+  const fs::path first = OutputFolder({}, "in", false).path();
+  write((first / kSavedMapFile).string(), "a map");
+  const fs::path map = fs::path("results") / "latest" / kSavedMapFile;
+  const OutputFolder second({}, "in", false, map);
+  EXPECT_FALSE(fs::equivalent(first, second.path()));
+  EXPECT_TRUE(fs::exists(first / kSavedMapFile));
 }
 
 TEST_F(Latest, WhatSomebodyElsePutThereStays) {
