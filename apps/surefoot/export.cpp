@@ -50,14 +50,62 @@ void add_elevation_options(CLI::App& command, runs::MapExport& files) {
       "for traversability: of the ground off its plane, root mean square [m]", 5.0);
 }
 
+struct ExportOptions {
+  std::filesystem::path map;
+  runs::MapExport files;
+  std::array<double, 4> place{};
+};
+
+void add_point_options(CLI::App& command, ExportOptions& options) {
+  runs::MapExport& files = options.files;
+  command.add_option("--pcd", files.pcd, "points, to this PCD file");
+  command.add_option("--ply", files.ply, "points, to this PLY file");
+  command.add_option("--las", files.las, "points, to this LAS 1.4 file, in millimetres");
+  CLI::Option* tiles = command.add_option(
+      "--tiles", files.tiles, "points, as 3D Tiles into this new folder, for maps of any size");
+  command
+      .add_option("--tiles-at", options.place,
+                  "where on the earth the map's origin is: LATITUDE LONGITUDE [deg], HEIGHT above "
+                  "the ellipsoid [m], and the AZIMUTH of its x axis, clockwise from north [deg]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs(tiles);
+}
+
+void add_surface_options(CLI::App& command, runs::MapExport& files) {
+  command.add_option("--mesh", files.mesh, "surfaces as triangles, to this PLY, OBJ or STL file");
+  command
+      .add_option("--mesh-cell", files.triangles.cell, "edges of triangles are about as long [m]")
+      ->check(command_line::number_within(0.05, 2.0))
+      ->capture_default_str();
+  command.add_option("--grid", files.grid,
+                     "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
+  command.add_option("--cell", files.occupancy.cell, "of the occupancy grid [m]")
+      ->check(command_line::number_within(0.01, 10.0))
+      ->capture_default_str();
+}
+
+void print_exported(const runs::MapExport& files, const runs::MapExported& done) {
+  if (done.tiles.tiles > 0) {
+    fmt::print("{}: {} points in {} tiles, {} levels\n", files.tiles.string(), done.tiles.points,
+               done.tiles.tiles, done.tiles.levels);
+    if (std::filesystem::exists(files.tiles / "index.html")) {
+      fmt::print(
+          "to look at them: python3 -m http.server --bind 127.0.0.1 -d {}, and "
+          "http://127.0.0.1:8000/ in a browser\n",
+          files.tiles.string());
+    }
+  }
+  if (!files.mesh.empty()) fmt::print("{}: {} triangles\n", files.mesh.string(), done.triangles);
+  for (const runs::ExportedGrid& grid : done.grids) {
+    fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,
+               grid.cell);
+  }
+}
+
 }  // namespace
 
 void add_export_command(CLI::App& app, int& /*exit_code*/) {
-  struct ExportOptions {
-    std::filesystem::path map;
-    runs::MapExport files;
-    std::array<double, 4> place{};
-  };
   auto options = std::make_shared<ExportOptions>();
   runs::MapExport& files = options->files;
   CLI::App* command = app.add_subcommand(
@@ -66,57 +114,19 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   command
       ->add_option("map", options->map, "what surefoot map has written: map.surefoot or its folder")
       ->required();
-  command->add_option("--pcd", files.pcd, "points, to this PCD file");
-  command->add_option("--ply", files.ply, "points, to this PLY file");
-  command->add_option("--las", files.las, "points, to this LAS 1.4 file, in millimetres");
-  CLI::Option* tiles = command->add_option(
-      "--tiles", files.tiles, "points, as 3D Tiles into this new folder, for maps of any size");
-  const CLI::Option* at =
-      command
-          ->add_option(
-              "--tiles-at", options->place,
-              "where on the earth the map's origin is: LATITUDE LONGITUDE [deg], HEIGHT above "
-              "the ellipsoid [m], and the AZIMUTH of its x axis, clockwise from north [deg]")
-          ->delimiter(',')
-          ->allow_extra_args(false)
-          ->needs(tiles);
-  command->add_option("--mesh", files.mesh, "surfaces as triangles, to this PLY, OBJ or STL file");
-  command
-      ->add_option("--mesh-cell", files.triangles.cell, "edges of triangles are about as long [m]")
-      ->check(command_line::number_within(0.05, 2.0))
-      ->capture_default_str();
-  command->add_option("--grid", files.grid,
-                      "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
-  command->add_option("--cell", files.occupancy.cell, "of the occupancy grid [m]")
-      ->check(command_line::number_within(0.01, 10.0))
-      ->capture_default_str();
+  add_point_options(*command, *options);
+  add_surface_options(*command, files);
   add_elevation_options(*command, files);
   command->add_flag("--overwrite", files.overwrite, "write also where files are already");
-  command->callback([options, at] {
-    if (at->count() > 0) options->files.tiles_at = earth_place(options->place);
+  command->callback([command, options] {
+    if (command->count("--tiles-at") > 0) options->files.tiles_at = earth_place(options->place);
     process::Progress progress("blocks", false);
     const runs::MapExported done =
         runs::export_map(options->map, options->files, [&](std::size_t blocks, std::size_t all) {
           progress.update(blocks, static_cast<double>(blocks) / static_cast<double>(all));
         });
     progress.finish();
-    if (done.tiles.tiles > 0) {
-      fmt::print("{}: {} points in {} tiles, {} levels\n", options->files.tiles.string(),
-                 done.tiles.points, done.tiles.tiles, done.tiles.levels);
-      if (std::filesystem::exists(options->files.tiles / "index.html")) {
-        fmt::print(
-            "to look at them: python3 -m http.server --bind 127.0.0.1 -d {}, and "
-            "http://127.0.0.1:8000/ in a browser\n",
-            options->files.tiles.string());
-      }
-    }
-    if (!options->files.mesh.empty()) {
-      fmt::print("{}: {} triangles\n", options->files.mesh.string(), done.triangles);
-    }
-    for (const runs::ExportedGrid& grid : done.grids) {
-      fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,
-                 grid.cell);
-    }
+    print_exported(options->files, done);
   });
 }
 

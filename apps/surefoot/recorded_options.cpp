@@ -16,15 +16,13 @@ namespace {
 
 /// What is recorded as a parameter, names files, or changes nothing about the results.
 constexpr std::array kNotRecorded = {
-    "help",          "config",        "method",      "set",
-    "extrinsic",     "level",         "output",      "overwrite",
-    "quiet",         "mcap",          "rosbag2",     "threads",
-    "udp",           "address",       "queue",       "record",
-    "replay",        "follow",        "speed",       "silence",
-    "no-loops",      "ros2-topic",    "ros2-domain", "ros2-interface",
-    "ros2-peer",     "ros2-qos",      "ros2-node",   "ros2-publish",
-    "ros2-commands", "ros1-topic",    "ros1-master", "ros1-node",
-    "ros1-publish",  "ros1-commands", "page",        "loop-candidates"};
+    "help",        "config",    "method",       "set",           "extrinsic",     "level",
+    "output",      "overwrite", "quiet",        "mcap",          "rosbag2",       "threads",
+    "udp",         "address",   "queue",        "record",        "replay",        "follow",
+    "speed",       "silence",   "no-loops",     "ros2-topic",    "ros2-domain",   "ros2-interface",
+    "ros2-peer",   "ros2-qos",  "ros2-node",    "ros2-publish",  "ros2-commands", "ros1-topic",
+    "ros1-master", "ros1-node", "ros1-publish", "ros1-commands", "page",          "loop-candidates",
+    "truth"};
 
 }  // namespace
 

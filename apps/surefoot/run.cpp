@@ -31,11 +31,11 @@ namespace surefoot::app {
 namespace {
 
 void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& options) {
-  if (outcome.interrupted) {
-    fmt::print("interrupted: {}\n", outcome.scans() > 0
-                                        ? "what was done up to here is written"
-                                        : "no scan's pose was known yet, none is written");
+  if (outcome.interrupted && outcome.scans() == 0) {
+    fmt::print("interrupted before any pose was known: nothing is written\n");
+    return;
   }
+  if (outcome.interrupted) fmt::print("interrupted: what was done up to here is written\n");
   if (options.reference) {
     fmt::print("{} scans at once, {:.1f} m\n", outcome.scans(), outcome.length);
   } else {
@@ -104,6 +104,7 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
 int run_recording(CLI::App& command, runs::RunOptions& options) {
   complete_options(command, options);
   take_piped_recording(options.input, options.quiet);
+  take_piped_text(options.truth);
 #ifdef SUREFOOT_HAS_PCAP
   if (!options.like.empty()) repeat_live_run(options);
 #endif

@@ -13,17 +13,9 @@
 
 namespace surefoot::app {
 
-void add_run_options(CLI::App& command, runs::RunOptions& options) {
-  options.version = process::build_version();
-  command.add_option(
-      "-o,--output", options.output,
-      "folder for the results (default: results/<input>-<time>, linked as results/latest)");
-  command.add_flag("--overwrite", options.overwrite,
-                   "write also where files lie that no run has left");
-  command.add_option("--mcap", options.mcap,
-                     "also write scans, local map, odometry, path, transforms and diagnostics as "
-                     "ROS 2 messages to this MCAP file");
-  command.add_option("--rosbag2", options.rosbag2, "the same to this folder, as a sqlite3 bag");
+namespace {
+
+void add_method_options(CLI::App& command, runs::RunOptions& options) {
   command
       .add_option("--method", options.method, fmt::format("one of: {}", fmt::join(methods(), ", ")))
       ->default_str(fmt::format("that of --config, else {}", runs::kDefaultMethod));
@@ -51,18 +43,12 @@ void add_run_options(CLI::App& command, runs::RunOptions& options) {
       ->check(command_line::whole_number(1));
   command.add_option("--stride", options.stride, "use every n-th scan")
       ->check(command_line::whole_number(1));
-  command
-      .add_option("--pose-of", options.pose_of,
-                  "frame whose poses are written (base needs --extrinsic)")
-      ->check(CLI::IsMember({"lidar", "base"}))
-      ->capture_default_str();
+}
+
+void add_map_options(CLI::App& command, runs::RunOptions& options) {
   command.add_option("--map-voxel", options.map_voxel, "one point per cube in map.ply [m]")
       ->check(command_line::number_within(0.01, 10.0))
       ->capture_default_str();
-  command
-      .add_option("--pose-rate", options.pose_rate,
-                  "also write trajectory_dense.tum with so many poses a second, within scans [Hz]")
-      ->check(command_line::number_within(0.1, 100000.0));
   command.add_flag("--loop-closure", options.loop_closure,
                    "also find places that were visited before, and write trajectory_optimized.tum, "
                    "map_optimized.ply and loops.csv");
@@ -74,9 +60,42 @@ void add_run_options(CLI::App& command, runs::RunOptions& options) {
                      "map is joined to it, and map.surefoot and trajectory_optimized.tum are in "
                      "its frame");
   command.add_flag("--no-map", options.no_map, "do not write map.ply");
+}
+
+void add_result_options(CLI::App& command, runs::RunOptions& options) {
+  command.add_option(
+      "-o,--output", options.output,
+      "folder for the results (default: results/<input>-<time>, linked as results/latest)");
+  command.add_flag("--overwrite", options.overwrite,
+                   "write also where files lie that no run has left, or a map.surefoot");
+  command.add_option("--mcap", options.mcap,
+                     "also write scans, local map, odometry, path, transforms and diagnostics as "
+                     "ROS 2 messages to this MCAP file");
+  command.add_option("--rosbag2", options.rosbag2, "the same to this folder, as a sqlite3 bag");
+  command.add_option("--truth", options.truth,
+                     "a trajectory with stamps and rotations, of the poses that are written: the "
+                     "picture and the report compare with it (default: the recording's gt.tum)");
+  command
+      .add_option("--pose-of", options.pose_of,
+                  "frame whose poses are written (base needs --extrinsic)")
+      ->check(CLI::IsMember({"lidar", "base"}))
+      ->capture_default_str();
+  command
+      .add_option("--pose-rate", options.pose_rate,
+                  "also write trajectory_dense.tum with so many poses a second, within scans [Hz]")
+      ->check(command_line::number_within(0.1, 100000.0));
   command.add_flag("--no-picture", options.no_picture, "do not draw the picture");
   command.add_flag("--no-report", options.no_report, "do not write report.html");
   command.add_flag("-q,--quiet", options.quiet, "print errors only");
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, runs::RunOptions& options) {
+  options.version = process::build_version();
+  add_result_options(command, options);
+  add_method_options(command, options);
+  add_map_options(command, options);
   add_reader_options(command, options.reader);
 }
 

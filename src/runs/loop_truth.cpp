@@ -42,12 +42,12 @@ std::vector<Pose> true_pieces(const std::vector<mapping::Piece>& pieces, const T
 
 }  // namespace
 
-Trajectory truth_of_loops(const std::filesystem::path& input,
+Trajectory truth_of_loops(const RunOptions& options,
                           const std::function<void(const std::string& text)>& say) {
-  const std::filesystem::path file = truth_beside(input);
-  if (file.empty()) return {};
+  const std::filesystem::path beside = truth_beside(options.input);
   try {
-    return io::read_tum_thinned(file, kTruthStep);
+    if (!options.truth.empty()) return read_truth_poses(options.truth);
+    return beside.empty() ? Trajectory{} : io::read_tum_thinned(beside, kTruthStep);
   } catch (const io::ReadError& error) {
     say(fmt::format("loops are not judged: {}", error.what()));
     return {};

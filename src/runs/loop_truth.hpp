@@ -12,13 +12,15 @@
 
 #include "mapping/walk_mapper.hpp"
 #include "runs/map_outcome.hpp"
+#include "runs/run_options.hpp"
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
 
-/// The truth beside a recording, by which loops are judged, as finely as that needs; empty if there
-/// is none. A broken file is told to `say`, and no reason to have no map.
-[[nodiscard]] Trajectory truth_of_loops(const std::filesystem::path& input,
+/// The truth that was given, or that beside the recording, by which loops are judged, as finely as
+/// that needs; empty if there is none. A broken file is told to `say`, and no reason to have no
+/// map.
+[[nodiscard]] Trajectory truth_of_loops(const RunOptions& options,
                                         const std::function<void(const std::string& text)>& say);
 
 /// How far a loop's motion is from the true one, in what it claims to hold.

@@ -25,6 +25,7 @@
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_output.hpp"
+#include "runs/run_truth.hpp"
 #include "runs/saved_map.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/reference.hpp"
@@ -123,6 +124,7 @@ class OdometryRun final : public RunControl {
 
 RunOutcome OdometryRun::execute() {
   check_outputs(options_);  // what needs no scan first: a live run's may be long in coming
+  if (!options_.truth.empty()) (void)read_truth_poses(options_.truth);  // what is given must do
   if (!options_.localize.empty()) localize(options_.localize);
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
@@ -133,6 +135,10 @@ RunOutcome OdometryRun::execute() {
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
   outcome_.folder = output.folder().path();
+  if (reference) know_all(std::move(*reference), item);
+  outcome_.interrupted = listener_.interrupted();
+  if (outcome_.interrupted && options_.reference) return std::move(outcome_);
+  output.begin(options_);
   if (output.folder().replaced()) {
     listener_.say(
         fmt::format("note: {}: an earlier run's files are replaced", outcome_.folder.string()));
@@ -141,7 +147,6 @@ RunOutcome OdometryRun::execute() {
   if (listener_.started) listener_.started(outcome_.folder, *this);
   open_bags();
   begin_map();
-  if (reference) know_all(std::move(*reference), item);
   for_all(std::move(item), [&](const io::ScanItem& one) { use(one, output); });
   say_new_notes();
   map_.drop_forgotten();
@@ -386,7 +391,7 @@ void OdometryRun::begin_map() {
   options.close_loops = !options_.no_loops;
   options.loops.candidates = options_.loop_candidates;
   options.folder = outcome_.folder;
-  map_run_.emplace(options, truth_of_loops(options_.input, listener_.say), std::move(continued_));
+  map_run_.emplace(options, truth_of_loops(options_, listener_.say), std::move(continued_));
 }
 
 void OdometryRun::finish_map() {
@@ -402,7 +407,7 @@ void OdometryRun::finish_map() {
 void OdometryRun::write_page(const std::filesystem::path& folder) const {
   if (options_.no_report || !has_report_page()) return;
   try {
-    ReportMaker maker;
+    ReportMaker maker(options_.truth);
     maker.add_run(folder);
     write_report(maker.take({}), folder / kReportFile);
   } catch (const std::exception& error) {

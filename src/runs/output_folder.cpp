@@ -123,8 +123,9 @@ OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool ov
                            const fs::path& continued)
     : continued_(whole_path(continued)), path_(ready_folder(asked, input)), lock_(path_) {
   if (!overwrite) refuse_losses();
-  replaced_ = remove_run_files(path_, continued_);
 }
+
+void OutputFolder::clear() { replaced_ = remove_run_files(path_, continued_); }
 
 void OutputFolder::refuse_losses() const {
   std::error_code ignored;

@@ -14,8 +14,7 @@ namespace surefoot::runs {
 class OutputFolder {
  public:
   /// Makes the folder that was asked for, or a new one under results/ with results/latest pointing
-  /// to it. An earlier run's files are removed, so that files of two runs never lie beside each
-  /// other. Throws std::runtime_error for a folder that another run is writing to, that the
+  /// to it. Throws std::runtime_error for a folder that another run is writing to, that the
   /// recording itself lies in, or, unless `overwrite`, that holds files of a run's names, or
   /// scans, which no run has left, a map to come back to, or the map file `continued` (empty:
   /// none). That one stays.
@@ -23,7 +22,9 @@ class OutputFolder {
                bool overwrite, const std::filesystem::path& continued = {});
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Whether an earlier run's files were removed.
+  /// Removes an earlier run's files, so that files of two runs never lie beside each other.
+  void clear();
+  /// Whether there were any.
   [[nodiscard]] bool replaced() const { return replaced_; }
 
  private:
@@ -32,7 +33,7 @@ class OutputFolder {
   std::filesystem::path continued_;  // whole, before results/latest points elsewhere
   std::filesystem::path path_;
   process::FolderLock lock_;
-  bool replaced_;
+  bool replaced_ = false;
 };
 
 /// Whether a run has left the folder, to its end or not.

@@ -18,7 +18,6 @@
 #include "report/report_json.hpp"
 #include "runs/run_folder.hpp"
 #include "runs/run_truth.hpp"
-#include "runs/trajectory_inputs.hpp"
 
 namespace surefoot::runs {
 
@@ -44,15 +43,6 @@ report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
     series.yaw_deg.push_back(static_cast<float>(split[i].yaw));
   }
   return series;
-}
-
-/// With stamps and rotations, as the report's figures need them.
-Trajectory truth_poses(const fs::path& file) {
-  ReferenceTrajectory read = read_reference({file, {}, {}});
-  if (read.truth.has_stamps && read.truth.has_rotations) return std::move(read.truth.poses);
-  throw io::ReadError(file.string() + ": has no " +
-                      (read.truth.has_stamps ? "rotations" : "stamps") +
-                      "; expected a truth with both, or surefoot eval, which can do without");
 }
 
 /// From the run's frame to the truth's.
@@ -127,7 +117,7 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   fs::path truth_file = truth.empty() ? truth_ : truth;
   if (truth_file.empty() && read.poses_of_lidar) truth_file = truth_beside(read.input);
   if (!truth_file.empty()) {
-    const Trajectory poses = truth_poses(truth_file);
+    const Trajectory poses = read_truth_poses(truth_file);
     run.facts.emplace_back("Truth", truth_file.string());
     try {
       evaluate_run(poses, read.measured, run);

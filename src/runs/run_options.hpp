@@ -53,6 +53,7 @@ struct RunOptions {
   bool save_map = false;            ///< also the map to come back to
   std::filesystem::path localize;   ///< a saved map (file or folder) to say poses in; empty: none
   std::filesystem::path continued;  ///< a saved map (file or folder) to go on with; empty: none
+  std::filesystem::path truth;      ///< to draw and compare with; empty: the recording's gt.tum
   bool no_map = false;
   bool no_picture = false;
   bool no_report = false;

@@ -30,8 +30,11 @@ constexpr std::size_t kPicturePoses = 1 << 15;
 RunOutput::RunOutput(const RunOptions& options)
     : folder_(options.output, options.input, options.overwrite,
               options.continued.empty() ? fs::path{} : saved_map_file(options.continued)),
-      csv_(open(kScansFile)),
-      path_(kPicturePoses) {
+      path_(kPicturePoses) {}
+
+void RunOutput::begin(const RunOptions& options) {
+  folder_.clear();
+  csv_ = open(kScansFile);
   csv_ << scans_csv_header() << std::flush;  // first: by it the folder is known for a run's
   tum_ = open(kTrajectoryFile);
   kitti_ = open(kKittiTrajectoryFile);
@@ -107,10 +110,10 @@ Trajectory RunOutput::measured() const {
 /// The recording's truth in the map frame, where it has one; a broken file is no reason to have no
 /// picture.
 Trajectory RunOutput::truth_of(const RunOptions& options, const report::DrawnLoops& loops) const {
-  const fs::path file = options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
+  const fs::path file = truth_file(options);
   if (file.empty()) return {};
   try {
-    return truth_in_map(io::read_tum(file), measured(), loops);
+    return truth_in_map(read_truth_poses(file), measured(), loops);
   } catch (const io::ReadError&) {
     return {};
   }

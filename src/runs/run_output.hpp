@@ -31,8 +31,11 @@ struct SegmentSpan {
 /// lines; the rest is written by finish(), run.yaml last: a run that has it came to its end.
 class RunOutput {
  public:
-  /// Makes the folder. Throws std::runtime_error naming what cannot be written.
+  /// Makes the folder, in which all stays as it is. Throws std::runtime_error naming what cannot be
+  /// written.
   explicit RunOutput(const RunOptions& options);
+  /// An earlier run's files go; before add(). Throws likewise.
+  void begin(const RunOptions& options);
 
   /// A line for a scan: in scans.csv and trajectory_kitti.txt always, in trajectory.tum only if its
   /// pose was measured. `T_lidar_written`: where the frame whose poses are written sits.

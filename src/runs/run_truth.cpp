@@ -3,8 +3,12 @@
 #include "runs/run_truth.hpp"
 
 #include <exception>
+#include <string>
+#include <utility>
 
 #include "evaluation/evaluate.hpp"
+#include "io/recording.hpp"
+#include "runs/trajectory_inputs.hpp"
 
 namespace surefoot::runs {
 
@@ -19,6 +23,19 @@ constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hund
 fs::path truth_beside(const fs::path& input) {
   const fs::path file = input / "gt.tum";
   return fs::is_regular_file(file) ? file : fs::path{};
+}
+
+fs::path truth_file(const RunOptions& options) {
+  if (!options.truth.empty()) return options.truth;
+  return options.pose_of == "lidar" ? truth_beside(options.input) : fs::path{};
+}
+
+Trajectory read_truth_poses(const fs::path& file) {
+  ReferenceTrajectory read = read_reference({file, {}, {}});
+  if (read.truth.has_stamps && read.truth.has_rotations) return std::move(read.truth.poses);
+  throw io::ReadError(file.string() + ": has no " +
+                      (read.truth.has_stamps ? "rotations" : "stamps") +
+                      "; expected a truth with both, or surefoot eval, which can do without");
 }
 
 Pose laid_on_truth(const evaluation::AssociatedTrajectories& pairs) {

@@ -8,12 +8,21 @@
 
 #include "evaluation/alignment.hpp"
 #include "report/run_picture.hpp"
+#include "runs/run_options.hpp"
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot::runs {
 
 /// The gt.tum of the recording, poses of the LiDAR; empty if there is none.
 [[nodiscard]] std::filesystem::path truth_beside(const std::filesystem::path& input);
+
+/// That of a run's options: the file that was given, else the recording's; empty if there is none,
+/// or if the poses that are written are not those of the LiDAR.
+[[nodiscard]] std::filesystem::path truth_file(const RunOptions& options);
+
+/// The poses in whatever file eval takes as a reference. Throws io::ReadError, also where they have
+/// no stamps or no rotations.
+[[nodiscard]] Trajectory read_truth_poses(const std::filesystem::path& file);
 
 /// T_world_map by which a run is laid on its truth to be looked at: by orientations, too. On a
 /// straight way positions leave the turn about it open, and the map would lie on its side. Throws

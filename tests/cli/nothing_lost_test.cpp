@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "io/file_writer.hpp"
+#include "io/trajectory_files.hpp"
 #include "process.hpp"
 #include "recordings.hpp"
 #include "runs/run_files.hpp"
@@ -80,6 +81,28 @@ TEST_F(NothingLost, ARunIsNoRecordingAndARecordingNoEstimate) {
   expect_refused({"run", "a", "-o", "b"}, "folder of a run");
   expect_refused({"eval", "in/gt.tum", "in"}, "is a recording");
   EXPECT_EQ(surefoot({"eval", "in", "a"}).exit_code, 0);
+}
+
+/// Which is read before any work, in whatever form.
+TEST_F(NothingLost, ARunIsComparedWithTheTruthThatIsGiven) {
+  std::string truth = "#t,x,y,z,qx,qy,qz,qw\n";
+  for (const StampedPose& pose : io::read_tum(path("in/gt.tum"))) {
+    const Eigen::Vector3d& t = pose.pose.translation;
+    const Eigen::Quaterniond& q = pose.pose.rotation;
+    truth += std::to_string(1e-9 * static_cast<double>(pose.stamp_ns));
+    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+      truth += "," + std::to_string(value);
+    }
+    truth += '\n';
+  }
+  write_content(path("truth.csv"), truth);
+  fs::remove(path("in/gt.tum"));
+  expect_refused({"run", "in", "-o", "none", "--truth", "in/000000.pcd"}, "000000.pcd");
+  EXPECT_FALSE(fs::exists(path("none")));
+  const ProcessResult run = surefoot({"run", "in", "-o", "a", "-q", "--truth", "truth.csv"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  const std::string page = file_content(path("a/report.html"));
+  EXPECT_NE(page.find("truth.csv"), std::string::npos);
 }
 
 TEST_F(NothingLost, APageIsNotWrittenOverAMap) {

@@ -32,7 +32,12 @@ TEST_F(OutputFolderTest, AnEarlierRunsFilesGoAndOthersStay) {
   fs::remove(folder_ / "out" / kSavedMapFile);
   fs::remove(folder_ / "out" / kApartMapFile);
   const auto thesis = write("out/thesis.tex", "years of work");
-  const OutputFolder folder(folder_ / "out", folder_ / "in", false);
+  OutputFolder folder(folder_ / "out", folder_ / "in", false);
+  for (const char* name : kRunFiles) {
+    const bool map = name == std::string(kSavedMapFile) || name == std::string(kApartMapFile);
+    EXPECT_EQ(fs::exists(folder.path() / name), !map) << name;
+  }
+  folder.clear();
   EXPECT_TRUE(folder.replaced());
   for (const char* name : kRunFiles) EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
   EXPECT_TRUE(fs::exists(thesis));
@@ -48,7 +53,8 @@ TEST_F(OutputFolderTest, AMapToComeBackToIsNotLost) {
     fs::remove(map);
   }
   write(std::string("out/") + kSavedMapFile, "old");
-  const OutputFolder taken(folder_ / "out", folder_ / "in", true);
+  OutputFolder taken(folder_ / "out", folder_ / "in", true);
+  taken.clear();
   EXPECT_FALSE(fs::exists(taken.path() / kSavedMapFile));
 }
 
@@ -72,7 +78,8 @@ TEST_F(OutputFolderTest, ARecordingIsNeverTheOutput) {
 }
 
 TEST_F(OutputFolderTest, OneRunAtATime) {
-  const OutputFolder first(folder_ / "out", folder_ / "in", false);
+  OutputFolder first(folder_ / "out", folder_ / "in", false);
+  first.clear();
   EXPECT_FALSE(first.replaced());
   expect_refused("out", "another process", true);
 }
@@ -99,7 +106,8 @@ TEST_F(Latest, MapContinuesTheOneItPointedTo) {
   const fs::path first = OutputFolder({}, "in", false).path();
   write((first / kSavedMapFile).string(), "a map");
   const fs::path map = fs::path("results") / "latest" / kSavedMapFile;
-  const OutputFolder second({}, "in", false, map);
+  OutputFolder second({}, "in", false, map);
+  second.clear();
   EXPECT_FALSE(fs::equivalent(first, second.path()));
   EXPECT_TRUE(fs::exists(first / kSavedMapFile));
 }
