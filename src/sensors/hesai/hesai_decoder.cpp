@@ -108,11 +108,9 @@ double HesaiDecoder::distance_unit(Bytes payload) const {
   return model_.header_bytes == 0 ? 0.004 : 0.001 * u8(payload, model_.header_bytes == 12 ? 9 : 5);
 }
 
-PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
-  firings.clear();
-  if (!fits(payload, model_)) {
-    return PacketKind::other;
-  }
+/// What the tail says of all the packet's blocks. Returns how many of them, one for each return,
+/// lie at an azimuth: 0 where the packet is malformed.
+std::size_t HesaiDecoder::read_tail(Bytes payload, Firings& firings) {
   const Bytes tail = payload.subspan(model_.tail.begin);
   const ReturnMode* mode = mode_of(u8(tail, model_.tail.return_mode));
   const std::optional<std::int64_t> second =
@@ -121,42 +119,53 @@ PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
   constexpr std::uint32_t kMostMicroseconds = 2'000'000;  // with a leap second
   if (mode == nullptr || !second || microseconds > kMostMicroseconds ||
       model_.blocks % mode->returns != 0 || distance_unit(payload) == 0.0) {
-    return PacketKind::malformed;
-  }
-  for (std::size_t block = 0; block < model_.blocks; ++block) {
-    if (azimuth_of(payload, model_, block) >= kUnitsPerTurn) {
-      return PacketKind::malformed;
-    }
+    return 0;
   }
   mode_ = mode->code;
-  const std::size_t groups = model_.blocks / mode->returns;
   firings.base = TimeBase::absolute;
   firings.time_ns = *second * 1'000'000'000 + microseconds * 1000LL;
-  firings.period_ns = std::llround(model_.block_ns * static_cast<double>(groups));
+  const auto groups = static_cast<double>(model_.blocks / mode->returns);
+  firings.period_ns = std::llround(model_.block_ns * groups);
   if (model_.tail.sequence && tail.size() >= *model_.tail.sequence + 4) {
     firings.number = load<std::uint32_t>(tail.data() + *model_.tail.sequence, false);
     firings.numbers = std::uint64_t{1} << 32U;
   }
+  return mode->returns;
+}
+
+/// How far the head turns from a group of blocks to the next; of the last one, from the one before,
+/// be it another packet's.
+void HesaiDecoder::learn_step(Bytes payload, std::size_t at, std::size_t groups,
+                              std::size_t returns) {
+  const auto azimuth = [&](std::size_t group) {
+    return azimuth_of(payload, model_, group * returns);
+  };
+  const bool last = at + 1 == groups;
+  const int before = !last ? azimuth(at) : groups > 1 ? azimuth(at - 1) : last_azimuth_;
+  const int turn = (azimuth(last ? at : at + 1) - before + kUnitsPerTurn) % kUnitsPerTurn;
+  if (before >= 0 && turn > 0 && turn <= kLargestStep) usual_step_ = turn;
+}
+
+PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
+  firings.clear();
+  if (!fits(payload, model_)) return PacketKind::other;
+  for (std::size_t block = 0; block < model_.blocks; ++block) {
+    if (azimuth_of(payload, model_, block) >= kUnitsPerTurn) return PacketKind::malformed;
+  }
+  const std::size_t returns = read_tail(payload, firings);
+  if (returns == 0) return PacketKind::malformed;
+  const std::size_t groups = model_.blocks / returns;
+  const unsigned flag = u8(payload.subspan(model_.tail.begin), model_.tail.mode_flag.value_or(0));
   for (std::size_t i = 0; i < groups; ++i) {
-    const std::size_t block = i * mode->returns;
+    const std::size_t block = i * returns;
     const int azimuth = azimuth_of(payload, model_, block);
-    const int other = i + 1 < groups ? azimuth_of(payload, model_, block + mode->returns) : azimuth;
-    const int before =
-        i + 1 < groups
-            ? azimuth
-            : (groups > 1 ? azimuth_of(payload, model_, block - mode->returns) : last_azimuth_);
-    const int turn = (other - before + kUnitsPerTurn) % kUnitsPerTurn;
-    if (before >= 0 && turn > 0 && turn <= kLargestStep) {
-      usual_step_ = turn;
-    }
-    const double after_first = static_cast<double>(i);
-    const double before_last = static_cast<double>(groups - 1 - i);
-    Group group{block, mode->returns, static_cast<double>(azimuth), usual_step_ / model_.block_ns};
+    learn_step(payload, i, groups, returns);
+    Group group{block, returns, static_cast<double>(azimuth), usual_step_ / model_.block_ns};
     group.distance_unit = distance_unit(payload);
     // With one return the two sequences take turns, with more the packet says which one it is.
-    group.odd = model_.two_loops &&
-                (mode->returns == 1 ? block % 2 == 1
-                                    : (u8(tail, model_.tail.mode_flag.value_or(0)) & 1U) == 0);
+    group.odd = model_.two_loops && (returns == 1 ? block % 2 == 1 : (flag & 1U) == 0);
+    const auto after_first = static_cast<double>(i);
+    const auto before_last = static_cast<double>(groups - 1 - i);
     Firing firing;
     firing.offset_ns =
         std::llround(model_.last_ns + (model_.counts_forward ? model_.block_ns * after_first

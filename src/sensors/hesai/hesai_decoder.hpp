@@ -32,6 +32,9 @@ class HesaiDecoder final : public PacketDecoder {
     double cosine = 1.0, sine = 0.0;  ///< of the elevation
     std::uint16_t ring = 0;
   };
+  [[nodiscard]] std::size_t read_tail(std::span<const std::byte> payload, Firings& firings);
+  void learn_step(std::span<const std::byte> payload, std::size_t at, std::size_t groups,
+                  std::size_t returns);
   [[nodiscard]] double distance_unit(std::span<const std::byte> payload) const;
   void add_group(std::span<const std::byte> payload, const Group& group, Firings& firings) const;
 

@@ -25,6 +25,11 @@ std::uint32_t field(const std::byte* pixel, const OusterField& where) {
 
 }  // namespace
 
+struct OusterDecoder::Column {
+  std::size_t id = 0;        ///< of a turn's columns
+  std::int64_t time_ns = 0;  ///< when it was measured
+};
+
 OusterDecoder::OusterDecoder(OusterMetadata metadata, const DecoderOptions& options)
     : metadata_(std::move(metadata)), choice_(options.returns) {
   const std::vector<std::uint16_t> rings = rings_of(metadata_.elevation_deg);
@@ -45,11 +50,24 @@ double OusterDecoder::sweep_deg() const {
          static_cast<double>(metadata_.columns_per_frame);
 }
 
+/// What a column's header says; nothing where it was not measured.
+std::optional<OusterDecoder::Column> OusterDecoder::read_column(const std::byte* column) const {
+  const bool legacy = metadata_.profile.is_legacy();
+  const auto status = legacy ? load<std::uint32_t>(column + metadata_.column_bytes() - 4, false)
+                             : std::uint32_t{load<std::uint16_t>(column + 10, false)} & 1U;
+  const std::size_t id = load<std::uint16_t>(column + 8, false);
+  const auto time = load<std::uint64_t>(column, false);
+  // No clock is past 2116, and sums of such times still fit.
+  if (status == 0 || (legacy && status != 0xffffffffU) || id >= metadata_.columns_per_frame ||
+      time >> 62U != 0) {
+    return std::nullopt;
+  }
+  return Column{id, static_cast<std::int64_t>(time)};
+}
+
 PacketKind OusterDecoder::decode(std::span<const std::byte> payload, Firings& firings) {
   firings.clear();
-  if (payload.size() != metadata_.packet_bytes()) {
-    return PacketKind::other;
-  }
+  if (payload.size() != metadata_.packet_bytes()) return PacketKind::other;
   const bool legacy = metadata_.profile.is_legacy();
   constexpr std::uint16_t kLidarPacket = 1;
   if (!legacy && load<std::uint16_t>(payload.data(), false) != kLidarPacket) {
@@ -57,48 +75,35 @@ PacketKind OusterDecoder::decode(std::span<const std::byte> payload, Firings& fi
   }
   const std::size_t columns = metadata_.columns_per_frame;
   const double column_ns = 1e9 / metadata_.rate_hz / static_cast<double>(columns);
-  bool any = false;
+  std::optional<Column> first;
   std::uint64_t frame = 0;
-  std::size_t measurement = 0;
   for (std::size_t i = 0; i < metadata_.columns_per_packet; ++i) {
-    const std::byte* column =
-        payload.data() + metadata_.header_bytes() + i * metadata_.column_bytes();
-    const auto status = legacy ? load<std::uint32_t>(column + metadata_.column_bytes() - 4, false)
-                               : std::uint32_t{load<std::uint16_t>(column + 10, false)} & 1U;
-    const std::size_t id = load<std::uint16_t>(column + 8, false);
-    const auto time = load<std::uint64_t>(column, false);
-    // No clock is past 2116, and sums of such times still fit.
-    if (status == 0 || (legacy && status != 0xffffffffU) || id >= columns || time >> 62U != 0) {
-      continue;
+    const std::byte* at = payload.data() + metadata_.header_bytes() + i * metadata_.column_bytes();
+    const std::optional<Column> column = read_column(at);
+    if (!column) continue;
+    if (!first) {
+      first = column;
+      firings.time_ns = column->time_ns;
+      frame = load<std::uint16_t>(legacy ? at + 10 : payload.data() + 2, false);
     }
-    const auto time_ns = static_cast<std::int64_t>(time);
-    if (!any) {
-      any = true;
-      firings.time_ns = time_ns;
-      measurement = id;
-      frame = load<std::uint16_t>(legacy ? column + 10 : payload.data() + 2, false);
-    }
-    if (time_ns < firings.time_ns || time_ns > firings.time_ns + kFarthestNs) {
-      continue;
-    }
+    const std::int64_t since_ns = column->time_ns - firings.time_ns;
+    if (since_ns < 0 || since_ns > kFarthestNs) continue;
     Firing firing;
-    firing.offset_ns = time_ns - firings.time_ns;
+    firing.offset_ns = since_ns;
     firing.duration_ns = std::llround(column_ns);
-    firing.azimuth_deg = 360.0 * static_cast<double>(id) / static_cast<double>(columns);
+    firing.azimuth_deg = 360.0 * static_cast<double>(column->id) / static_cast<double>(columns);
     firing.turned_deg = 360.0 / static_cast<double>(columns);
     firing.frame = static_cast<std::uint32_t>(frame);
     // The encoder counts against the mathematical sense.
-    add_column(column + metadata_.column_header_bytes(),
-               -firing.azimuth_deg * std::numbers::pi / 180.0, firings);
+    add_column(at + metadata_.column_header_bytes(), -firing.azimuth_deg * std::numbers::pi / 180.0,
+               firings);
     firing.end = firings.points.size();
     firings.firings.push_back(firing);
   }
-  if (!any) {
-    return PacketKind::other;  // a sensor that measures a window sends empty packets beside it
-  }
+  if (!first) return PacketKind::other;  // one that measures a window sends empty packets beside it
   if (metadata_.window_columns() == columns) {
     const std::size_t packets = columns / metadata_.columns_per_packet;
-    firings.number = frame * packets + measurement / metadata_.columns_per_packet;
+    firings.number = frame * packets + first->id / metadata_.columns_per_packet;
     firings.numbers = 65'536 * packets;
   }
   firings.base = TimeBase::absolute;

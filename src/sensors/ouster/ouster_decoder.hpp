@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class OusterDecoder final : public PacketDecoder {
     double cosine = 1.0, sine = 0.0;
     std::uint16_t ring = 0;
   };
+  struct Column;  // one measurement of all beams
+  [[nodiscard]] std::optional<Column> read_column(const std::byte* column) const;
   void add_column(const std::byte* pixels, double encoder, Firings& firings) const;
   void add_point(const Beam& beam, double range, float intensity, double encoder,
                  Firings& firings) const;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "sensors/bytes.hpp"
 #include "sensors/calendar.hpp"
@@ -49,30 +50,22 @@ struct Rs16Decoder::Sequence {
   double per_ns = 0.0;      ///< how fast the head turns [0.01 deg / ns]
 };
 
-PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firings) {
-  firings.clear();
-  if (payload.size() != kPacketBytes) {
-    return PacketKind::other;
-  }
+/// The packet's time and its blocks' azimuths, and whether they hold two returns each.
+PacketKind Rs16Decoder::read_head(std::span<const std::byte> payload, Azimuths& azimuths,
+                                  Firings& firings) {
+  if (payload.size() != kPacketBytes) return PacketKind::other;
   for (std::size_t i = 0; i < kMagic.size(); ++i) {
-    if (std::to_integer<std::uint8_t>(payload[i]) != kMagic[i]) {
-      return PacketKind::other;
-    }
+    if (std::to_integer<std::uint8_t>(payload[i]) != kMagic[i]) return PacketKind::other;
   }
   const std::optional<std::int64_t> second = unix_seconds(payload.subspan(kDate), 2000);
   const std::uint16_t milliseconds = u16(&payload[kDate + 6]);
   const std::uint16_t microseconds = u16(&payload[kDate + 8]);
-  std::array<int, kBlocks> azimuths = {};
   for (std::size_t block = 0; block < kBlocks; ++block) {
     const std::byte* at = &payload[kBlocksAt + block * kBlockBytes];
     azimuths[block] = u16(at + 2);
-    if (u16(at) != 0xffee || azimuths[block] >= kUnitsPerTurn) {
-      return PacketKind::malformed;
-    }
+    if (u16(at) != 0xffee || azimuths[block] >= kUnitsPerTurn) return PacketKind::malformed;
   }
-  if (!second || milliseconds > 999 || microseconds > 999) {
-    return PacketKind::malformed;
-  }
+  if (!second || milliseconds > 999 || microseconds > 999) return PacketKind::malformed;
   firings.base = TimeBase::absolute;
   firings.time_ns = *second * 1'000'000'000 + milliseconds * 1'000'000LL + microseconds * 1'000LL;
   // A block holds two firing sequences, or one with both its returns: then packets come twice as
@@ -82,6 +75,16 @@ PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firi
     dual_ = since_ns > 0 ? since_ns < 1'000'000 : dual_;
   }
   last_time_ns_ = firings.time_ns;
+  return PacketKind::data;
+}
+
+PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firings) {
+  firings.clear();
+  Azimuths azimuths{};
+  static_assert(std::tuple_size_v<Azimuths> == kBlocks);
+  if (const PacketKind kind = read_head(payload, azimuths, firings); kind != PacketKind::data) {
+    return kind;
+  }
   const std::size_t per_block = dual_ ? 1 : 2;
   const double block_ns = kSequenceNs * static_cast<double>(per_block);
   firings.period_ns = std::llround(block_ns * kBlocks);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,9 @@ class Rs16Decoder final : public PacketDecoder {
 
  private:
   struct Sequence;
+  using Azimuths = std::array<int, 12>;  // of the blocks [0.01 deg]
+  [[nodiscard]] PacketKind read_head(std::span<const std::byte> payload, Azimuths& azimuths,
+                                     Firings& firings);
   void add_sequence(const std::byte* block, const Sequence& sequence, Firings& firings) const;
 
   ReturnChoice choice_;

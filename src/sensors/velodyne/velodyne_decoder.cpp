@@ -89,6 +89,13 @@ Eigen::Vector3d corrected_point(const VelodyneLaser& laser, double distance, dou
 
 }  // namespace
 
+struct VelodyneDecoder::Layout {
+  bool dual = false;
+  std::size_t stride = 1;     ///< blocks of one azimuth
+  std::size_t positions = 1;  ///< azimuths
+  double sequence_ns = 0.0;   ///< from one firing sequence to the next
+};
+
 struct VelodyneDecoder::Head {
   std::size_t block = 0;    ///< first of the position
   std::size_t channel = 0;  ///< first of the sequence in its block
@@ -143,60 +150,68 @@ bool VelodyneDecoder::is_dual(Bytes payload) const {
          azimuth_of(payload, 0) != azimuth_of(payload, 4);
 }
 
+VelodyneDecoder::Layout VelodyneDecoder::layout_of(bool dual) const {
+  Layout layout;
+  layout.dual = dual;
+  layout.stride = model_.banks * (dual ? 2 : 1);
+  layout.positions = kBlocks / layout.stride;  // VLS-128, dual: four blocks are unused
+  layout.sequence_ns = dual ? model_.dual_sequence_ns : model_.sequence_ns;
+  return layout;
+}
+
+/// How far the head turns in a sequence: from an azimuth to the next; to the last one from the one
+/// before, be it another packet's.
+void VelodyneDecoder::learn_step(Bytes payload, const Layout& layout, std::size_t position) {
+  const auto azimuth = [&](std::size_t at) { return azimuth_of(payload, at * layout.stride); };
+  int turn = 0;
+  if (position + 1 < layout.positions) {
+    turn = turn_between(azimuth(position), azimuth(position + 1));
+  } else if (layout.positions > 1) {
+    turn = turn_between(azimuth(position - 1), azimuth(position));
+  } else if (last_azimuth_ >= 0) {
+    turn = turn_between(last_azimuth_, azimuth(position));
+  }
+  if (turn <= 0 || turn > kLargestStep) return;
+  usual_step_ = static_cast<double>(turn) / static_cast<double>(model_.sequences_per_block);
+}
+
 PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
   firings.clear();
-  if (payload.size() != kPacketBytes) {
-    return PacketKind::other;
-  }
-  if (!has_blocks(payload)) {
-    return PacketKind::malformed;
-  }
+  if (payload.size() != kPacketBytes) return PacketKind::other;
+  if (!has_blocks(payload)) return PacketKind::malformed;
   const auto mode = std::to_integer<std::uint8_t>(payload[kTail + 4]);
   const auto product = std::to_integer<std::uint8_t>(payload[kTail + 5]);
   const bool known = mode == vlp16::kStrongest || mode == vlp16::kLast || mode == vlp16::kDual;
   if ((!model_.is_hdl64 && !known) || (model_.product && product != *model_.product)) {
     return PacketKind::other;
   }
-  const bool dual = is_dual(payload);
-  mode_ = !model_.is_hdl64 ? mode : (dual ? vlp16::kDual : std::uint8_t{0});
+  const Layout layout = layout_of(is_dual(payload));
+  mode_ = !model_.is_hdl64 ? mode : (layout.dual ? vlp16::kDual : std::uint8_t{0});
+  const std::size_t sequences = layout.positions * model_.sequences_per_block;
   firings.base = TimeBase::hour;
   firings.time_ns = 1000LL * load<std::uint32_t>(payload.data() + kTail, false);
-  const std::size_t stride = model_.banks * (dual ? 2 : 1);  // blocks of one azimuth
-  const std::size_t positions = kBlocks / stride;  // VLS-128, dual: four blocks are unused
-  const std::size_t sequences = positions * model_.sequences_per_block;
-  const double sequence_ns = dual ? model_.dual_sequence_ns : model_.sequence_ns;
-  firings.period_ns = std::llround(sequence_ns * static_cast<double>(sequences));
+  firings.period_ns = std::llround(layout.sequence_ns * static_cast<double>(sequences));
   for (std::size_t i = 0; i < sequences; ++i) {
     const std::size_t position = i / model_.sequences_per_block;
     const std::size_t part = i % model_.sequences_per_block;
-    const bool last = position + 1 == positions;
-    const int azimuth = azimuth_of(payload, position * stride);
-    int turn = 0;
-    if (!last) {
-      turn = turn_between(azimuth, azimuth_of(payload, (position + 1) * stride));
-    } else if (positions > 1) {
-      turn = turn_between(azimuth_of(payload, (position - 1) * stride), azimuth);
-    } else if (last_azimuth_ >= 0) {
-      turn = turn_between(last_azimuth_, azimuth);
-    }
-    if (turn > 0 && turn <= kLargestStep) {
-      usual_step_ = static_cast<double>(turn) / static_cast<double>(model_.sequences_per_block);
-    }
-    Head head{position * stride, part * kChannelsPerBlock / model_.sequences_per_block,
-              azimuth + static_cast<double>(part) * usual_step_, usual_step_, dual};
+    const std::size_t block = position * layout.stride;
+    learn_step(payload, layout, position);
+    Head head{block, part * kChannelsPerBlock / model_.sequences_per_block,
+              azimuth_of(payload, block) + static_cast<double>(part) * usual_step_, usual_step_,
+              layout.dual};
     head.azimuth -= head.azimuth >= kAzimuthUnitsPerTurn ? kAzimuthUnitsPerTurn : 0;
     Firing firing;
-    const double since_first = sequence_ns * static_cast<double>(i);
+    const double since_first = layout.sequence_ns * static_cast<double>(i);
     firing.offset_ns =
         std::llround(model_.first_ns + since_first) - (model_.time_is_end ? firings.period_ns : 0);
-    firing.duration_ns = std::llround(sequence_ns);
+    firing.duration_ns = std::llround(layout.sequence_ns);
     firing.azimuth_deg = 0.01 * head.azimuth;
     firing.turned_deg = 0.01 * head.step;
     add_sequence(payload, head, firings);
     firing.end = firings.points.size();
     firings.firings.push_back(firing);
   }
-  last_azimuth_ = azimuth_of(payload, (positions - 1) * stride);
+  last_azimuth_ = azimuth_of(payload, (layout.positions - 1) * layout.stride);
   return PacketKind::data;
 }
 

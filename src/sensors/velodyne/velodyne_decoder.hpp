@@ -35,6 +35,9 @@ class VelodyneDecoder final : public PacketDecoder {
     std::uint16_t distance = 0;
     std::uint8_t reflectivity = 0;
   };
+  struct Layout;  // how a packet's blocks follow each other
+  [[nodiscard]] Layout layout_of(bool dual) const;
+  void learn_step(std::span<const std::byte> payload, const Layout& layout, std::size_t position);
   [[nodiscard]] bool is_dual(std::span<const std::byte> payload) const;
   void add_sequence(std::span<const std::byte> payload, const Head& head, Firings& firings) const;
   void add_point(const Laser& laser, Return measured, double azimuth, Firings& firings) const;
