@@ -115,7 +115,7 @@ bool Odometry::State::clock_stays(std::int64_t mid_ns) const {
 void Odometry::State::follow_clock(std::int64_t mid_ns) {
   if (last_mid_ns && early >= kClockWasSet && !are_far_apart(mid_ns, early_mid_ns)) {
     const std::int64_t told = mid_ns + set_back_ns - *last_mid_ns;
-    const std::int64_t period = std::min(mid_ns - early_mid_ns, kMostPeriod);
+    const std::int64_t period = std::clamp(mid_ns - early_mid_ns, std::int64_t{0}, kMostPeriod);
     const std::int64_t took = (early + 1) * period;
     set_back_ns += std::max(took - told, std::int64_t{0});
   }

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <limits>
+#include <random>
 #include <utility>
 
 #include "support/every_method.hpp"
@@ -215,6 +216,38 @@ TEST_P(OdometryStatus, StampsAtTheEndsOfTheirTypeDoNotCrash) {
     EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
     scan.stamp_ns = std::numeric_limits<std::int64_t>::max() - 5;
     EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
+  }
+}
+
+// Steps, steps back and stamps from anywhere: what sanitizers would say, and that a pose keeps its
+// own scan's stamp.
+TEST(OdometryStamps, OfAnyKindDoNotCrash) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  std::mt19937_64 random(5);
+  const auto any = [&] { return static_cast<std::int64_t>(random()); };
+  for (int round = 0; round < 4; ++round) {
+    Odometry odometry;
+    std::int64_t stamp = any();
+    for (int k = 0; k < 60; ++k) {
+      const auto kind = random() % 8;
+      const std::int64_t near_end = any() % 1000;
+      if (kind < 5) {
+        if (__builtin_add_overflow(stamp, 100'000'000, &stamp)) stamp = 0;
+      } else if (kind == 5) {
+        stamp = any();
+      } else if (kind == 6) {
+        stamp = near_end < 0 ? Limits::max() + near_end : Limits::min() + near_end;
+      } else if (__builtin_sub_overflow(stamp, near_end * 1'000'000'000, &stamp)) {
+        stamp = 0;
+      }
+      Scan scan = walk()[static_cast<std::size_t>(k) % walk().size()];
+      scan.stamp_ns = stamp;
+      const Estimate estimate = odometry.add_scan(scan);
+      ASSERT_TRUE(estimate.T_world_lidar.translation.allFinite()) << round << ' ' << k;
+      if (!estimate.trusted()) continue;
+      EXPECT_LE(estimate.stamp_ns / 2 - stamp / 2, 100'000'000) << round << ' ' << k;
+      EXPECT_GE(estimate.stamp_ns / 2 - stamp / 2, -100'000'000) << round << ' ' << k;
+    }
   }
 }
 
