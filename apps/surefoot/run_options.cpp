@@ -93,9 +93,9 @@ void add_result_options(CLI::App& command, runs::RunOptions& options) {
 
 void add_run_options(CLI::App& command, runs::RunOptions& options) {
   options.version = process::build_version();
-  add_result_options(command, options);
   add_method_options(command, options);
   add_map_options(command, options);
+  add_result_options(command, options);
   add_reader_options(command, options.reader);
 }
 
