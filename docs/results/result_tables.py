@@ -319,6 +319,22 @@ def changed_set():
             f"commit {kept.about['commit']}, and {before.about['commit']} before.")
 
 
+def drawn():
+    """A LiDAR a row, over set-ups drawn at random; then all."""
+    kept = Kept("drawn")
+    rows = kept.rows[1:]
+    lidar = {row[0]: row[1].split("--lidar ")[1].split()[0] for row in rows}
+    lines = []
+    for name in (*sorted(set(lidar.values())), "all"):
+        of = [row for row in rows if name in ("all", lidar[row[0]])]
+        errors = [float(row[7]) for row in of]
+        sums = [sum(int(row[column]) for row in of) for column in (2, 3, 5, 6)]
+        lines.append([name, str(len(of)), f"{statistics.median(errors):.4f}", f"{max(errors):.3f}",
+                      str(sum(int(row[4]) > 1 for row in of)), *map(str, sums)])
+    return markdown(["LiDAR", "runs", "APE, median [m]", "largest [m]", "begun anew", "scans", "lost",
+                     "ok", "false ok"], lines) + f"\n\n{kept_by(kept)}"
+
+
 def bend():
     """What straightening a map is worth: means of the figures, geometric ones of the ratios."""
     kept = Kept("bend")
@@ -457,6 +473,7 @@ TABLES = {
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),
     "latest-set": lambda: reporting(f"reporting-{LATEST_SET}"),
+    "drawn": drawn,
     "changed-set": changed_set,
     "latest-set-in-motion": lambda: reporting(f"reporting-{LATEST_SET}-in-motion"),
     "earlier-sets": earlier_sets,

@@ -15,6 +15,8 @@ constexpr double kApart = 1.0;  // [m] between two that are kept
 constexpr double kRate = 0.1;   // of the mean: a second, which is two strides
 // [m] Another storey is so much higher or lower, and its way as near in the plane but for so much.
 constexpr double kStorey = 1.2, kBeside = 1.5;
+// What rises by so much and is steeper than ground that is walked (28 deg) leads to another storey.
+constexpr double kSteep = 0.53;
 
 }  // namespace
 
@@ -83,7 +85,7 @@ bool WalkedWay::has_storeys(const Eigen::Vector3d& place, double within) const {
   return std::any_of(near.begin(), near.end(), [&](const Stand* one) {
     return std::any_of(near.begin(), near.end(), [&](const Stand* other) {
       const Eigen::Vector3d away = other->position - one->position;
-      return away.z() > kStorey && away.head<2>().norm() < kBeside;
+      return away.z() > kStorey && away.z() > kSteep * away.head<2>().norm();
     });
   });
 }

@@ -23,7 +23,7 @@ class WalkedWay {
   [[nodiscard]] std::vector<Pose> stands_at(const Eigen::Vector2d& place, double yaw) const;
   /// That of them whose height is nearest to the place's.
   [[nodiscard]] Pose stand_at(const Eigen::Vector3d& place, double yaw) const;
-  /// Whether it led over itself, as on stairs, so near to a place in the plane [m].
+  /// Whether it led over itself or up a flight of stairs so near to a place in the plane [m].
   [[nodiscard]] bool has_storeys(const Eigen::Vector3d& place, double within) const;
 
  private:

@@ -77,6 +77,22 @@ TEST(WalkedWay, FlightsOverEachOtherAreStoreys) {
   EXPECT_FALSE(way.has_storeys({5.0, 0.0, 0.0}, 2.0)) << "they are not near";
 }
 
+// What lies beyond the first one that is climbed looks as what lies before it, and is not known
+// yet.
+TEST(WalkedWay, AFlightOfStairsLeadsToAnother) {
+  const auto flight = [](double slope) {
+    WalkedWay way;
+    for (int i = 0; i < 40; ++i) {
+      const double x = 0.1 * i;
+      way.add({Eigen::Quaterniond::Identity(), {x, 0.0, slope * x}});
+    }
+    return way;
+  };
+  EXPECT_TRUE(flight(0.17 / 0.28).has_storeys({4.0, 0.0, 2.4}, 5.0));
+  EXPECT_FALSE(flight(0.17 / 0.28).has_storeys({4.0, 0.0, 2.4}, 1.0)) << "it is not near";
+  EXPECT_FALSE(flight(0.36).has_storeys({4.0, 0.0, 1.4}, 5.0)) << "a steep path";
+}
+
 TEST(WalkedWay, ASlopeHasNoStoreys) {
   const WalkedWay way = way_up_the_slope();
   EXPECT_EQ(way.stands_at({12.4, 3.0}, 0.0).size(), 1U);
