@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string_view>
 
+#include "io/file_writer.hpp"
 #include "report/page.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -234,14 +234,8 @@ std::string to_html(const RecordingCheck& check, const std::string& name) {
 
 void require_page_or_nothing(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
-  if (file.empty()) return;
-  const fs::file_status status = fs::symlink_status(file);
-  if (!fs::exists(status)) return;
-  if (fs::is_regular_file(status)) {
-    std::string begin(kMark.size(), '\0');
-    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
-    if (begin == kMark) return;
-  }
+  if (file.empty() || !fs::exists(fs::symlink_status(file))) return;
+  if (io::is_file_beginning(file, kMark)) return;
   throw std::invalid_argument("--html " + file.string() +
                               ": is there already and is no page of check's; choose another name");
 }

@@ -21,6 +21,8 @@ struct PreparedScan {
   std::vector<float> intensities;       ///< empty or one per point
   std::vector<std::uint16_t> rings;     ///< likewise; lasers counted from the lowest
   std::string rejection;                ///< why the scan cannot be used; empty if it can
+
+  [[nodiscard]] std::int64_t mid_ns() const { return start_ns + (end_ns - start_ns) / 2; }
 };
 
 /// Drops points that are no returns or out of range and normalises the times, eq. (1).

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/estimate_evaluation.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
+#include "evaluation/option_names.hpp"
 #include "runs/run_folder.hpp"
 
 #ifdef SUREFOOT_HAS_PICTURES
@@ -42,6 +45,14 @@ void adapt(evaluation::EvaluationOptions& options, const runs::ReferenceTrajecto
   }
 }
 
+/// Of what is asked for and no estimate so short has; empty: there is all of it.
+std::string left_out_text(const Evaluation& evaluation, const evaluation::PairOptions& stretches) {
+  if (!evaluation.relative.empty()) return {};
+  return fmt::format("{}: has no stretch of {:g} {}, so there is no relative error",
+                     evaluation.name, stretches.delta,
+                     evaluation::name_of(evaluation::kDeltaUnitNames, stretches.unit));
+}
+
 }  // namespace
 
 std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
@@ -67,6 +78,10 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
       }
       evaluations.push_back(
           evaluation::evaluate(names[i], reference.truth.poses, estimate, options));
+      if (const std::string text = left_out_text(evaluations.back(), options.stretches);
+          !text.empty()) {
+        listener.note(text);
+      }
       paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
     } catch (const std::exception& error) {
       listener.complain(names[i] + ": " + error.what());

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/folder_report.hpp"
 
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "experiments/comparison_folder.hpp"
+#include "io/file_writer.hpp"
 #include "io/recording.hpp"
 #include "runs/report_maker.hpp"
 #include "runs/run_files.hpp"
@@ -28,12 +28,8 @@ fs::path page_of(const ReportRequest& request) {
 void require_page_or_nothing(const fs::path& file) {
   constexpr std::string_view kPage = "<!doctype html>";
   const fs::file_status status = fs::symlink_status(file);
-  if (!fs::exists(status)) return;
-  if (fs::is_regular_file(status)) {
-    std::string begin(kPage.size(), '\0');
-    std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
-    if (begin == kPage || fs::file_size(file) == 0) return;
-  }
+  if (!fs::exists(status) || io::is_file_beginning(file, kPage)) return;
+  if (fs::is_regular_file(status) && fs::file_size(file) == 0) return;
   throw std::invalid_argument(file.string() +
                               ": is there already and is no page; choose another name");
 }

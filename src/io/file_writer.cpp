@@ -12,8 +12,16 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 
 namespace surefoot::io {
+
+bool is_file_beginning(const std::filesystem::path& file, std::string_view text) {
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file))) return false;
+  std::string begin(text.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
+  return begin == text;
+}
 
 void write_whole_file(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::path part = file;

@@ -39,6 +39,9 @@ class UnfinishedOutput {
   bool finished_ = false;
 };
 
+/// Whether this is a regular file that begins so: one of ours, which may be written over.
+[[nodiscard]] bool is_file_beginning(const std::filesystem::path& file, std::string_view text);
+
 /// Writes beside `file` and renames, so that there is the old file or the whole new one, never half
 /// of one. Throws WriteError.
 void write_whole_file(const std::filesystem::path& file, std::string_view content);

@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "io/file_writer.hpp"
@@ -126,8 +127,23 @@ std::array<fs::path, 2> elevation_files(const MapExport& wanted) {
   return {heights, variances};
 }
 
+/// What is no file at all is nobody's to write over; nor is the map that is read.
+void check_replaced(const fs::path& file, const fs::path& map, bool overwrite) {
+  if (!fs::exists(file)) return;
+  std::error_code ignored;
+  if (fs::equivalent(file, saved_map_file(map), ignored)) {
+    throw io::WriteError(file.string() + ": is the map itself");
+  }
+  if (!fs::is_regular_file(file)) {
+    throw io::WriteError(file.string() + ": is no file; choose another name");
+  }
+  if (!overwrite) {
+    throw io::WriteError(file.string() + ": is there already; choose another name, or --overwrite");
+  }
+}
+
 /// What is somebody's already is not found after all the work, and not written over.
-void check_files(const MapExport& wanted) {
+void check_files(const fs::path& map, const MapExport& wanted) {
   std::vector<fs::path> files = {wanted.pcd, wanted.ply, wanted.las, wanted.mesh};
   if (!wanted.grid.empty()) {
     const auto of_grid = occupancy_files(wanted);
@@ -144,10 +160,7 @@ void check_files(const MapExport& wanted) {
     if (!known.insert(fs::absolute(file).lexically_normal()).second) {
       throw std::invalid_argument(file.string() + ": is asked for twice");
     }
-    if (!wanted.overwrite && fs::exists(file)) {
-      throw io::WriteError(file.string() +
-                           ": is there already; choose another name, or --overwrite");
-    }
+    check_replaced(file, map, wanted.overwrite);
   }
 }
 
@@ -198,7 +211,7 @@ MapExported export_map(const fs::path& map, const MapExport& wanted,
         "nothing to write: expected --pcd, --ply, --las, --tiles, --mesh, --grid or --elevation");
   }
   if (!wanted.mesh.empty()) static_cast<void>(io::mesh_format(wanted.mesh));  // before all the work
-  check_files(wanted);
+  check_files(map, wanted);
   const mapping::SavedMap saved = read_saved_map(map);
   if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));
   if (!wanted.pcd.empty()) {

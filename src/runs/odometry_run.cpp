@@ -15,7 +15,7 @@
 #include "io/printable.hpp"
 #include "io/scan_selection.hpp"
 #include "process/machine.hpp"
-#include "runs/length_unit.hpp"
+#include "runs/input_checks.hpp"
 #include "runs/localization_run.hpp"
 #include "runs/loop_truth.hpp"
 #include "runs/map_run.hpp"
@@ -83,7 +83,6 @@ class OdometryRun final : public RunControl {
   void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   [[nodiscard]] std::string no_scan_text() const;
-  void refuse_unreadable(const std::string& error) const;
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
@@ -129,8 +128,7 @@ RunOutcome OdometryRun::execute() {
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
   if (!item) throw io::ReadError(no_scan_text());
-  if (item->scan) refuse_other_units(*item->scan, options_.input.string() + ": " + item->name);
-  if (!item->scan) refuse_unreadable(item->error);
+  check_first_scan(options_, *item);
   std::optional<Reference> reference;
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
@@ -189,21 +187,6 @@ std::string OdometryRun::no_scan_text() const {
       "{}: none of the {} scans that {} names is there; expected the recording of that run, "
       "read with its options",
       input, options_.only_stamps.size(), options_.like.string());
-}
-
-/// A recording of which no scan can be read leaves nothing behind, and an earlier run where it is.
-/// Of many the first ones tell.
-void OdometryRun::refuse_unreadable(const std::string& error) const {
-  if (options_.is_live) return;
-  constexpr int kToldBy = 100;
-  const std::unique_ptr<io::Recording> again = io::open_recording(options_.input, options_.reader);
-  again->skip(options_.start);
-  int unreadable = 0;
-  for (auto item = again->next(); item; item = again->next()) {
-    if (item->scan || ++unreadable == kToldBy) return;
-  }
-  throw io::ReadError(fmt::format("{}: none of {} scans can be read, the first: {}",
-                                  options_.input.string(), unreadable, error));
 }
 
 void OdometryRun::for_all(std::optional<io::ScanItem> item,
@@ -419,11 +402,7 @@ void OdometryRun::write_page(const std::filesystem::path& folder) const {
 
 RunOutcome run_odometry(const RunOptions& options, const RunListener& listener) {
   (void)config_of(options);  // what is wrong with it is told before a long recording is opened
-  if (is_run_folder(options.input)) {
-    throw io::ReadError(options.input.string() +
-                        ": is the folder of a run; expected a recording (its run.yaml names one: "
-                        "--config repeats that run)");
-  }
+  refuse_run_folder(options.input);
   std::unique_ptr<io::Recording> recording = io::open_recording(options.input, options.reader);
   if (!options.only_stamps.empty()) {
     recording = io::select_scans(std::move(recording), options.only_stamps);

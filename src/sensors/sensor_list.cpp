@@ -112,6 +112,12 @@ bool is_sensor_name(const std::string& name) {
                      [&](const std::string& one) { return plain(one) == plain(name); });
 }
 
+std::string named_sensor(std::span<const std::byte> payload) {
+  std::string ignored;
+  const VelodyneModel* model = find_velodyne_model(payload, ignored);
+  return model != nullptr && model->product ? model->name : "";
+}
+
 std::unique_ptr<PacketDecoder> find_decoder(std::span<const std::byte> payload,
                                             const std::string& sensor,
                                             const DecoderOptions& options, std::string& reason) {

@@ -19,6 +19,9 @@ namespace surefoot::sensors {
 /// Whether a name is one of them. "" is not.
 [[nodiscard]] bool is_sensor_name(const std::string& name);
 
+/// The sensor that a packet names itself, by its factory bytes; "" where it names none.
+[[nodiscard]] std::string named_sensor(std::span<const std::byte> payload);
+
 /// The decoder for the sensor that sent a packet; nothing where it is no data packet that is known,
 /// with `reason` set where it is nearly one.
 /// @param sensor one of sensor_names(), instead of what the packet itself says; "": found out.

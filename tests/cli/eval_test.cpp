@@ -156,6 +156,16 @@ TEST_F(Eval, BadInputIsRefused) {
   expect_refused({"truth.tum", "truth.tum", "--delta", "-1"}, "-1");
 }
 
+/// What the table does not have is told.
+TEST_F(Eval, AStretchLongerThanTheWayIsTold) {
+  const ProcessResult result =
+      eval({"truth.tum", "zigzag.tum", "--delta", "5000", "--delta-unit", "m"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_NE(result.errors.find("zigzag: has no stretch of 5000 m"), std::string::npos) << result;
+  EXPECT_EQ(result.output.find("rpe_"), std::string::npos) << result;
+  EXPECT_TRUE(eval({"truth.tum", "zigzag.tum"}).errors.empty());
+}
+
 // One estimate that cannot be used does not take the others' figures away.
 TEST_F(Eval, ABadEstimateAmongGoodOnesIsLeftOut) {
   write_content(scratch_.path() / "words.tum", "once upon a time\n");

@@ -88,6 +88,15 @@ TEST_F(MapCommand, IsNotWrittenOverWhatIsThere) {
   EXPECT_GT(fs::file_size(path("kept.pcd")), 100'000U);
 }
 
+TEST_F(MapCommand, IsNeverWrittenOverItselfNorWhatIsNoFile) {
+  const std::string map = file_content(path("map/map.surefoot"));
+  fs::create_directory(path("folder.ply"));
+  expect_refused({"export", "map", "--ply", "map/map.surefoot", "--overwrite"}, "the map itself");
+  expect_refused({"export", "map", "--ply", "/dev/full", "--overwrite"}, "/dev/full: is no file");
+  expect_refused({"export", "map", "--ply", "folder.ply", "--overwrite"}, "is no file");
+  EXPECT_TRUE(file_content(path("map/map.surefoot")) == map);
+}
+
 TEST_F(MapCommand, BecomesTilesInAFolderOfTheirOwn) {
   const ProcessResult result =
       surefoot({"export", "map", "--tiles", "tiles", "--tiles-at", "48.1", "11.6", "520", "90"});

@@ -6,7 +6,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include "io/file_writer.hpp"
 #include "io/trajectory_files.hpp"
@@ -128,7 +127,7 @@ TEST_F(NothingLost, ABagThatWasCutShortIsNoSuccess) {
 TEST_F(NothingLost, AnInterruptedCheckHasNoVerdict) {
   write_long_recording(path("long"), 20'000);
   const Process process({"check", "long", "--html", "page.html"}, path(""));
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  process.wait_until_catching(SIGINT);
   process.send(SIGINT);
   const ProcessResult result = process.wait();
   EXPECT_EQ(result.exit_code, 130) << result;

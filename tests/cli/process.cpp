@@ -9,12 +9,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <string_view>
 #include <system_error>
+#include <thread>
 
 namespace surefoot::test {
 
@@ -76,6 +79,23 @@ Process::Process(const std::vector<std::string>& arguments, const fs::path& fold
 }
 
 void Process::send(int signal) const { kill(id_, signal); }
+
+void Process::wait_until_catching(int signal) const {
+  const std::string status = "/proc/" + std::to_string(id_) + "/status";
+  constexpr std::string_view kCaught = "SigCgt:", kState = "State:\tZ";
+  while (true) {
+    std::ifstream in(status);
+    std::string line;
+    std::uint64_t caught = 0;
+    bool has_ended = !in;
+    while (std::getline(in, line)) {
+      has_ended |= line.starts_with(kState);
+      if (line.starts_with(kCaught)) caught = std::stoull(line.substr(kCaught.size()), nullptr, 16);
+    }
+    if (has_ended || ((caught >> (signal - 1)) & 1U) != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
 
 ProcessResult Process::wait() const {
   int status = 0;

@@ -40,6 +40,8 @@ class Process {
   Process(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
           const Surroundings& surroundings = {});
   void send(int signal) const;
+  /// Waits until the program has a handler of its own for this signal, or has ended.
+  void wait_until_catching(int signal) const;
   [[nodiscard]] pid_t id() const { return id_; }
   /// Waits for the end; to be called once.
   [[nodiscard]] ProcessResult wait() const;

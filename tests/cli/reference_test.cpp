@@ -4,9 +4,7 @@
 // surefoot reference: a run's folder, of all scans at once.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 #include "io/trajectory_files.hpp"
 #include "process.hpp"
@@ -101,7 +99,7 @@ TEST_F(ReferenceCommand, InterruptedItLeavesAnEarlierOneAlone) {
   const std::string before = content("out/trajectory.tum");
   write_long_recording(scratch_.path() / "long", 20'000);
   const Process process({"reference", "long", "-o", "out"}, scratch_.path());
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  process.wait_until_catching(SIGINT);
   process.send(SIGINT);
   const ProcessResult result = process.wait();
   EXPECT_EQ(result.exit_code, 130) << result;

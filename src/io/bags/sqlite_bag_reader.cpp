@@ -95,7 +95,9 @@ class SqliteBagReader final : public MessageSource {
  public:
   explicit SqliteBagReader(const fs::path& file) {
     require_regular_file(file);
-    const fs::path database = unpack(file);
+    // Once it is open nobody needs its name: without one it goes however the program ends.
+    const std::unique_ptr<TemporaryFile> unpacked = unpack(file);
+    const fs::path database = unpacked ? unpacked->path() : file;
     open(database, State::whole);
     if (is_malformed()) {
       open(database, State::malformed);
@@ -147,7 +149,8 @@ class SqliteBagReader final : public MessageSource {
   }
 
  private:
-  fs::path unpack(const fs::path& file) {
+  /// Nothing where sqlite3 can read it as it is.
+  std::unique_ptr<TemporaryFile> unpack(const fs::path& file) {
     std::array<std::byte, 16> begin{};
     FileStream stream(file);
     const std::size_t got = stream.read(begin);
@@ -155,12 +158,12 @@ class SqliteBagReader final : public MessageSource {
         compression_by_content(std::span(begin).first(got)) != Compression::none;
     std::error_code ignored;
     const bool nameless = fs::hard_link_count(file, ignored) == 0;  // sqlite3 asks for the name
-    if (!compressed && !nameless) return file;
-    temporary_ = std::make_unique<TemporaryFile>(*open_stream(file));
+    if (!compressed && !nameless) return nullptr;
+    auto unpacked = std::make_unique<TemporaryFile>(*open_stream(file));
     note_harmless(std::string("it is ") +
                   (compressed ? "compressed as a whole" : "a file without a name") +
                   ", and was written out to a temporary file to be read");
-    return temporary_->path();
+    return unpacked;
   }
 
   enum class State { whole, malformed };
@@ -297,7 +300,6 @@ class SqliteBagReader final : public MessageSource {
     return nullptr;
   }
 
-  std::unique_ptr<TemporaryFile> temporary_;
   Database database_;
   Statement in_order_;
   Statement by_number_;

@@ -76,6 +76,7 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
     if (!decoder_) {
       return PacketUse::other;
     }
+    note_other_name(payload);
   }
   const sensors::PacketKind kind = decoder_->decode(payload, firings_);
   if (kind != sensors::PacketKind::data) {
@@ -103,6 +104,14 @@ PacketUse PacketScans::add(std::int64_t arrival_ns, std::span<const std::byte> p
   }
   cutter_->add(firings_, reading->stamp_ns, reading->since_last_ns);
   return PacketUse::used;
+}
+
+// What is asked for is done, but not without a word where the packets contradict it.
+void PacketScans::note_other_name(std::span<const std::byte> payload) {
+  const std::string named = sensors::named_sensor(payload);
+  if (options_.sensor.empty() || named.empty() || named == decoder_->sensor()) return;
+  notes_.push_back("the packets name a " + named + "; they are read as a " + decoder_->sensor() +
+                   "'s, as was asked");
 }
 
 // A clock that is set at every packet has as many of them.

@@ -71,6 +71,7 @@ class PacketScans {
 
  private:
   void begin();
+  void note_other_name(std::span<const std::byte> payload);
   void note_jump();
   void count_lost(const SensorClock::Reading& reading);
   PacketUse add_late();

@@ -15,12 +15,12 @@ namespace surefoot {
 namespace {
 
 // What the original hides in its code.
-constexpr double kSearchSigmas = 3.0;        // correspondence distance, in thresholds
+constexpr double kSearchThresholds = 3.0;    // correspondence distance, in thresholds
 constexpr double kKernelSigmas = 1.0 / 3.0;  // kernel scale, in thresholds
 constexpr int kMinNeighbours = 5;            // for a normal
 constexpr double kFinestVoxel = 0.02;        // [m] limits of the adapted thinning
 constexpr double kCoarsestVoxel = 2.0;       // [m]
-constexpr double kMapVoxels = 0.5;           // thinning of what enters the map
+constexpr double kMapThinning = 0.5;         // thinning of what enters the map
 
 /// The hash of the original's thinning: decides in which order the thinned points come.
 std::uint32_t genz_hash(const VoxelIndex& cell) {
@@ -99,7 +99,7 @@ GenzClouds adaptive_voxelize(const std::vector<Eigen::Vector3d>& points, double 
                        static_cast<double>(config.desired_num_voxelized_points);
   GenzClouds clouds;
   clouds.voxel_size = std::clamp(voxel_size * ratio, kFinestVoxel, kCoarsestVoxel);
-  clouds.frame_downsample = thin(points, std::max(kMapVoxels * clouds.voxel_size, kFinestVoxel));
+  clouds.frame_downsample = thin(points, std::max(kMapThinning * clouds.voxel_size, kFinestVoxel));
   clouds.source = thin(clouds.frame_downsample, clouds.voxel_size);
   return clouds;
 }
@@ -139,7 +139,7 @@ Alignment align_genz(const std::vector<Eigen::Vector3d>& source, const VoxelMap&
       GenzSum part;
       for (std::size_t i = begin; i < end; ++i) {
         moved[i] = R * moved[i] + update.translation;
-        const Eigen::Vector3d* target = map.nearest(moved[i], kSearchSigmas * sigma);
+        const Eigen::Vector3d* target = map.nearest(moved[i], kSearchThresholds * sigma);
         if (!target) continue;
         add_match(moved[i], *target, surface_of(i, map.index_of(moved[i])), kKernelSigmas * sigma,
                   part);

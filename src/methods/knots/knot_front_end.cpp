@@ -215,7 +215,7 @@ void KnotFrontEnd::judge(const PreparedScan& scan, const View& view, Registered&
                       registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
   evidence.uncertainty = strength(registered.deviation / kKnown);
-  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  const std::int64_t mid_ns = scan.mid_ns();
   evidence.gap = strength(since_trusted(mid_ns) / kUsualPeriod);
   evidence.frozen = seen_again_ ? std::min(mean_speed() / kWalks, 1.0) : 0.0;
 }

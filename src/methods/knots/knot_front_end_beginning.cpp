@@ -94,7 +94,7 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
 Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
                                    const std::vector<std::uint32_t>& thinned) {
   const Pose& middle = last_pose_->pose;
-  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  const std::int64_t mid_ns = scan.mid_ns();
   const double elapsed = seconds(mid_ns - last_pose_->stamp_ns);
   const KnotWindow standing{
       {middle, middle, middle}, elapsed, elapsed, last_pose_->stamp_ns, mid_ns};

@@ -17,7 +17,7 @@ KnownFrontEnd::KnownFrontEnd(const Session& session, std::shared_ptr<const Known
 
 Estimate KnownFrontEnd::add(const PreparedScan& scan) {
   const std::vector<Estimate>& all = known_->estimates;
-  const std::int64_t mid_ns = scan.start_ns + (scan.end_ns - scan.start_ns) / 2;
+  const std::int64_t mid_ns = scan.mid_ns();
   while (next_ < all.size() && all[next_].trajectory.mid_ns() < mid_ns) ++next_;
   emptied_.centres.clear();
   if (next_ == all.size() || all[next_].trajectory.mid_ns() != mid_ns) {

@@ -197,7 +197,7 @@ void WholeWay::learn(const std::vector<Equations>& equations) {
     WayScan& way = scans_[s];
     model.learn(way.window, covariances[s], way.window.knots[1].rotation);
     way.model = model;
-    const std::int64_t mid_ns = way.scan.start_ns + (way.scan.end_ns - way.scan.start_ns) / 2;
+    const std::int64_t mid_ns = way.scan.mid_ns();
     const double variance = equations[s].squares / std::max(equations[s].count, 1);
     way.covariance = variance * covariances[s].at(way.window.place_of(mid_ns));
   }

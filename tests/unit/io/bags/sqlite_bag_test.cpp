@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <cstdlib>
+
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/compression.hpp"
@@ -92,6 +94,28 @@ TEST(SqliteBag, FileThatIsCompressedAsAWhole) {
       folder.write("c/a.db3.zstd", compress(Compression::zstd, test::content_of(file)));
   EXPECT_EQ(test::read_all_messages(*open_bag(folder.path() / "c")).size(), 2U);
   EXPECT_EQ(test::read_all_messages(*open_bag(compressed)).size(), 2U);
+}
+
+// However the program ends: the file has no name from the moment that it is open.
+TEST(SqliteBag, WhatItWasDecompressedIntoIsNotLeftBehind) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3", compressed = folder.path() / "a.db3.zstd";
+  const std::string large(3'000'000, 'z');  // more than sqlite3 keeps of it in memory
+  make_bag(file, kTopics[1], {large, "one", large, "two"});
+  folder.write("a.db3.zstd", compress(Compression::zstd, test::content_of(file)));
+  const fs::path place = folder.path() / "tmp";
+  fs::create_directory(place);
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("TMPDIR", place.c_str(), 1);
+  const auto source = read_sqlite_bag(compressed);
+  before == nullptr ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", kept.c_str(), 1);
+  EXPECT_TRUE(fs::is_empty(place));
+  const auto messages = test::read_all_messages(*source);
+  ASSERT_EQ(messages.size(), 4U);
+  EXPECT_EQ(messages[2], expected_row(2, large));
+  EXPECT_TRUE(source->rewind());
+  EXPECT_EQ(test::read_all_messages(*source), messages);
 }
 
 // A part that was not copied along, and messages that are not there.

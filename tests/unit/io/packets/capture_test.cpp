@@ -56,6 +56,27 @@ TEST(Capture, EveryMagicGivesTheSame) {
   }
 }
 
+// What is asked for is done; that the packets say otherwise is told.
+TEST(Capture, ASensorThatThePacketsContradictIsTold) {
+  const test::TemporaryFolder folder;
+  const auto notes_of = [&](const std::string& sensor) {
+    OpenOptions options;
+    options.sensor = sensor;
+    const auto recording =
+        open_recording(folder.write("a.pcap", two_turns(false, false).content()), options);
+    EXPECT_TRUE(recording->next());
+    std::string notes;
+    for (const std::string& note : recording->notes()) notes += note + "\n";
+    return notes;
+  };
+  const std::string told = notes_of("vlp-32c");
+  EXPECT_NE(told.find("the packets name a VLP-16; they are read as a VLP-32C's"), std::string::npos)
+      << told;
+  for (const char* right : {"", "vlp16"}) {
+    EXPECT_EQ(notes_of(right).find("name a"), std::string::npos) << right;
+  }
+}
+
 TEST(Capture, PcapngGivesTheSame) {
   const test::TemporaryFolder folder;
   for (const unsigned decimals : {6U, 9U}) {

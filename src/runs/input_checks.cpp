@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/input_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "runs/length_unit.hpp"
+#include "runs/output_folder.hpp"
+
+namespace surefoot::runs {
+
+namespace {
+
+/// A recording of which no scan can be read leaves nothing behind, and an earlier run where it is.
+/// Of many the first ones tell.
+void refuse_unreadable(const RunOptions& options, const std::string& error) {
+  if (options.is_live) return;
+  constexpr int kToldBy = 100;
+  const std::unique_ptr<io::Recording> again = io::open_recording(options.input, options.reader);
+  again->skip(options.start);
+  int unreadable = 0;
+  for (auto item = again->next(); item; item = again->next()) {
+    if (item->scan || ++unreadable == kToldBy) return;
+  }
+  throw io::ReadError(fmt::format("{}: none of {} scans can be read, the first: {}",
+                                  options.input.string(), unreadable, error));
+}
+
+}  // namespace
+
+void refuse_run_folder(const std::filesystem::path& input) {
+  if (!is_run_folder(input)) return;
+  throw io::ReadError(input.string() +
+                      ": is the folder of a run; expected a recording (its run.yaml names one: "
+                      "--config repeats that run)");
+}
+
+void check_first_scan(const RunOptions& options, const io::ScanItem& first) {
+  if (first.scan) {
+    refuse_other_units(*first.scan, options.input.string() + ": " + first.name);
+  } else {
+    refuse_unreadable(options, first.error);
+  }
+}
+
+}  // namespace surefoot::runs
