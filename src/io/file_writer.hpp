@@ -39,7 +39,7 @@ class UnfinishedOutput {
   bool finished_ = false;
 };
 
-/// Whether this is a regular file that begins so: one of ours, which may be written over.
+/// Whether this is a regular file, no link to one, that begins so: by a mark of ours it is ours.
 [[nodiscard]] bool is_file_beginning(const std::filesystem::path& file, std::string_view text);
 
 /// Writes beside `file` and renames, so that there is the old file or the whole new one, never half

@@ -13,6 +13,17 @@ namespace surefoot::runs {
 
 namespace {
 
+std::string no_scan_text(const RunOptions& options) {
+  const std::string input = options.input.string();
+  if (options.like.empty()) {
+    return fmt::format("{}: no scans after the first {}", input, options.start);
+  }
+  return fmt::format(
+      "{}: none of the {} scans that {} names is there; expected the recording of that run, "
+      "read with its options",
+      input, options.only_stamps.size(), options.like.string());
+}
+
 /// A recording of which no scan can be read leaves nothing behind, and an earlier run where it is.
 /// Of many the first ones tell.
 void refuse_unreadable(const RunOptions& options, const std::string& error) {
@@ -37,11 +48,12 @@ void refuse_run_folder(const std::filesystem::path& input) {
                       "--config repeats that run)");
 }
 
-void check_first_scan(const RunOptions& options, const io::ScanItem& first) {
-  if (first.scan) {
-    refuse_other_units(*first.scan, options.input.string() + ": " + first.name);
+void check_first_scan(const RunOptions& options, const std::optional<io::ScanItem>& first) {
+  if (!first) throw io::ReadError(no_scan_text(options));
+  if (first->scan) {
+    refuse_other_units(*first->scan, options.input.string() + ": " + first->name);
   } else {
-    refuse_unreadable(options, first.error);
+    refuse_unreadable(options, first->error);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "io/recording.hpp"
 #include "runs/run_options.hpp"
@@ -12,8 +13,8 @@ namespace surefoot::runs {
 /// Throws io::ReadError where the folder of a run is given for a recording.
 void refuse_run_folder(const std::filesystem::path& input);
 
-/// Throws io::ReadError where a run that begins with this scan cannot become one: its coordinates
-/// are not metres, or no scan of the recording can be read.
-void check_first_scan(const RunOptions& options, const io::ScanItem& first);
+/// Throws io::ReadError where a run that begins with this scan cannot become one: there is none,
+/// its coordinates are not metres, or no scan of the recording can be read.
+void check_first_scan(const RunOptions& options, const std::optional<io::ScanItem>& first);
 
 }  // namespace surefoot::runs

@@ -82,7 +82,6 @@ class OdometryRun final : public RunControl {
   }
   void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
-  [[nodiscard]] std::string no_scan_text() const;
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
@@ -127,8 +126,7 @@ RunOutcome OdometryRun::execute() {
   if (!options_.localize.empty()) localize(options_.localize);
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
-  if (!item) throw io::ReadError(no_scan_text());
-  check_first_scan(options_, *item);
+  check_first_scan(options_, item);
   std::optional<Reference> reference;
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
@@ -176,17 +174,6 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   own_notes_.push_back(fmt::format("left out: {}: {}", io::printable(first->name), first->remark));
   listener_.say(own_notes_.back());
   return second;
-}
-
-std::string OdometryRun::no_scan_text() const {
-  const std::string input = options_.input.string();
-  if (options_.like.empty()) {
-    return fmt::format("{}: no scans after the first {}", input, options_.start);
-  }
-  return fmt::format(
-      "{}: none of the {} scans that {} names is there; expected the recording of that run, "
-      "read with its options",
-      input, options_.only_stamps.size(), options_.like.string());
 }
 
 void OdometryRun::for_all(std::optional<io::ScanItem> item,
