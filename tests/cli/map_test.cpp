@@ -4,6 +4,7 @@
 // surefoot map, export, and run --localize: a map that is made, written as other programs read it,
 // and found again.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <memory>
@@ -91,8 +92,10 @@ TEST_F(MapCommand, IsNotWrittenOverWhatIsThere) {
 TEST_F(MapCommand, IsNeverWrittenOverItselfNorWhatIsNoFile) {
   const std::string map = file_content(path("map/map.surefoot"));
   fs::create_directory(path("folder.ply"));
+  // Not a real device: root's test of a program that is wrong would replace it.
+  ASSERT_EQ(mkfifo(path("pipe.ply").c_str(), 0600), 0);
   expect_refused({"export", "map", "--ply", "map/map.surefoot", "--overwrite"}, "the map itself");
-  expect_refused({"export", "map", "--ply", "/dev/full", "--overwrite"}, "/dev/full: is no file");
+  expect_refused({"export", "map", "--ply", "pipe.ply", "--overwrite"}, "pipe.ply: is no file");
   expect_refused({"export", "map", "--ply", "folder.ply", "--overwrite"}, "is no file");
   EXPECT_TRUE(file_content(path("map/map.surefoot")) == map);
 }
