@@ -35,8 +35,8 @@ namespace surefoot::benchmarks {
 
 namespace {
 
-/// The next scan, or nothing at the end.
-using ScanSource = std::function<std::optional<Scan>()>;
+/// The next scan, or null at the end; it stays until the next call.
+using ScanSource = std::function<const Scan*()>;
 
 struct Arguments {
   std::vector<std::string> methods = {"surefoot"};
@@ -57,17 +57,16 @@ std::vector<Scan> simulate_walk(std::size_t count) {
 /// From the first scan again. Files that cannot be read and partial revolutions are left out.
 ScanSource open_source(const Arguments& arguments, const std::vector<Scan>& walk) {
   if (arguments.recording.empty()) {
-    return [&walk, next = std::size_t{0}]() mutable -> std::optional<Scan> {
-      if (next == walk.size()) return std::nullopt;
-      return walk[next++];
+    return [&walk, next = std::size_t{0}]() mutable {
+      return next == walk.size() ? nullptr : &walk[next++];
     };
   }
   std::shared_ptr<io::Recording> recording = io::open_recording(arguments.recording);
-  return [recording]() -> std::optional<Scan> {
-    while (auto item = recording->next()) {
-      if (item->scan && item->remark.empty()) return std::move(item->scan);
+  return [recording, item = std::optional<io::ScanItem>()]() mutable -> const Scan* {
+    while ((item = recording->next())) {
+      if (item->scan && item->remark.empty()) return &*item->scan;
     }
-    return std::nullopt;
+    return nullptr;
   };
 }
 
@@ -98,8 +97,8 @@ Measured measure_run(const Arguments& arguments, const std::vector<Scan>& walk,
   Odometry odometry(method_config(method), threads);
   Measured measured;
   while (measured.estimates.size() < arguments.scans) {
-    const std::optional<Scan> scan = next_scan();
-    if (!scan) break;
+    const Scan* const scan = next_scan();
+    if (scan == nullptr) break;
     measure_scan(odometry, *scan, measured);
     measured.peak_megabytes = std::max(measured.peak_megabytes, resident_megabytes());
   }

@@ -71,7 +71,9 @@ class Odometry {
 
   /// Never throws for what is in a scan: a scan that cannot be used is `rejected`. So is one whose
   /// stamp is not after the last one's; ten in a row whose stamps rise tell that the clock was set
-  /// back, and the next ones are taken as they come.
+  /// back, and the next ones are taken as they come. With more than one thread a scan goes on into
+  /// the local map after its estimate was returned; who asks for the map, or adds another scan,
+  /// waits for that.
   Estimate add_scan(const Scan& scan);
 
   [[nodiscard]] const Config& config() const;

@@ -13,6 +13,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -24,12 +25,12 @@ namespace surefoot::command_line {
 namespace {
 
 /// CLI11 only says that something is missing or too much.
-void check_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
+void check_command(const CLI::App& app, const std::vector<const char*>& words) {
+  if (words.size() < 2 || words[1][0] == '-') return;
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw std::invalid_argument(unknown_word("subcommand", argv[1], names));
+  if (std::find(names.begin(), names.end(), words[1]) != names.end()) return;
+  throw std::invalid_argument(unknown_word("subcommand", words[1], names));
 }
 
 /// "PATH: why", without the name of the call that failed.
@@ -44,10 +45,20 @@ void flush_output() {
   throw std::system_error(errno, std::generic_category(), "what was to be printed is lost");
 }
 
-int parse(CLI::App& app, int argc, char** argv) {
+/// "surefoot help COMMAND" is "surefoot COMMAND --help", as in other programs.
+std::vector<const char*> with_help_as_flag(int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc < 2 || std::string_view(argv[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  words.push_back("--help");
+  return words;
+}
+
+int parse(CLI::App& app, int argc, const char* const* argv) {
+  const std::vector<const char*> words = with_help_as_flag(argc, argv);
   try {
-    check_command(app, argc, argv);
-    app.parse(argc, argv);
+    check_command(app, words);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& error) {
     if (app.exit(error) != 0) return process::kBadInput;
   }

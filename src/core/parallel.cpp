@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #ifdef SUREFOOT_WITH_TBB
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #elif defined(SUREFOOT_WITH_STD_THREADS)
+#include <exception>
 #include <thread>
 #endif
 
@@ -43,8 +46,27 @@ Workers::Workers(int threads) {
 void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const {
   std::atomic<std::size_t> next = 0;
   const auto work = taking_the_next(next, chunks, run);
-  pool_->arena.execute([&] { tbb::parallel_for(0, threads_, [&](int) { work(); }); });
+  // Isolated: who waits for the end of a loop does not begin with a long piece of another one.
+  pool_->arena.execute([&] {
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, threads_, [&](int) { work(); }); });
+  });
 }
+
+struct Background::Task {
+  Workers::Pool* pool;
+  bool begun = false;
+  tbb::task_group group{};
+
+  void begin(std::function<void()> work) {
+    if (pool == nullptr) return work();
+    begun = true;
+    pool->arena.execute([&] { group.run(std::move(work)); });
+  }
+  void wait() {
+    if (!std::exchange(begun, false)) return;
+    pool->arena.execute([&] { group.wait(); });
+  }
+};
 
 #elif defined(SUREFOOT_WITH_STD_THREADS)
 
@@ -63,6 +85,27 @@ void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size
   work();
 }
 
+struct Background::Task {
+  Workers::Pool* pool;
+  std::thread thread{};
+  std::exception_ptr thrown{};
+
+  void begin(std::function<void()> work) {
+    if (pool == nullptr) return work();
+    thread = std::thread([this, work = std::move(work)] {
+      try {
+        work();
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+    });
+  }
+  void wait() {
+    if (thread.joinable()) thread.join();
+    if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+  }
+};
+
 #else
 
 struct Workers::Pool {};
@@ -73,10 +116,33 @@ void Workers::run_in_pool(std::size_t chunks, const std::function<void(std::size
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) run(chunk);
 }
 
+struct Background::Task {
+  Workers::Pool* pool;
+
+  static void begin(const std::function<void()>& work) { work(); }
+  static void wait() {}
+};
+
 #endif
 
 Workers::~Workers() = default;
 Workers::Workers(Workers&&) noexcept = default;
 Workers& Workers::operator=(Workers&&) noexcept = default;
+
+Background::Background(const Workers& workers) : task_(new Task{workers.pool_.get()}) {}
+
+Background::~Background() {
+  try {
+    wait();
+  } catch (...) {  // nobody is left who could be told
+  }
+}
+
+void Background::begin(std::function<void()> work) {
+  wait();
+  task_->begin(std::move(work));
+}
+
+void Background::wait() const { task_->wait(); }
 
 }  // namespace surefoot

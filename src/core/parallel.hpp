@@ -3,6 +3,7 @@
 //
 // Parallel loops whose result does not depend on the number of threads: work is cut into chunks of
 // a fixed size, each chunk is done by one thread, and sums are added up in the order of the chunks.
+// And work that goes on while the caller does something else.
 #pragma once
 
 #include <algorithm>
@@ -63,6 +64,7 @@ class Workers {
   }
 
  private:
+  friend class Background;
   static constexpr std::size_t kChunk = 256;
   static std::size_t chunk_count(std::size_t size) { return (size + kChunk - 1) / kChunk; }
   void run_in_pool(std::size_t chunks, const std::function<void(std::size_t)>& run) const;
@@ -70,6 +72,27 @@ class Workers {
   struct Pool;
   int threads_ = 1;
   std::unique_ptr<Pool> pool_;
+};
+
+/// Work that one of the workers' threads does while the caller goes on; with one thread it is done
+/// at once. What it touches is the caller's again after wait().
+class Background {
+ public:
+  /// @param workers outlive it.
+  explicit Background(const Workers& workers);
+  /// Waits; what the work throws is lost.
+  ~Background();
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
+
+  /// Begins, once the work before has ended.
+  void begin(std::function<void()> work);
+  /// Throws what the work threw.
+  void wait() const;
+
+ private:
+  struct Task;
+  std::unique_ptr<Task> task_;
 };
 
 }  // namespace surefoot

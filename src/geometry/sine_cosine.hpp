@@ -15,6 +15,11 @@ struct SineCosine {
   explicit SineCosine(double angle) : sine(std::sin(angle)), cosine(std::cos(angle)) {}
   SineCosine(double sine_of, double cosine_of) : sine(sine_of), cosine(cosine_of) {}
 
+  /// Of the sum of two angles.
+  [[nodiscard]] SineCosine operator+(const SineCosine& other) const {
+    return {sine * other.cosine + cosine * other.sine, cosine * other.cosine - sine * other.sine};
+  }
+
   double sine = 0.0;
   double cosine = 1.0;
 };

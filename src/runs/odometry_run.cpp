@@ -241,8 +241,9 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (listener_.answered) listener_.answered(item.name, estimate, odometry_);
   if (estimate.trusted() && !options_.no_map) {
     const double time = seconds(estimate.stamp_ns - first_stamp_ns_);
+    const DeskewedScan& seen = odometry_.deskewed_scan();  // while the local map is added to
     map_.forget(odometry_.emptied_cubes(), time);
-    map_.add(odometry_.deskewed_scan(), estimate.T_world_lidar, time);
+    map_.add(seen, estimate.T_world_lidar, time);
   }
   if (map_run_ && estimate.trusted()) {
     map_run_->add(estimate, T_lidar_written_, odometry_.deskewed_scan());

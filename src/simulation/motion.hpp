@@ -3,7 +3,7 @@
 //
 // The sensor's motion: where the LiDAR is at any nanosecond. It is one uniform cubic B-spline over
 // position and roll, pitch, yaw, so it is C2 in time whatever it was made from, and cheap enough
-// to be asked once a laser firing.
+// to be asked thrice a firing sequence.
 #pragma once
 
 #include <cstdint>

@@ -84,10 +84,14 @@ Scanner::Scanner(RayCaster& rays, const LidarModel& model, const Motion& motion,
                                 0.5 * model_.divergence_vertical * part.vertical * upward)
                                    .normalized());
     }
+    beam.share = laser.offset_ns / model_.sequence_ns;
+    beam.turned = SineCosine(kTwoPi / model_.turn_ns * laser.offset_ns);
     beams_.push_back(std::move(beam));
   }
   if (options_.robot_body) body_ = std::make_unique<RayCaster>(robot_body());
   readings_.resize(kBlockSequences);
+  paths_.resize(kBlockSequences);
+  azimuths_.resize(kBlockSequences);
   firings_.resize(model_.lasers.size() * kBlockSequences);
   aimed_.resize(firings_.size() * footprint_.size());
   hits_.resize(aimed_.size());
@@ -134,10 +138,26 @@ std::size_t Scanner::slot(std::size_t laser, std::size_t sequence) const {
   return laser * kBlockSequences + sequence;
 }
 
-void Scanner::fire(const Block& block) {
+/// What the sequences' lasers share.
+void Scanner::follow(const Block& block) {
+  std::array<double, 2 * kBlockSequences + 1> times{};
+  std::array<Pose, times.size()> T_map_lidar;
+  const std::size_t ends = 2 * block.sequences + 1;
+  const auto begin_ns = [&](double sequence) {
+    return (static_cast<double>(block.first) + sequence) * model_.sequence_ns;
+  };
+  for (std::size_t k = 0; k < ends; ++k) times[k] = 1e-9 * begin_ns(0.5 * static_cast<double>(k));
+  motion_.T_map_lidar({times.data(), ends}, {T_map_lidar.data(), ends});
+  const SineCosineNear azimuth(true_azimuth(begin_ns(0.0)));
   for (std::size_t i = 0; i < block.sequences; ++i) {
     readings_[i] = azimuth_reading(block.first + i);
+    paths_[i] = {T_map_lidar[2 * i], T_map_lidar[2 * i + 1], T_map_lidar[2 * i + 2]};
+    azimuths_[i] = azimuth(true_azimuth(begin_ns(static_cast<double>(i))));
   }
+}
+
+void Scanner::fire(const Block& block) {
+  follow(block);
   for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
     if (laser > 0 && model_.lasers[laser].offset_ns == model_.lasers[laser - 1].offset_ns) {
       std::copy_n(&firings_[slot(laser - 1, 0)], block.sequences, &firings_[slot(laser, 0)]);
@@ -148,22 +168,17 @@ void Scanner::fire(const Block& block) {
 }
 
 void Scanner::fire(const Block& block, std::size_t laser) {
-  std::array<double, kBlockSequences> times{};
-  std::array<Pose, kBlockSequences> T_map_lidar;
-  const SineCosineNear azimuth(true_azimuth(firing_ns(block.first, laser)));
+  const RotorBeam& beam = beams_[laser];
   Firing* const firings = &firings_[slot(laser, 0)];
   for (std::size_t i = 0; i < block.sequences; ++i) {
     Firing& firing = firings[i];
     firing.sequence = block.first + i;
     firing.time_ns = firing_ns(firing.sequence, laser);
     firing.reported_azimuth = azimuth_after(readings_[i], firing.time_ns);
-    firing.rotor = Rotor(azimuth(true_azimuth(firing.time_ns)));
-    times[i] = 1e-9 * firing.time_ns;
-  }
-  motion_.T_map_lidar({times.data(), block.sequences}, {T_map_lidar.data(), block.sequences});
-  for (std::size_t i = 0; i < block.sequences; ++i) {
-    firings[i].R_map_rotor = firings[i].rotor.after(T_map_lidar[i].rotation.toRotationMatrix());
-    firings[i].position = T_map_lidar[i].translation;
+    firing.rotor = Rotor(azimuths_[i] + beam.turned);
+    const Eigen::Matrix<double, 3, 4> T_map_lidar = paths_[i].at(beam.share);
+    firing.R_map_rotor = firing.rotor.after(T_map_lidar.leftCols<3>());
+    firing.position = T_map_lidar.col(3);
   }
 }
 

@@ -17,6 +17,7 @@
 #include "simulation/ray_caster.hpp"
 #include "simulation/return_model.hpp"
 #include "simulation/rotor.hpp"
+#include "simulation/sequence_path.hpp"
 #include "surefoot/scan.hpp"
 #include "surefoot/trajectory.hpp"
 
@@ -87,6 +88,8 @@ class Scanner {
     Eigen::Vector3d origin;
     Eigen::Vector3d direction;
     std::vector<Eigen::Vector3d> footprint;  ///< directions of its rays
+    double share = 0.0;                      ///< of a firing sequence's time, when it fires
+    SineCosine turned;                       ///< azimuth that the rotor turned until then
   };
   /// One firing: the rotor's pose in the map at its instant.
   struct Firing {
@@ -111,6 +114,7 @@ class Scanner {
   [[nodiscard]] double true_azimuth(double time_ns) const;
   [[nodiscard]] AzimuthReading azimuth_reading(std::uint64_t sequence) const;
   [[nodiscard]] double azimuth_after(const AzimuthReading& reading, double time_ns) const;
+  void follow(const Block& block);
   void fire(const Block& block);
   void fire(const Block& block, std::size_t laser);
   void aim(const Block& block, double begin_ns, double end_ns);
@@ -133,7 +137,9 @@ class Scanner {
   std::unique_ptr<RayCaster> body_;
   // Working memory of one block, laser by laser, sequence by sequence: neighbours in it point
   // nearly the same way, which ray packets reward with twice the speed.
-  std::vector<AzimuthReading> readings_;  ///< one a sequence
+  std::vector<AzimuthReading> readings_;  ///< one a sequence, as the next two
+  std::vector<SequencePath> paths_;
+  std::vector<SineCosine> azimuths_;  ///< true ones, at the sequence's begin
   std::vector<Firing> firings_;
   std::vector<Ray> aimed_;
   std::vector<Hit> hits_;

@@ -38,6 +38,21 @@ TEST(Commands, EverySubcommandHasHelp) {
   }
 }
 
+TEST(Commands, HelpIsACommandToo) {
+  const ScratchFolder scratch;
+  for (const std::vector<std::string>& command : {std::vector<std::string>{}, {"run"}, {"eval"}}) {
+    std::vector<std::string> asked = {"help"}, flag = command;
+    asked.insert(asked.end(), command.begin(), command.end());
+    flag.emplace_back("--help");
+    const ProcessResult result = run_surefoot(asked, scratch.path());
+    EXPECT_EQ(result.exit_code, 0) << result;
+    EXPECT_EQ(result.output, run_surefoot(flag, scratch.path()).output);
+  }
+  const ProcessResult unknown = run_surefoot({"help", "rnu"}, scratch.path());
+  EXPECT_EQ(unknown.exit_code, 2) << unknown;
+  EXPECT_NE(unknown.errors.find("run"), std::string::npos) << unknown;
+}
+
 // And in a checkout the commit, so that a result tells which code it is of.
 TEST(Commands, VersionIsTheFileVersion) {
   const ScratchFolder scratch;

@@ -54,7 +54,8 @@ function shadeControls(context) {
   return [chosen, el("div.colours", {}, text(shades.low), bar, text(shades.high))];
 }
 
-function mapControls(scene, store, run, legend) {
+function mapControls(scene, context, legend) {
+  const { store, run, recording } = context;
   const map = run().map;
   const modes = [["height", "Height"]];
   if (map?.intensity) modes.push(["intensity", "Intensity"]);
@@ -80,7 +81,7 @@ function mapControls(scene, store, run, legend) {
     map && colours,
     map && el("label.slider", {}, el("span", {}, "Points"), size),
     map && toggle("Map", scene.showMap, (shown) => scene.setMapShown(shown)),
-    toggle("Truth", true, (shown) => scene.setTruthShown(shown)),
+    recording().truth && toggle("Truth", true, (shown) => scene.setTruthShown(shown)),
     reset,
   ].filter(Boolean);
 }
@@ -108,14 +109,14 @@ function addScene(holder, controls, legend, context) {
     holder.replaceChildren(missingScene(error));
     return;
   }
-  const { store, run } = context;
+  const { store } = context;
   store.watch(["run"], () => {
     scene.setRun();
     scene.setCursor();
   });
   store.watch(["theme", "shade"], () => scene.setTheme());
   store.watch(["run", "theme"], () =>
-    controls.replaceChildren(...mapControls(scene, store, run, legend)),
+    controls.replaceChildren(...mapControls(scene, context, legend)),
   );
   store.watch(["cursor", "playing"], () => scene.setCursor());
 }

@@ -214,6 +214,8 @@ test("does without map and truth", async () => {
   const opened = await open(browser, process.env.SUREFOOT_TEST_BARE);
   assert.equal((await opened.page.$$(".chart:not([hidden]) canvas")).length, 10);
   assert.equal(await opened.page.$("#errors"), null);
+  const switches = await opened.page.$$eval(".controls label", (all) => all.map((l) => l.textContent));
+  assert.ok(!switches.includes("Truth"), switches.join());
   assertQuiet(opened.complaints, opened.requests);
 });
 

@@ -37,14 +37,27 @@ struct Answers {
   int given = 0;
   int free = 0;
 
-  void ask(const std::vector<Eigen::Vector3d>& points, const Beams& beams) {
-    for (std::size_t i = 0; i < points.size(); i += kStride) {
-      const Beams::Answer answer = beams.at(points[i]);
-      given += answer == Beams::Answer::none ? 0 : 1;
-      free += answer == Beams::Answer::free ? 1 : 0;
-    }
+  void count(Beams::Answer answer) {
+    given += answer == Beams::Answer::none ? 0 : 1;
+    free += answer == Beams::Answer::free ? 1 : 0;
+  }
+  Answers& operator+=(const Answers& other) {
+    given += other.given;
+    free += other.free;
+    return *this;
   }
 };
+
+/// What beams answer about some of a view's points.
+Answers answers_about(const std::vector<Eigen::Vector3d>& points, const Beams& beams,
+                      const Workers& workers) {
+  const std::size_t asked = (points.size() + kStride - 1) / kStride;
+  return workers.sum<Answers>(asked, [&](std::size_t begin, std::size_t end) {
+    Answers part;
+    for (std::size_t i = begin; i < end; ++i) part.count(beams.at(points[i * kStride]));
+    return part;
+  });
+}
 
 }  // namespace
 
@@ -55,11 +68,11 @@ void LastViews::add(View view) {
   if (views_.size() > kKept) views_.pop_front();
 }
 
-double LastViews::contradiction(const View& view) const {
+double LastViews::contradiction(const View& view, const Workers& workers) const {
   Answers answers;
   for (const View& last : views_) {
-    answers.ask(view.points, last.beams);
-    answers.ask(last.points, view.beams);
+    answers += answers_about(view.points, last.beams, workers);
+    answers += answers_about(last.points, view.beams, workers);
   }
   return answers.given > 0 ? static_cast<double>(answers.free) / answers.given : 0.0;  // [K25]
 }

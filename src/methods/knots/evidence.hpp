@@ -22,7 +22,7 @@ class LastViews {
   void clear() { views_.clear(); }
   /// Of what a view and these can tell of each other, the share where they contradict: points of
   /// the one that the other's beams went through. 0 if there is nothing to tell.
-  [[nodiscard]] double contradiction(const View& view) const;
+  [[nodiscard]] double contradiction(const View& view, const Workers& workers = Workers(1)) const;
 
  private:
   std::deque<View> views_;

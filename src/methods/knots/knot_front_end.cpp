@@ -67,20 +67,22 @@ void refuse_reversed(Estimate& estimate) {
 KnotFrontEnd::KnotFrontEnd(const Session& session)
     : session_(session),
       config_(session.config),
-      map_(config_.knots, config_.map.radius),
+      map_(session),
       model_(config_.knots),
       map_choice_(map_choice(config_.knots)),
       choice_(config_.knots.points, {config_.knots.map_voxel, kFirstCube, kCoarsestCube}),
       dependence_(1.0 / config_.knots.independence) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
-  emptied_.centres.clear();
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
   reversed_ = are_opposite(sweep_axis_, sweep_axis(scan));
   session_.begin_step(Step::downsample);
   const auto thinned = map_choice_.choose(scan, session_.workers);
-  if (map_.empty()) return begin_map(scan, thinned);
+  if (agreed_ == 0) return begin_map(scan, thinned);  // there is no map
+  session_.begin_step(Step::map);                     // what of the last scan is not in it yet
+  map_.forget_emptied();
+  session_.begin_step(Step::downsample);
   if (search_) return search(scan, thinned);
 
   Registered registered =
@@ -193,7 +195,8 @@ void KnotFrontEnd::let_drift(Registered& registered) {
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
-  return {map_, begin.prior, model_, config_.knots, session_.workers, session_.begin_step};
+  return {map_.surfels(), begin.prior,      model_,
+          config_.knots,  session_.workers, session_.begin_step};
 }
 
 /// [s] from the last trusted pose to an instant.
@@ -211,7 +214,8 @@ void KnotFrontEnd::judge(const PreparedScan& scan, const View& view, Registered&
   const KnotRegistration& found = registered.found;
   const bool slides = !registered.estimate.degenerate.empty();
   const bool settled = has_settled(found.converged, found.settling, slides);
-  registered.signs = {found.misfit_of_seen(), found.unseen, views_.contradiction(view),
+  registered.signs = {found.misfit_of_seen(), found.unseen,
+                      map_.views().contradiction(view, session_.workers),
                       registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
   evidence.uncertainty = strength(registered.deviation / kKnown);
@@ -349,7 +353,6 @@ const DeskewedScan& KnotFrontEnd::deskewed_scan() const {
 void KnotFrontEnd::clear_map() {
   map_.clear();
   bend_.clear();
-  views_.clear();
 }
 
 void KnotFrontEnd::forget_verdicts() {
@@ -372,14 +375,12 @@ View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_
           middle * (scan.taus.empty() ? point : deskewing(point, scan.taus[i])).cast<double>();
     }
   });
-  return {middle.translation, std::move(points)};
+  return {middle.translation, std::move(points), session_.workers};
 }
 
 void KnotFrontEnd::integrate(View view) {
-  map_.remove_far(view.sensor);
   way_.remove_far(view.sensor, config_.map.radius);
-  emptied_ = map_.insert(view, session_.workers);
-  views_.add(std::move(view));
+  map_.add(std::move(view));
 }
 
 Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {

@@ -9,11 +9,11 @@
 #include "core/front_end.hpp"
 #include "methods/knots/dependence.hpp"
 #include "methods/knots/evidence.hpp"
+#include "methods/knots/growing_map.hpp"
 #include "methods/knots/held_back.hpp"
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/knot_search.hpp"
-#include "methods/knots/surfel_map.hpp"
 #include "methods/knots/sweep_bend.hpp"
 #include "methods/knots/velocity_model.hpp"
 #include "methods/knots/walked_way.hpp"
@@ -31,8 +31,10 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] Twist velocity() const override { return velocity_; }
   [[nodiscard]] const LevelReport& level() const override { return level_; }
   [[nodiscard]] const DeskewedScan& deskewed_scan() const override;
-  [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override { return map_.points(); }
-  [[nodiscard]] Cubes emptied_cubes() const override { return emptied_; }
+  [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override {
+    return map_.surfels().points();
+  }
+  [[nodiscard]] Cubes emptied_cubes() const override { return map_.emptied(); }
 
  private:
   /// So many scans must agree before a map, or a place that was found again, is believed.
@@ -164,7 +166,7 @@ class KnotFrontEnd : public FrontEnd {
   const Config& config_;
 
   // Everything that outlives a scan.
-  SurfelMap map_;
+  GrowingMap map_;
   WalkedWay way_;  // within its reach
   VelocityModel model_;
   SweepBend bend_;  // of the map
@@ -177,7 +179,6 @@ class KnotFrontEnd : public FrontEnd {
   Dependence dependence_;
   HeldBack held_back_{HeldBack::Mean::left_out};
   HeldBack held_back_in_all_{HeldBack::Mean::counted};
-  LastViews views_;
   UsualSigns usual_signs_;
   Verdict verdict_;
   Verdict objections_;            // of the same scans, what speaks for leaving the map
@@ -190,7 +191,6 @@ class KnotFrontEnd : public FrontEnd {
   // The last scan. Few of its points are needed here, all of them only by who asks.
   mutable ToDeskew to_deskew_;
   mutable DeskewedScan last_scan_;
-  Cubes emptied_;             // by the last scan
   std::int64_t held_ns_ = 0;  // when a scan last held all directions
   int agreed_ = 0;            // trusted scans of this map
   int lost_in_a_row_ = 0;     // scans that could not be registered

@@ -105,8 +105,8 @@ Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
   points.begins = {0, points.points.size()};
   const KnotPrior anywhere = at_rest(middle, elapsed);
   const VelocityModel any_speed(config_.knots, kAnyFluctuation);
-  const KnotProblem two_scans{map_,          anywhere,         any_speed,
-                              config_.knots, session_.workers, session_.begin_step};
+  const KnotProblem two_scans{map_.surfels(), anywhere,         any_speed,
+                              config_.knots,  session_.workers, session_.begin_step};
   const KnotRegistration found =
       register_knots(points, two_scans, standing, patient_annealing(config_.knots));
   if (!found.solved || found.matches < config_.health.min_matches) return Twist::Zero();

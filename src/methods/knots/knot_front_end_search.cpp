@@ -136,7 +136,7 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& chosen,
                                               const SearchRegion& region, std::size_t most) const {
   session_.begin_step(Step::search);
-  return search_places(map_, some_of(scan, chosen), region, way_, most, session_.workers);
+  return search_places(map_.surfels(), some_of(scan, chosen), region, way_, most, session_.workers);
 }
 
 /// A scan registered where a coarse look told that it may be, at first by one velocity; none if

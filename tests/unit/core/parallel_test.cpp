@@ -6,6 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
+#include <thread>
+#include <vector>
+
 #include "support/random.hpp"
 
 namespace surefoot {
@@ -50,6 +55,84 @@ TEST(Workers, MoreThreadsThanTheMachineHasPrintNothing) {
   EXPECT_EQ(sum, 10'000);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Background, WhatWasBegunIsDoneAfterTheWait) {
+  for (const int threads : {1, 2, 3}) {
+    const Workers workers(threads);
+    std::vector<int> done;
+    Background background(workers);
+    for (int i = 0; i < 100; ++i) background.begin([&done, i] { done.push_back(i); });
+    background.wait();
+    background.wait();
+    ASSERT_EQ(done.size(), 100U) << threads;
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(done[static_cast<std::size_t>(i)], i) << threads;
+  }
+}
+
+TEST(Background, LoopsWithinItAndBesideItAreEachWhole) {
+  const Workers workers(2);
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    std::vector<int> within(5'000, 0), beside(5'000, 0);
+    const auto count = [&workers](std::vector<int>& visits) {
+      workers.for_chunks(visits.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) ++visits[i];
+      });
+    };
+    Background background(workers);
+    background.begin([&] { count(within); });
+    count(beside);
+    background.wait();
+    EXPECT_EQ(within, std::vector<int>(5'000, 1));
+    EXPECT_EQ(beside, std::vector<int>(5'000, 1));
+  }
+}
+
+/// The caller goes on at once: work that waits for what the caller does afterwards comes to an end.
+TEST(Background, GoesOnWhileTheCallerDoesSomethingElse) {
+  const Workers workers(2);
+  if (workers.threads() < 2) GTEST_SKIP() << "one thread";
+  std::atomic<bool> called = false;
+  Background background(workers);
+  background.begin([&called] {
+    while (!called) std::this_thread::yield();
+  });
+  called = true;
+  background.wait();
+}
+
+TEST(Background, ThrowsOnceWhatTheWorkThrew) {
+  for (const int threads : {1, 2}) {
+    const Workers workers(threads);
+    Background background(workers);
+    const auto throwing = [&] {
+      background.begin([] { throw std::bad_alloc(); });
+      background.wait();
+    };
+    EXPECT_THROW(throwing(), std::bad_alloc) << threads;
+    EXPECT_NO_THROW(background.wait()) << threads;
+    bool done = false;
+    background.begin([&done] { done = true; });
+    background.wait();
+    EXPECT_TRUE(done) << threads;
+  }
+}
+
+TEST(Background, ItsEndWaits) {
+  const Workers workers(2);
+  std::atomic<int> done = 0;
+  for (int i = 0; i < 20; ++i) {
+    Background background(workers);
+    background.begin([&done] {
+      std::this_thread::yield();
+      ++done;
+    });
+  }
+  EXPECT_EQ(done, 20);
+  EXPECT_NO_THROW({
+    Background background(workers);
+    if (workers.threads() > 1) background.begin([] { throw std::bad_alloc(); });
+  });
 }
 
 }  // namespace

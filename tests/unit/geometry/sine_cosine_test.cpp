@@ -38,5 +38,15 @@ TEST(SineCosineNear, IsTheLibrarysToTheBitAtTheCentreAndOutOfReach) {
   }
 }
 
+TEST(SineCosine, OfASumIsThatOfBothTogether) {
+  test::Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const double a = random.uniform(-7.0, 7.0), b = random.uniform(-7.0, 7.0);
+    const SineCosine sum = SineCosine(a) + SineCosine(b);
+    EXPECT_NEAR(sum.sine, std::sin(a + b), 1e-15);
+    EXPECT_NEAR(sum.cosine, std::cos(a + b), 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace surefoot

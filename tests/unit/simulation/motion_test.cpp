@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "simulation/ground_path.hpp"
 #include "simulation/random.hpp"
+#include "simulation/sequence_path.hpp"
 #include "support.hpp"
 
 namespace surefoot::simulation::test {
@@ -82,6 +84,26 @@ TEST(MotionTest, SeveralTimesHaveThePosesOfEach) {
     EXPECT_LT((poses[i].rotation.coeffs() - alone.rotation.coeffs()).norm(), 1e-15);
     EXPECT_LT((poses[i].translation - alone.translation).norm(), 1e-15);
   }
+}
+
+TEST(SequencePathTest, IsTheMotionWhileItsLasersFire) {
+  const CounterRandom random(1, 2);
+  constexpr double kLongest = 1e-4;  // [s] of a sequence: an OS1's column lasts 98 us
+  double worst = 0.0;
+  for (const char* name : {"trot", "stairs", "run", "handheld"}) {
+    const Motion motion = room_motion(gait_model(name), 4.0, 5);
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      const double begin = random.uniform(2 * i, 0.0, 3.999);
+      const double share = random.uniform(2 * i + 1, 0.0, 1.03);  // the XT-16's last laser: 1.027
+      const SequencePath path(motion.T_map_lidar(begin), motion.T_map_lidar(begin + kLongest / 2),
+                              motion.T_map_lidar(begin + kLongest));
+      const Pose there = motion.T_map_lidar(begin + share * kLongest);
+      const Eigen::Matrix<double, 3, 4> difference = path.at(share) - there.matrix().topRows<3>();
+      worst = std::max(worst, difference.cwiseAbs().maxCoeff());
+    }
+  }
+  EXPECT_LT(worst, 1e-9);  // 7.5e-10, where a gait is hardest
+  EXPECT_GT(worst, 1e-14);
 }
 
 TEST(GaitTest, EveryHarmonicHasTheAmplitudeThatWasAsked) {
