@@ -80,7 +80,7 @@ void add_surface_options(CLI::App& command, runs::MapExport& files) {
       ->capture_default_str();
   command.add_option("--grid", files.grid,
                      "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
-  command.add_option("--cell", files.occupancy.cell, "of the occupancy grid [m]")
+  command.add_option("--grid-cell,--cell", files.occupancy.cell, "of the occupancy grid [m]")
       ->check(command_line::number_within(0.01, 10.0))
       ->capture_default_str();
 }

@@ -41,7 +41,7 @@ void add_suite_command(CLI::App& app, int& exit_code) {
   command->add_option("--seeds", request->seeds, "Set of seeds; no two sets share one")
       ->check(CLI::IsMember(sets))
       ->capture_default_str();
-  command->add_option("--jobs", request->jobs, "Recordings made at a time")
+  command->add_option("-j,--jobs", request->jobs, "Recordings made at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   command->callback([request, &exit_code] { exit_code = make(*request); });

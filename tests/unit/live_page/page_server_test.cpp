@@ -5,18 +5,22 @@
 #include "live_page/page_server.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace surefoot::live_page {
@@ -66,6 +70,31 @@ TEST(PageToken, TokensDiffer) {
   EXPECT_EQ(token.size(), 32U);
   EXPECT_NE(token, make_token());
 }
+
+/// Leaves the process, while it lives, no file to open but one.
+class OneFileLeft {
+ public:
+  OneFileLeft() {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    rlimit few = before_;
+    few.rlim_cur = 128;
+    ::setrlimit(RLIMIT_NOFILE, &few);
+    const auto open = [] { return ::open("/dev/null", O_RDONLY | O_CLOEXEC); };
+    for (int file = open(); file >= 0; file = open()) taken_.push_back(file);
+    ::close(taken_.back());
+    taken_.pop_back();
+  }
+  ~OneFileLeft() {
+    for (const int file : taken_) ::close(file);
+    ::setrlimit(RLIMIT_NOFILE, &before_);
+  }
+  OneFileLeft(const OneFileLeft&) = delete;
+  OneFileLeft& operator=(const OneFileLeft&) = delete;
+
+ private:
+  rlimit before_{};
+  std::vector<int> taken_;
+};
 
 class PageServerTest : public testing::Test {
  protected:
@@ -122,6 +151,17 @@ TEST_F(PageServerTest, ServesThePage) {
   EXPECT_TRUE(get("/nothing").starts_with("HTTP/1.1 404"));
   EXPECT_EQ(server_->address(),
             "http://127.0.0.1:" + std::to_string(server_->port()) + "/#token=secret");
+}
+
+TEST_F(PageServerTest, WhoComesWhileNoFileCanBeOpenedIsServedLater) {
+  std::optional<OneFileLeft> one_left(std::in_place);
+  const Client client(server_->port());  // takes it; the server has none
+  ASSERT_TRUE(client.connected());
+  client.send("GET / HTTP/1.1\r\n" + host() + "\r\n");
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it tries at once, in vain
+  one_left.reset();
+  EXPECT_TRUE(client.read_all().starts_with("HTTP/1.1 200 OK\r\n"));
+  expect_alive();
 }
 
 TEST_F(PageServerTest, APortThatIsTakenIsSaid) {
