@@ -5,6 +5,8 @@ import csv
 import pathlib
 import statistics
 
+import reliability_diagram
+
 HERE = pathlib.Path(__file__).resolve().parent
 APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
 RELATIVE = "Relative over 10 m, RMSE (%)"
@@ -147,13 +149,24 @@ def reference():
     return f"{markdown([name.replace('[m]', '[mm]') for name in kept.rows[0]], rows)}\n\n{kept_by(kept)}"
 
 
+def told_and_wrong():
+    """What was told up to, scans, told on average, wrong ones; and what a wrong one is weighed by, to
+    be one in a hundred."""
+    rows = [[row[0], int(row[1]), float(row[2]), int(row[3])] for row in Kept("reliability_bins").rows[1:]]
+    wrong = sum(row[3] for row in rows)
+    right = sum(row[1] - row[3] for row in rows)
+    return rows, 0.01 / 0.99 * right / wrong
+
+
+def reliability_picture():
+    rows, weight = told_and_wrong()
+    return reliability_diagram.svg([(told, scans, bad) for _, scans, told, bad in rows], weight)
+
+
 def reliability_bins():
     """How often poses of which a probability is told are wrong, wrong ones as one in a hundred."""
     kept = Kept("reliability_bins")
-    rows = [[row[0], int(row[1]), float(row[2]), int(row[3])] for row in kept.rows[1:]]
-    wrong = sum(row[3] for row in rows)
-    right = sum(row[1] - row[3] for row in rows)
-    weight = 0.01 / 0.99 * right / wrong
+    rows, weight = told_and_wrong()
     lines = []
     for end, scans, told, bad in rows:
         weighed = weight * bad
@@ -515,6 +528,10 @@ TABLES = {
     "reliability": reliability,
     "reliability-bins": reliability_bins,
 }
+
+
+# Drawn from the data, to docs/images.
+PICTURES = {"reliability.svg": reliability_picture}
 
 
 def content(name):
