@@ -82,15 +82,31 @@ TEST(GrowingMap, WhatWasEmptiedIsToldUntilTheNextScan) {
   EXPECT_TRUE(map.emptied().centres.empty());
 }
 
+TEST(GrowingMap, WhatIsFarFromTheNextScansLeaves) {
+  const Config config = config_of_visits();
+  const Session session{config, Workers(2)};
+  GrowingMap map(session);
+  Random random(11);
+  map.add(visit(random, 0));
+  const std::size_t here = map.surfels().points().size();
+  const Eigen::Vector3d away(5.0 * config.map.radius, 0.0, 0.0);
+  for (std::size_t scan = 0; scan <= SurfelMap::kRound; ++scan) {
+    map.add({away, {away + Eigen::Vector3d(1.0, 0.0, 0.0)}});
+  }
+  ASSERT_GT(here, 10U);
+  EXPECT_EQ(map.surfels().points().size(), 1U);
+}
+
 TEST(GrowingMap, ClearedItIsAsNew) {
   const Config config = config_of_visits();
   const Session session{config, Workers(2)};
   GrowingMap map(session), fresh(session);
   Random random(11);
-  map.add(visit(random, 0));
+  map.add(visit(random, 9));  // beams go through where somebody stands in the next one
+  const View view = visit(random, 0);
+  EXPECT_GT(map.views().contradiction(view), 0.0);
   map.clear();
   EXPECT_TRUE(map.surfels().empty());
-  const View view = visit(random, 0);
   EXPECT_EQ(map.views().contradiction(view), 0.0);
   map.add(view);
   fresh.add(view);
