@@ -396,6 +396,58 @@ def readme():
     return f"{table}\n\nAt commit {kept.about['commit']}: {link(kept, 'docs/results')}."
 
 
+def measured_by_turns(name):
+    """The kept file, and its columns by name: a number a turn."""
+    kept = Kept(name)
+    columns = zip(kept.rows[0], zip(*kept.rows[1:]))
+    return kept, {column: [float(cell) for cell in cells] for column, cells in columns}
+
+
+def with_range(values, digits=2):
+    median, low, high = statistics.median(values), min(values), max(values)
+    return f"{median:.{digits}f} ({low:.{digits}f} to {high:.{digits}f})"
+
+
+def kept_by_turns(kept):
+    return f"Medians of the turns (least to most). {kept_by(kept)} {kept.about['machine']}."
+
+
+def ratios(above, below):
+    return [a / b for a, b in zip(above, below)]
+
+
+def latency():
+    kept, turns = measured_by_turns("latency")
+    rows = [[when, with_range(turns[when]), with_range(turns[f"{when} p99"])]
+            for when in ("before", "now")]
+    head = ["", "ms_total, median [ms]", "99th percentile [ms]"]
+    return f"{markdown(head, rows)}\n\n{kept_by_turns(kept)}"
+
+
+def threads():
+    kept, turns = measured_by_turns("threads")
+    rows = [[f"{count}, wall time [ms]", *(with_range(turns[f"{when} {key}"]) for when in ("before", "now")),
+             with_range(ratios(turns[f"now {key}"], turns[f"before {key}"]))]
+            for count, key in (("one thread", "one"), ("two threads", "two"))]
+    for name, above, below in (("one thread's wall time to that of two", "one", "two"),
+                               ("processor time of two to that of one", "two processor", "one processor")):
+        rows.append([name, *(with_range(ratios(turns[f"{when} {above}"], turns[f"{when} {below}"]))
+                             for when in ("before", "now")), ""])
+    return f"{markdown(['', 'before', 'now', 'now to before'], rows)}\n\n{kept_by_turns(kept)}"
+
+
+def simulation_turns():
+    kept, turns = measured_by_turns("simulation_turns")
+    rows = []
+    for name in (column.removesuffix(", now") for column in turns if column.endswith(", now")):
+        before, now = turns[f"{name}, before"], turns[f"{name}, now"]
+        rows.append([name, with_range(before, 1), with_range(now, 1),
+                     f"{statistics.median(now) / statistics.median(before):.2f}",
+                     f"{max(now) / max(before):.2f}"])
+    head = ["scans/s", "before", "now", "ratio of medians", "of the best"]
+    return f"{markdown(head, rows)}\n\n{kept_by_turns(kept)}"
+
+
 def wall_time(threads, which):
     """[ms] of the default method over whole scans: 0 least, 1 median, 2 99th percentile."""
     for row in Kept("whole_run").rows[1:]:
@@ -527,6 +579,9 @@ TABLES = {
     "reliability-alike": reliability_alike,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
+    "latency": latency,
+    "threads": threads,
+    "simulation-turns": simulation_turns,
 }
 
 
