@@ -376,5 +376,27 @@ TEST(KnotFaults, ASegmentThatBeginsAfterASearchIsLevelAgain) {
   EXPECT_GT((all.back().T_world_lidar.rotation * ground).z(), std::cos(0.05)) << statuses(all);
 }
 
+/// Whoever stood in the hall and left is emptied; who asks after a scan that is not trusted is not
+/// told so again.
+TEST(KnotFaults, AScanThatIsNotTrustedEmptiesNothing) {
+  Scene visited = furnished_hall();
+  visited.add(box_between({0.0, 0.2, 0.0}, {0.5, 0.8, 1.8}));
+  std::vector<Scan> scans = take_scans(visited, walk(), 10);
+  const std::vector<Scan> alone = take_scans(furnished_hall(), walk(), 20, {}, 10);
+  scans.insert(scans.end(), alone.begin(), alone.end());
+  for (const int threads : {1, 2}) {
+    Odometry odometry({}, threads);
+    std::size_t next = 0;
+    do {
+      ASSERT_LT(next + 1, scans.size());
+      ASSERT_TRUE(odometry.add_scan(scans[next++]).trusted());
+    } while (odometry.emptied_cubes().centres.empty());
+    Scan garbage = scans[next];
+    make_garbage(garbage);
+    ASSERT_FALSE(odometry.add_scan(garbage).trusted());
+    EXPECT_TRUE(odometry.emptied_cubes().centres.empty()) << threads;
+  }
+}
+
 }  // namespace
 }  // namespace surefoot
