@@ -15,7 +15,7 @@ namespace surefoot::mapping {
 struct AgreementLimits {
   int searches = 3;            ///< that must say the same,
   int silent = 1;              ///< among them so many in a row that say nothing,
-  double no_evidence = 0.45;   ///< a fit that says nothing; what places fit more in these searches
+  double no_evidence = 0.4;    ///< a fit that says nothing; what places fit more in these searches
   double evidence = 0.5;       ///< adds up to so much,
   double way = 1.0;            ///< over so much way [m],
   double fit_standing = 0.55;  ///< or in the mean they fit so well;

@@ -21,7 +21,7 @@ struct AskedPlace {
 };
 
 struct ChoiceLimits {
-  double fit = 0.45;     ///< of the place chosen,
+  double fit = 0.4;      ///< of the place chosen,
   double clearly = 0.1;  ///< and by so much it fits better than any other
   bool alone = false;    ///< and no other one passes every question and fits so well
   double alike = 0.1;    ///< places look alike that fit well and differ by less

@@ -126,11 +126,13 @@ RegistrationSubmap::RegistrationSubmap(const Submap& submap) {
   for (std::size_t i = 0; i < submap.points.size(); ++i) {
     const Eigen::Vector3d at = submap.points[i].cast<double>();
     const Gaussian* surface = grids_[2].inside(at);
+    std::optional<double> off2;
+    if (surface != nullptr) off2 = surface->distance2(at);
     if (surface == nullptr) surface = grids_[1].inside(at);
     if (surface == nullptr) surface = grids_[0].inside(at);
     if (surface == nullptr) continue;
     const Eigen::Vector3d to_eye = (submap.eyes[i].cast<double>() - at).normalized();
-    (surface->level ? lying : standing).push_back({at, to_eye});
+    (surface->level ? lying : standing).push_back({at, to_eye, off2});
   }
   standing_count_ = standing.size();
   pick(standing, kMostStanding, standing_);
@@ -177,26 +179,31 @@ std::vector<SubmapPoint> some_of(const std::vector<SubmapPoint>& points) {
   return result;
 }
 
-/// How many of the points lie on something of the target, and how far off.
+/// How many of the points lie on something of the target, and how much farther off than at home.
 struct Overlap {
   double share = 0.0;
-  double misfit = 0.0;  // [m] RMS
+  double misfit = 0.0;  // [m]
 };
 Overlap measure_overlap(const GaussianGrid& grid, const std::vector<SubmapPoint>& points,
                         const Pose& pose) {
   double squares = 0.0;
+  double at_home = 0.0;  // squares
   std::size_t matched = 0;
+  std::size_t dense = 0;  // of these, at home
   const Partners partners = find_partners(grid, points, pose);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (partners[i] == nullptr) continue;
     const double squared = partners[i]->distance2(pose * points[i].at);
     if (squared > kOnIt * kOnIt) continue;
     ++matched;
+    if (!points[i].off2) continue;
+    ++dense;
     squares += squared;
+    at_home += *points[i].off2;
   }
   const auto n = static_cast<double>(std::max<std::size_t>(points.size(), 1));
-  const auto m = static_cast<double>(std::max<std::size_t>(matched, 1));
-  return {static_cast<double>(matched) / n, std::sqrt(squares / m)};
+  const auto m = static_cast<double>(std::max<std::size_t>(dense, 1));
+  return {static_cast<double>(matched) / n, std::sqrt(squares / m) - std::sqrt(at_home / m)};
 }
 
 void measure_standing(const GaussianGrid& grid, const std::vector<SubmapPoint>& standing,

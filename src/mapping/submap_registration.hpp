@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "mapping/gaussian_grid.hpp"
@@ -13,10 +14,11 @@
 
 namespace surefoot::mapping {
 
-/// A point of a submap, and the direction (unit) to where it was seen from.
 struct SubmapPoint {
   Eigen::Vector3d at;
-  Eigen::Vector3d to_eye;
+  Eigen::Vector3d to_eye;  ///< unit, to where it was seen from
+  /// [m^2] How far it lies off what its own submap has there; none where that is sparse.
+  std::optional<double> off2;
 };
 
 /// A submap made ready: grids to be registered with, and the points that are registered.
@@ -50,8 +52,10 @@ struct SubmapAlignment {
   Pose T_target_source;
   double matched =
       0.0;  ///< share of the source's standing points that lie on something of the target
-  double misfit = 0.0;  ///< [m] of these, RMS
-  double level = 0.0;   ///< share of those that lie likewise; of align_submaps alone
+  /// [m] How much farther these lie off the target's surfaces than off their own submap's, RMS:
+  /// noise, leaves and deskewing are in both.
+  double misfit = 0.0;
+  double level = 0.0;  ///< share of those that lie likewise; of align_submaps alone
   /// Of small motions in the source's frame; what nothing holds has none.
   Matrix6 information = Matrix6::Zero();
   /// Unit columns, the first `held` of them hold: motions in the source's frame whose rotations are

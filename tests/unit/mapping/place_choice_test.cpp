@@ -31,9 +31,9 @@ TEST(PlaceChoice, WhatSpeaksAgainstAPlaceIsPaidFor) {
   EXPECT_DOUBLE_EQ(fit_of(place.check), 0.76);
   place.check.beside = 0.1;
   EXPECT_DOUBLE_EQ(fit_of(place.check), 0.71);
-  place.check.alignment.misfit = 0.06;
+  place.check.alignment.misfit = 0.024;
   EXPECT_DOUBLE_EQ(fit_of(place.check), 0.71) << "is usual";
-  place.check.alignment.misfit = 0.09;
+  place.check.alignment.misfit = 0.029;
   EXPECT_DOUBLE_EQ(fit_of(place.check), 0.65);
   place.check.missing = 0.5;
   EXPECT_DOUBLE_EQ(fit_of(place.check), 0.39) << "0.3 of it at most";
@@ -55,8 +55,8 @@ TEST(PlaceChoice, TheBestOfThoseThatPassedIsChosen) {
       {asked(0.0, 0.75, 0.0, LoopVerdict::taken), asked(0.1, 0.85, 0.0, LoopVerdict::taken)});
   EXPECT_EQ(best.chosen, 1U);
   EXPECT_EQ(best.fit, 0.85);
-  EXPECT_FALSE(choice_of({asked(0.0, 0.44, 0.0, LoopVerdict::taken)}).chosen);
-  EXPECT_TRUE(choice_of({asked(0.0, 0.46, 0.0, LoopVerdict::taken)}).chosen);
+  EXPECT_FALSE(choice_of({asked(0.0, 0.39, 0.0, LoopVerdict::taken)}).chosen);
+  EXPECT_TRUE(choice_of({asked(0.0, 0.41, 0.0, LoopVerdict::taken)}).chosen);
   AskedPlace slides = asked(0.0, 0.9, 0.0, LoopVerdict::taken);
   slides.check.alignment.held = 5;
   EXPECT_FALSE(choice_of({slides}).chosen);
@@ -93,8 +93,8 @@ TEST(PlaceChoice, NoneIsChosenWhereAnotherPassesTooIfItHasToBeAlone) {
     EXPECT_TRUE(choice_of(places).chosen);
     return choose_place(places, kRobot, limits).chosen.has_value();
   };
-  EXPECT_FALSE(chosen(0.46, LoopVerdict::taken));
-  EXPECT_TRUE(chosen(0.44, LoopVerdict::taken));
+  EXPECT_FALSE(chosen(0.41, LoopVerdict::taken));
+  EXPECT_TRUE(chosen(0.39, LoopVerdict::taken));
   EXPECT_TRUE(chosen(0.6, LoopVerdict::free_space)) << "that is refuted";
 }
 
