@@ -18,8 +18,9 @@ constexpr double kContradiction = 2.0;
 constexpr double kMissing = 1.0;
 constexpr double kMostMissing = 0.3;
 constexpr double kBeside = 0.5;
-// What tells a corner that is built like it: points lie 0.03 m and more farther off there than at
-// home, of right places hardly one does. Chosen on 200 starts in maps of other quarters.
+// What tells a corner that is built like it: in 134 searches in which a wrong place fitted 0.5
+// without it, points lay 0.033 to 0.073 m farther off than at home (2 to 98 %), in 441 in which the
+// right one did 0.009 to 0.040. Chosen on these, in quarters and a street.
 constexpr double kMisfit = 15.0;        // [1/m]
 constexpr double kUsualMisfit = 0.025;  // [m] of right places
 constexpr double kNotAsked = 0.15;      // what speaks against a place that was refused before

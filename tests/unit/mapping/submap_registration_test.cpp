@@ -53,11 +53,11 @@ TEST(SubmapRegistration, WhatLiesFartherOffThanAtHomeIsTheMisfit) {
 /// Where few points lie at home it is not known how far off they lie.
 TEST(SubmapRegistration, SparsePointsMatchButTellNoMisfit) {
   const Submap flat = corner(1, 0.0);
-  Submap sparse = corner(2, 0.1);
+  const Submap all = corner(2, 0.1);
   Submap few;
-  for (std::size_t i = 0; i < sparse.points.size(); i += 60) {
-    few.points.push_back(sparse.points[i]);
-    few.eyes.push_back(sparse.eyes[i]);
+  for (std::size_t i = 0; i < all.points.size(); i += 60) {
+    few.points.push_back(all.points[i]);
+    few.eyes.push_back(all.eyes[i]);
   }
   const SubmapAlignment found =
       align_submaps(RegistrationSubmap(flat), RegistrationSubmap(few), Pose{});
