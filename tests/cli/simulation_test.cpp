@@ -182,27 +182,43 @@ TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
   }
 }
 
+/// The scans.csv of a trot up a stairwell.
+std::string scans_up_stairs(const std::string& seed, const ScratchFolder& scratch) {
+  const ProcessResult made =
+      run_surefoot({"simulate", "stairwell", "--robot", "trot", "--scans", "310", "--seed", seed,
+                    "--no-footprint", "-q", "-o", seed},
+                   scratch.path());
+  EXPECT_EQ(made.exit_code, 0) << made;
+  const ProcessResult run =
+      run_surefoot({"run", seed, "-q", "--no-map", "--overwrite", "-o", "out"}, scratch.path());
+  EXPECT_EQ(run.exit_code, 0) << run;
+  return file_content(scratch.path() / "out/scans.csv");
+}
+
 // A trot up a flight of stairs, which the body meets with a pitch of 30 deg within half a second:
-// without attempts from other motions it is lost for 12 and 29 scans, and the second 0.14 m off.
+// without attempts from other motions it is lost for 12 and 29 scans, and the second 0.14 m off;
+// the third, without those that swing by 4 rad/s, is 0.10 m off.
 TEST(Simulation, ATrotUpStairsIsFollowed) {
   const ScratchFolder scratch;
-  for (const char* const seed : {"627", "630"}) {
-    const ProcessResult made =
-        run_surefoot({"simulate", "stairwell", "--robot", "trot", "--scans", "300", "--seed", seed,
-                      "--no-footprint", "-q", "-o", seed},
-                     scratch.path());
-    ASSERT_EQ(made.exit_code, 0) << made;
-    const ProcessResult run =
-        run_surefoot({"run", seed, "-q", "--no-map", "-o", "out"}, scratch.path());
-    ASSERT_EQ(run.exit_code, 0) << run;
+  for (const char* const seed : {"627", "630", "9138"}) {
+    EXPECT_EQ(scans_up_stairs(seed, scratch).find(",lost,"), std::string::npos) << seed;
     const ProcessResult judged =
         run_surefoot({"eval", std::string(seed) + "/gt.tum", "out/trajectory.tum", "--pair",
                       "interpolate", "--json"},
                      scratch.path());
     ASSERT_EQ(judged.exit_code, 0) << judged;
     const auto errors = nlohmann::json::parse(judged.output).at(0).at("errors");
-    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: 0.018, 0.032
+    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: below 0.035
   }
+}
+
+// Who lost himself on a stair and climbed on is where the map does not know; the storey below looks
+// like it, and is known.
+TEST(Simulation, WhoClimbsDoesNotFindHimselfAStoreyBelow) {
+  const ScratchFolder scratch;
+  const std::string scans = scans_up_stairs("9132", scratch);
+  EXPECT_NE(scans.find(",lost,"), std::string::npos);
+  EXPECT_EQ(scans.find("found itself again"), std::string::npos);
 }
 
 // People cross the plaza: the map does not keep their trails, and keeps the plaza.

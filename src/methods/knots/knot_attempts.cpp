@@ -35,6 +35,9 @@ constexpr double kAllFirm = 0.3, kNoneFirm = 0.5;
 // asked.
 constexpr int kSettling = 6;
 
+// A flight's treads look alike: between two of them a narrow kernel stays, a wider one goes on.
+constexpr double kWider = 2.5;
+
 /// Every so many-th point of each segment.
 KnotPoints every(std::size_t stride, const KnotPoints& points) {
   KnotPoints some;
@@ -159,10 +162,10 @@ class Attempts {
   const Workers alone_{1};
 };
 
-/// By a kernel that leaves a registration where it begins.
-Annealing narrow_annealing(const Config::Knots& config) {
+/// By a kernel that leaves a registration where it begins, or so many times as wide.
+Annealing narrow_annealing(const Config::Knots& config, double times = 1.0) {
   Annealing annealing = usual_annealing(config);
-  annealing.start = config.swing_kernel;
+  annealing.start = times * config.swing_kernel;
   return annealing;
 }
 
@@ -175,16 +178,21 @@ Annealing wide_annealing(const Config::Knots& config) {
 
 /// From motions that roll or pitch faster than predicted, as at the foot of a stair.
 void add_swings(Attempts& attempts, const KnotProblem& problem, const KnotWindow& predicted) {
-  const Annealing annealing = narrow_annealing(problem.config);
+  const Config::Knots& config = problem.config;
   const Eigen::Quaterniond& attitude = problem.prior.means[1].rotation;
-  const double swing = problem.config.swing;
-  for (const int axis : {1, 0}) {
-    for (const double rate : {swing, -swing}) {
+  const auto add = [&](double rate, int axis, const Annealing& annealing) {
+    for (const double swing : {rate, -rate}) {
       Twist velocity = predicted.mean_velocity();
-      velocity.tail<3>() += attitude * (rate * Eigen::Vector3d::Unit(axis));
+      velocity.tail<3>() += attitude * (swing * Eigen::Vector3d::Unit(axis));
       attempts.add(problem, predicted.at_velocity(velocity), annealing);
     }
-  }
+  };
+  constexpr int kRoll = 0, kPitch = 1;
+  const Annealing narrow = narrow_annealing(config);
+  add(config.swing, kPitch, narrow);
+  add(config.swing, kRoll, narrow);
+  add(2.0 * config.swing, kPitch, narrow);
+  add(config.swing, kPitch, narrow_annealing(config, kWider));
 }
 
 /// From motions that turn faster than predicted: who stands and looks around begins to, and stops,

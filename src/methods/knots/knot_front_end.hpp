@@ -106,6 +106,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] std::optional<Registered> register_lost(const PreparedScan& scan,
                                                         const std::vector<std::uint32_t>& thinned);
   Estimate stay_lost(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] bool may_be_a_storey_on(std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_within(double speed, std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_walked(std::int64_t instant_ns) const;
   [[nodiscard]] SearchRegion region_carried(std::int64_t instant_ns) const;

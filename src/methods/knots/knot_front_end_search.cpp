@@ -23,6 +23,11 @@ constexpr double kReach = 1.0, kMostReach = 25.0, kCarried = 5.0, kHurries = 1.2
 constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
 constexpr double kAhead = 1.5, kAheadTurn = 0.4;  // of who walked straight on
 
+// [m] Heights that are another storey's; on stairs, which are known by the climb of late, those of
+// where he came from; and who has gone so far on them may be so high that the storey below, which
+// looks alike, is as high as he was.
+constexpr double kHalfStorey = 1.5, kClimbs = 0.6, kNotBack = 0.75, kWayOfAStorey = 3.0;
+
 // Another place than the registration's is looked for so much farther away [m]: who was carried, or
 // turned by hand, went faster than it walks.
 constexpr double kLeeway = 2.0;
@@ -73,15 +78,26 @@ double hazard_where_lost(bool far, Estimate& estimate) {
 }  // namespace
 
 /// Where one may be who goes so fast, the longer after the last trusted scan the farther from it.
-/// Who is seen all the while does not come to another storey, which looks as this one does.
+/// Who is seen all the while does not come to another storey, which looks as this one does; and who
+/// climbs, to a storey that is not known yet, is not found where he came from.
 SearchRegion KnotFrontEnd::region_within(double speed, std::int64_t instant_ns) const {
   const double since = std::max(since_trusted(instant_ns), 0.0);
   // [K30]
   SearchRegion region{end_.prior.means[1], std::min(kReach + speed * since, kMostReach),
                       std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
-  region.storeys = (search_ && search_->after_hole) ||
-                   !way_.has_storeys(region.centre.translation, region.radius);
+  if (search_ && search_->after_hole) return region;
+  const double climb = way_.climb_of_late();
+  const bool climbs = std::abs(climb) > kClimbs;
+  if (!climbs && !way_.has_storeys(region.centre.translation, region.radius)) return region;
+  region.below = climb > kClimbs ? kNotBack : kHalfStorey;
+  region.above = climb < -kClimbs ? kNotBack : kHalfStorey;
   return region;
+}
+
+/// Whether who climbs may have come to where the next storey looks as this one does here.
+bool KnotFrontEnd::may_be_a_storey_on(std::int64_t instant_ns) const {
+  if (search_->after_hole || std::abs(way_.climb_of_late()) < kClimbs) return false;
+  return std::max(mean_speed(), kSlowest) * since_trusted(instant_ns) > kWayOfAStorey;
 }
 
 /// Where it may be if it went on as it walked.
@@ -99,7 +115,8 @@ SearchRegion KnotFrontEnd::straight_on(std::int64_t instant_ns) const {
   const Pose& last = end_.prior.means[1];
   const Eigen::Vector3d way = since_trusted(instant_ns) * model_.mean(last.rotation).head<3>();
   const double heading = roll_pitch_yaw(last.rotation).z();
-  return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn, false};
+  return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn, kHalfStorey,
+          kHalfStorey};
 }
 
 /// A scan where it would be had it walked straight on, unseen: as high as the ground of its way
@@ -327,8 +344,8 @@ Estimate KnotFrontEnd::stay_lost(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned) {
   // A map of few scans is not worth many more of them.
   const int most = std::min(config_.knots.search_scans, kAgree * agreed_);
-  const bool in_vain = search_->scans > most && !search_->found;
-  if (in_vain && !seen_again_) return begin_map(scan, thinned);
+  const bool in_vain = search_->scans > most || may_be_a_storey_on(scan.end_ns);
+  if (in_vain && !search_->found && !seen_again_) return begin_map(scan, thinned);
   Estimate estimate;
   estimate.status = Status::lost;
   estimate.message = search_->found ? "a place was found, and is to be confirmed" : "searching";

@@ -140,8 +140,8 @@ std::vector<PlaceFit> best_apart(std::vector<PlaceFit> places, std::size_t most)
 }  // namespace
 
 bool SearchRegion::is_as_high(const Eigen::Vector3d& place) const {
-  constexpr double kHalfStorey = 1.5;  // [m]
-  return storeys || std::abs(place.z() - centre.translation.z()) < kHalfStorey;
+  const double higher = place.z() - centre.translation.z();
+  return -below < higher && higher < above;
 }
 
 bool same_place(const Pose& a, const Pose& b) {

@@ -20,9 +20,11 @@ struct SearchRegion {
   Pose centre;
   double radius = 0.0;
   double turn = 0.0;
-  bool storeys = true;  ///< whether that may be on another storey than the centre
+  double below = kAnyHeight;  ///< so much lower than the centre [m]
+  double above = kAnyHeight;  ///< and so much higher
 
-  /// Less than half a storey higher or lower than the centre, if it has to be on that storey.
+  static constexpr double kAnyHeight = 1e9;
+
   [[nodiscard]] bool is_as_high(const Eigen::Vector3d& place) const;
   /// Whether it may well hold places that look alike.
   [[nodiscard]] bool large() const { return radius > 6.0; }

@@ -17,6 +17,13 @@ constexpr double kRate = 0.1;   // of the mean: a second, which is two strides
 constexpr double kStorey = 1.2, kBeside = 1.5;
 // What rises by so much and is steeper than ground that is walked (28 deg) leads to another storey.
 constexpr double kSteep = 0.53;
+constexpr double kFlight = 0.8;     // [m] that a short one rises by
+constexpr std::size_t kLately = 7;  // places, the last ones
+
+/// Whether a way rises by so much [m], as stairs do.
+bool is_steep(const Eigen::Vector3d& way, double rise) {
+  return way.z() > rise && way.z() > kSteep * way.head<2>().norm();
+}
 
 }  // namespace
 
@@ -24,6 +31,8 @@ void WalkedWay::add(const Pose& T_map_lidar) {
   const Eigen::Vector3d up = T_map_lidar.rotation * Eigen::Vector3d::UnitZ();
   up_ = stands_.empty() ? up : Eigen::Vector3d(up_ + kRate * (up - up_));
   const Eigen::Vector3d& position = T_map_lidar.translation;
+  if (lately_.empty() || (position - lately_.back()).norm() >= kApart) lately_.push_back(position);
+  if (lately_.size() > kLately) lately_.erase(lately_.begin());
   const bool known = std::any_of(stands_.begin(), stands_.end(), [&](const Stand& stand) {
     return (stand.position - position).squaredNorm() < kApart * kApart;
   });
@@ -36,7 +45,10 @@ void WalkedWay::remove_far(const Eigen::Vector3d& sensor, double reach) {
   });
 }
 
-void WalkedWay::clear() { stands_.clear(); }
+void WalkedWay::clear() {
+  stands_.clear();
+  lately_.clear();
+}
 
 Pose WalkedWay::on_ground_of(const Stand& stand, const Eigen::Vector2d& place, double yaw) {
   const Eigen::Vector2d aside = place - stand.position.head<2>();
@@ -77,6 +89,14 @@ Pose WalkedWay::stand_at(const Eigen::Vector3d& place, double yaw) const {
                            [&](const Pose& a, const Pose& b) { return apart(a) < apart(b); });
 }
 
+double WalkedWay::climb_of_late() const {
+  const bool stairs = std::any_of(lately_.begin(), lately_.end(), [&](const auto& one) {
+    return std::any_of(lately_.begin(), lately_.end(),
+                       [&](const auto& other) { return is_steep(other - one, kFlight); });
+  });
+  return stairs ? lately_.back().z() - lately_.front().z() : 0.0;
+}
+
 bool WalkedWay::has_storeys(const Eigen::Vector3d& place, double within) const {
   std::vector<const Stand*> near;
   for (const Stand& stand : stands_) {
@@ -84,8 +104,7 @@ bool WalkedWay::has_storeys(const Eigen::Vector3d& place, double within) const {
   }
   return std::any_of(near.begin(), near.end(), [&](const Stand* one) {
     return std::any_of(near.begin(), near.end(), [&](const Stand* other) {
-      const Eigen::Vector3d away = other->position - one->position;
-      return away.z() > kStorey && away.z() > kSteep * away.head<2>().norm();
+      return is_steep(other->position - one->position, kStorey);
     });
   });
 }

@@ -25,6 +25,9 @@ class WalkedWay {
   [[nodiscard]] Pose stand_at(const Eigen::Vector3d& place, double yaw) const;
   /// Whether it led over itself or up a flight of stairs so near to a place in the plane [m].
   [[nodiscard]] bool has_storeys(const Eigen::Vector3d& place, double within) const;
+  /// How much higher it ends than it was some metres, a flight and its landing, before [m]; none
+  /// if there was no flight.
+  [[nodiscard]] double climb_of_late() const;
 
  private:
   struct Stand {
@@ -35,6 +38,7 @@ class WalkedWay {
   static Pose on_ground_of(const Stand& stand, const Eigen::Vector2d& place, double yaw);
 
   std::vector<Stand> stands_;                     // about one a metre
+  std::vector<Eigen::Vector3d> lately_;           // likewise, also where it had been before
   Eigen::Vector3d up_ = Eigen::Vector3d::Zero();  // fading mean
 };
 

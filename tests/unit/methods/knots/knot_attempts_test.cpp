@@ -50,10 +50,10 @@ KnotWindow turned(const KnotWindow& window, const Eigen::Vector3d& degrees) {
   return start;
 }
 
-// Four swings and six turns begin with a kernel of 0.2 m, which narrows to 0.1 in two to four
-// iterations, the wide one with 3 m, in nine to sixteen. Where all lead to the same place, that is
-// seen then, or a step before.
-constexpr int kLeastSearches = 10 * 2 + 9, kMostSearches = 10 * 3 + 20;
+// Six swings and six turns begin with a kernel of 0.2 m, which narrows to 0.1 in two to four
+// iterations, two swings with 0.5 m, in four to eight, the wide one with 3 m, in nine to sixteen.
+// Where all lead to the same place, that is seen then, or a step before.
+constexpr int kLeastSearches = 12 * 2 + 2 * 4 + 9, kMostSearches = 12 * 3 + 2 * 8 + 20;
 
 TEST(KnotAttempts, ASuspiciousOneIsTriedFromOtherMotionsAndTheBestIsKept) {
   // A map that is usually met better, and a prediction that pitches by 20 deg within the scan.

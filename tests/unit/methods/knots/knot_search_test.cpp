@@ -91,10 +91,26 @@ TEST(KnotSearch, KeepsToItsStoreyIfItHasTo) {
   auto places = search_places(map, points, region, way, 4, Workers(1));
   ASSERT_FALSE(places.empty());
   EXPECT_TRUE(same_place(places.front().pose, kMapped));
-  region.storeys = false;
+  region.below = region.above = 1.5;
   places = search_places(map, points, region, way, 4, Workers(1));
   ASSERT_FALSE(places.empty());
   for (const PlaceFit& place : places) EXPECT_GT(place.pose.translation.z(), 1.5);
+}
+
+// Who climbs is not found where he came from, however near to half a storey.
+TEST(KnotSearch, ARegionMayEndNearerBelowThanAbove) {
+  SearchRegion region{kMapped, 2.0, 0.2};
+  const auto is_as_high = [&](double higher) {
+    return region.is_as_high(kMapped.translation + Eigen::Vector3d(1.0, 0.0, higher));
+  };
+  EXPECT_TRUE(is_as_high(-100.0));
+  EXPECT_TRUE(is_as_high(100.0));
+  region.below = 0.5;
+  region.above = 1.5;
+  EXPECT_FALSE(is_as_high(-0.6));
+  EXPECT_TRUE(is_as_high(-0.4));
+  EXPECT_TRUE(is_as_high(1.4));
+  EXPECT_FALSE(is_as_high(1.6));
 }
 
 TEST(KnotSearch, LooksNoFartherThanItsRegion) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -91,6 +92,29 @@ TEST(WalkedWay, AFlightOfStairsLeadsToAnother) {
   EXPECT_TRUE(flight(0.17 / 0.28).has_storeys({4.0, 0.0, 2.4}, 5.0));
   EXPECT_FALSE(flight(0.17 / 0.28).has_storeys({4.0, 0.0, 2.4}, 1.0)) << "it is not near";
   EXPECT_FALSE(flight(0.36).has_storeys({4.0, 0.0, 1.4}, 5.0)) << "a steep path";
+}
+
+// Up a flight and back down: whoever turned round does not climb, though he has been there before.
+TEST(WalkedWay, TellsWhetherItClimbsOfLate) {
+  WalkedWay way;
+  EXPECT_EQ(way.climb_of_late(), 0.0);
+  const auto go = [&](double from, double to) {
+    for (int i = 0; i <= 100; ++i) {
+      const double x = from + 0.01 * i * (to - from);
+      way.add({Eigen::Quaterniond::Identity(), {x, 0.0, 0.6 * std::clamp(x, 0.0, 4.0)}});
+    }
+  };
+  go(-8.0, 0.0);
+  EXPECT_EQ(way.climb_of_late(), 0.0);
+  go(0.0, 4.0);
+  EXPECT_GT(way.climb_of_late(), 1.5);
+  go(4.0, 12.0);
+  EXPECT_EQ(way.climb_of_late(), 0.0) << "a landing is behind it";
+  go(12.0, 0.0);
+  EXPECT_LT(way.climb_of_late(), -1.5);
+  way.clear();
+  EXPECT_EQ(way.climb_of_late(), 0.0);
+  EXPECT_EQ(way_up_the_slope().climb_of_late(), 0.0) << "no flight";
 }
 
 TEST(WalkedWay, ASlopeHasNoStoreys) {
