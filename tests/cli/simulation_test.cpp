@@ -197,7 +197,7 @@ std::string scans_up_stairs(const std::string& seed, const ScratchFolder& scratc
 
 // A trot up a flight of stairs, which the body meets with a pitch of 30 deg within half a second:
 // without attempts from other motions it is lost for 12 and 29 scans, and the second 0.14 m off;
-// the third, without those that swing by 4 rad/s, is 0.10 m off.
+// the third, without those that have a wider kernel, is 0.08 m off.
 TEST(Simulation, ATrotUpStairsIsFollowed) {
   const ScratchFolder scratch;
   for (const char* const seed : {"627", "630", "9138"}) {
@@ -213,11 +213,16 @@ TEST(Simulation, ATrotUpStairsIsFollowed) {
 }
 
 // Who lost himself on a stair and climbed on is where the map does not know; the storey below looks
-// like it, and is known.
+// like it, and is known. Once he may be as high as that one looks, the map begins anew.
 TEST(Simulation, WhoClimbsDoesNotFindHimselfAStoreyBelow) {
   const ScratchFolder scratch;
   const std::string scans = scans_up_stairs("9132", scratch);
-  EXPECT_NE(scans.find(",lost,"), std::string::npos);
+  int lost = 0;
+  for (auto at = scans.find(",lost,"); at != std::string::npos; at = scans.find(",lost,", at + 1)) {
+    ++lost;
+  }
+  EXPECT_GT(lost, 0);
+  EXPECT_LT(lost, 40);  // measured: 22; 58 where the map is looked in for 6 s
   EXPECT_EQ(scans.find("found itself again"), std::string::npos);
 }
 

@@ -98,8 +98,8 @@ const ConfigField kFields[] = {
      "much that is new, and a wrong pose that brings some of it near an old wall must not win",
      kMethod},
     {"knots.swing", SLOT(knots.swing), "2", "rad/s", 0.0, 100.0,
-     "attempts begin with so much more roll or pitch: at the foot of a stair a body pitches by "
-     "some degrees within a scan",
+     "attempts begin with so much more roll or pitch, or twice the pitch: at the foot of a stair a "
+     "body pitches by some degrees within a scan",
      kMethod},
     {"knots.swing_kernel", SLOT(knots.swing_kernel), "0.2", "m", 1e-3, 10.0,
      "their first kernel, narrow enough to leave each where it is", kMethod},
