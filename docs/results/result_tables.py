@@ -531,7 +531,22 @@ def independence_among(name):
     return f"{statistics.geometric_mean(ratios):.2f} ({max(ratios):.2f} at most)"
 
 
+def fast_stairs(walks, column):
+    """Of the fresh walks, by the newest commit."""
+    kept = Kept("fast_stairs")
+    head, rows = kept.rows[0], kept.rows[1:]
+    return next(row for row in reversed(rows) if row[1] == f"{walks}, fresh")[head.index(column)]
+
+
+def trot_up_stairs_false():
+    shares = [float(fast_stairs("stairwell, a trot", column)) for column in ("false ok", "ok")]
+    return f"{100.0 * shares[0] / shares[1]:.1f}"
+
+
 TABLES = {
+    "trot-up-stairs-off": lambda: f"{float(fast_stairs('stairwell, a trot', 'off, median [m]')):.1f}",
+    "trot-up-stairs-false": trot_up_stairs_false,
+    "stairs-gait-off": lambda: fast_stairs("stairwell, a stair's gait", "off, median [m]"),
     "independence": independence,
     "independence-ape": lambda: independence_ratio(""),
     "independence-stairs": lambda: independence_ratio("stairwell-trot"),

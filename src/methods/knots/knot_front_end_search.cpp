@@ -23,10 +23,9 @@ constexpr double kReach = 1.0, kMostReach = 25.0, kCarried = 5.0, kHurries = 1.2
 constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
 constexpr double kAhead = 1.5, kAheadTurn = 0.4;  // of who walked straight on
 
-// [m] Heights that are another storey's; on stairs, which are known by the climb of late, those of
-// where he came from; and who has gone so far on them may be so high that the storey below, which
-// looks alike, is as high as he was.
-constexpr double kHalfStorey = 1.5, kClimbs = 0.6, kNotBack = 0.75, kWayOfAStorey = 3.0;
+// [m] Heights that are another storey's; of who climbs, those of where he came from; and who has
+// climbed on so far may be so high that the storey below, which looks alike, is as high as he was.
+constexpr double kHalfStorey = 1.5, kNotBack = 0.75, kWayOfAStorey = 3.0;
 
 // Another place than the registration's is looked for so much farther away [m]: who was carried, or
 // turned by hand, went faster than it walks.
@@ -87,16 +86,15 @@ SearchRegion KnotFrontEnd::region_within(double speed, std::int64_t instant_ns) 
                       std::min(kTurn + kTurnSpeed * since, std::numbers::pi)};
   if (search_ && search_->after_hole) return region;
   const double climb = way_.climb_of_late();
-  const bool climbs = std::abs(climb) > kClimbs;
-  if (!climbs && !way_.has_storeys(region.centre.translation, region.radius)) return region;
-  region.below = climb > kClimbs ? kNotBack : kHalfStorey;
-  region.above = climb < -kClimbs ? kNotBack : kHalfStorey;
+  if (climb == 0.0 && !way_.has_storeys(region.centre.translation, region.radius)) return region;
+  region.below = climb > 0.0 ? kNotBack : kHalfStorey;
+  region.above = climb < 0.0 ? kNotBack : kHalfStorey;
   return region;
 }
 
 /// Whether who climbs may have come to where the next storey looks as this one does here.
 bool KnotFrontEnd::may_be_a_storey_on(std::int64_t instant_ns) const {
-  if (search_->after_hole || std::abs(way_.climb_of_late()) < kClimbs) return false;
+  if (search_->after_hole || way_.climb_of_late() == 0.0) return false;
   return std::max(mean_speed(), kSlowest) * since_trusted(instant_ns) > kWayOfAStorey;
 }
 

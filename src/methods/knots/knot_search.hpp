@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -20,11 +21,11 @@ struct SearchRegion {
   Pose centre;
   double radius = 0.0;
   double turn = 0.0;
-  double below = kAnyHeight;  ///< so much lower than the centre [m]
-  double above = kAnyHeight;  ///< and so much higher
+  // By how much a place may be lower or higher than the centre [m]: anything, unless said.
+  double below = std::numeric_limits<double>::infinity();
+  double above = std::numeric_limits<double>::infinity();
 
-  static constexpr double kAnyHeight = 1e9;
-
+  /// Whether a place is neither too low nor too high.
   [[nodiscard]] bool is_as_high(const Eigen::Vector3d& place) const;
   /// Whether it may well hold places that look alike.
   [[nodiscard]] bool large() const { return radius > 6.0; }

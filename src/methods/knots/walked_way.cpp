@@ -18,6 +18,7 @@ constexpr double kStorey = 1.2, kBeside = 1.5;
 // What rises by so much and is steeper than ground that is walked (28 deg) leads to another storey.
 constexpr double kSteep = 0.53;
 constexpr double kFlight = 0.8;     // [m] that a short one rises by
+constexpr double kClimbs = 0.6;     // [m] of who is on one, or has just left it
 constexpr std::size_t kLately = 7;  // places, the last ones
 
 /// Whether a way rises by so much [m], as stairs do.
@@ -94,7 +95,9 @@ double WalkedWay::climb_of_late() const {
     return std::any_of(lately_.begin(), lately_.end(),
                        [&](const auto& other) { return is_steep(other - one, kFlight); });
   });
-  return stairs ? lately_.back().z() - lately_.front().z() : 0.0;
+  if (!stairs) return 0.0;
+  const double climb = lately_.back().z() - lately_.front().z();
+  return std::abs(climb) > kClimbs ? climb : 0.0;
 }
 
 bool WalkedWay::has_storeys(const Eigen::Vector3d& place, double within) const {

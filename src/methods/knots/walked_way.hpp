@@ -25,8 +25,8 @@ class WalkedWay {
   [[nodiscard]] Pose stand_at(const Eigen::Vector3d& place, double yaw) const;
   /// Whether it led over itself or up a flight of stairs so near to a place in the plane [m].
   [[nodiscard]] bool has_storeys(const Eigen::Vector3d& place, double within) const;
-  /// How much higher it ends than it was some metres, a flight and its landing, before [m]; none
-  /// if there was no flight.
+  /// How much higher it ends than it was some metres, a flight and its landing, before [m]: above
+  /// zero for who climbs, below for who goes down, zero where neither is sure.
   [[nodiscard]] double climb_of_late() const;
 
  private:
