@@ -23,10 +23,6 @@ constexpr double kBetter = 0.98;                    // disagreements' ratio
 // A looser velocity model explains more by itself: only what is clearly better was found by it.
 constexpr double kFreer = 0.9;  // disagreements' ratio
 
-// What disagrees so many times as much as the first, and no longer agrees better by so much from
-// one iteration to the next, is not going to end better than it.
-constexpr double kHopeless = 1.5, kGetsBetter = 0.9;  // disagreements' ratios
-
 // Shares of the matches that are clouds, up to which planes and poles hold a scan, and from which
 // on nothing does.
 constexpr double kAllFirm = 0.3, kNoneFirm = 0.5;
@@ -135,8 +131,7 @@ class Attempts {
 
   /// Most that lead nowhere are seen to before they end.
   [[nodiscard]] bool leads_nowhere(const KnotRegistration& so_far, double before) const {
-    const double now = disagreement(so_far);
-    if (now > kHopeless * least_ && now > kGetsBetter * before) return true;
+    if (is_hopeless(disagreement(so_far), before, least_)) return true;
     return first_.converged && same_end(so_far.window, first_.window);
   }
 

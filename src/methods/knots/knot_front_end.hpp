@@ -117,9 +117,11 @@ class KnotFrontEnd : public FrontEnd {
                                                 const std::vector<std::uint32_t>& chosen,
                                                 const SearchRegion& region, std::size_t most) const;
   [[nodiscard]] std::array<Twist, 2> velocities_at(const Pose& place) const;
-  [[nodiscard]] std::optional<Registered> register_at(
-      const Pose& place, const Twist& velocity, const PreparedScan& scan,
-      const std::vector<std::uint32_t>& chosen) const;
+  [[nodiscard]] std::optional<Registered> register_at(const Pose& place, const Twist& velocity,
+                                                      const PreparedScan& scan,
+                                                      const std::vector<std::uint32_t>& chosen,
+                                                      const Abandon& abandon = {}) const;
+  [[nodiscard]] Abandon worse_than(double least) const;
   [[nodiscard]] std::optional<Registered> register_ahead(const PreparedScan& scan,
                                                          const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,

@@ -159,7 +159,7 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
 /// one, from where the first ended.
 std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
     const Pose& place, const Twist& velocity, const PreparedScan& scan,
-    const std::vector<std::uint32_t>& chosen) const {
+    const std::vector<std::uint32_t>& chosen, const Abandon& abandon) const {
   const KnotEnd begin = begin_at(place, scan, config_.knots);
   Registered here{begin, predict_knots(scan, begin, model_, config_.knots)};
   here.predicted = here.predicted.at_velocity(velocity);
@@ -167,8 +167,8 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
   here.found.window = here.predicted;
   for (int time = 0; time < 2 && !has_settled(here.found.converged, here.found.settling, false);
        ++time) {
-    here.found =
-        register_knots(points, problem(begin), here.found.window, usual_annealing(config_.knots));
+    here.found = register_knots(points, problem(begin), here.found.window,
+                                usual_annealing(config_.knots), abandon);
     if (!here.found.solved) return std::nullopt;
   }
   conclude(scan, points.points.size(), here);
@@ -182,6 +182,14 @@ std::array<Twist, 2> KnotFrontEnd::velocities_at(const Pose& place) const {
 
 double KnotFrontEnd::disagreement_of(const Registered& registered) const {
   return registered.found.disagreement(config_.knots.unseen_weight);
+}
+
+/// For registrations that only matter where they disagree less than another, or hardly more.
+Abandon KnotFrontEnd::worse_than(double least) const {
+  return
+      [least, unseen = config_.knots.unseen_weight](const KnotRegistration& so_far, double before) {
+        return is_hopeless(so_far.disagreement(unseen), before, least);
+      };
 }
 
 /// As far as a place is ever looked for, and turned anyhow.
@@ -202,9 +210,10 @@ double KnotFrontEnd::rival_in(const SearchRegion& region, std::size_t most,
   const auto places = places_in(scan, chosen, region, most);
   const Pose here = registered.trajectory.at(0.5);
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
+  const Abandon no_rival = worse_than(disagreement_of(registered));
   double rival = 0.0;
   for (const PlaceFit& place : places) {
-    const std::optional<Registered> other = register_at(place.pose, Twist::Zero(), scan, chosen);
+    const auto other = register_at(place.pose, Twist::Zero(), scan, chosen, no_rival);
     if (!other || same_place(other->trajectory.at(0.5), here)) continue;
     if (is_farther_back(other->trajectory.at(0.5), scan)) continue;
     if (is_after_hole(scan) && sees_more_new(*other, registered)) continue;
@@ -266,10 +275,11 @@ bool KnotFrontEnd::has_twin(const PreparedScan& scan, const std::vector<std::uin
   if (same_place(here, straight_on(scan.start_ns).centre)) return false;
   PointChoice choice = choice_;  // what is asked here must not change the next scan
   const auto chosen = choice.choose(scan, thinned, session_.workers);
+  const Abandon no_twin = worse_than(disagreement_of(registered));
   for (const PlaceFit& place : places_in(scan, chosen, region_anywhere(), kTwins)) {
     if (same_place(place.pose, here)) continue;
     for (const Twist& velocity : velocities_at(place.pose)) {
-      const auto other = register_at(place.pose, velocity, scan, chosen);
+      const auto other = register_at(place.pose, velocity, scan, chosen, no_twin);
       if (!other || same_place(other->trajectory.at(0.5), here)) continue;
       if (disagreement_of(*other) < kClearlyBetter * disagreement_of(registered)) return true;
     }

@@ -29,6 +29,10 @@ constexpr double kCalm = 0.02;
 // A kernel that is no wider than so many times what it ends at tells of a hopeless fit already.
 constexpr double kNarrow = 1.6;
 
+// What disagrees so many times as much as another, and no longer agrees better by so much from
+// one iteration to the next, is not going to end better than it.
+constexpr double kHopeless = 1.5, kGetsBetter = 0.9;  // disagreements' ratios
+
 // No robot moves so far in one step of the solver: what does is a singular system's rounding.
 constexpr double kImpossible = 1e3;  // [m, rad]
 
@@ -114,6 +118,10 @@ double KnotRegistration::disagreement(double unseen_weight) const {
 
 double KnotRegistration::misfit_of_seen() const {
   return unseen < 1.0 ? (misfit - unseen) / (1.0 - unseen) : 1.0;
+}
+
+bool is_hopeless(double disagreement, double before, double least) {
+  return disagreement > kHopeless * least && disagreement > kGetsBetter * before;
 }
 
 Annealing usual_annealing(const Config::Knots& config) {

@@ -78,6 +78,10 @@ struct KnotRegistration {
 /// @param before the disagreement of the iteration before
 using Abandon = std::function<bool(const KnotRegistration& so_far, double before)>;
 
+/// Whether what disagrees so much, and so much an iteration before, is not going to end better than
+/// what disagrees least.
+[[nodiscard]] bool is_hopeless(double disagreement, double before, double least);
+
 /// Finds the knots that explain a scan best: residuals to the map's surfels, the prior of the first
 /// two knots, and the velocity model.
 /// @param start the knots, at first

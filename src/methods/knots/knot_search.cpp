@@ -3,9 +3,9 @@
 #include "methods/knots/knot_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace surefoot {
 
@@ -18,9 +18,14 @@ constexpr double kStep = 1.0, kTurnStep = 12.0 * kDegree;  // [m], [rad]
 constexpr int kRefinements = 2;
 constexpr std::size_t kRefined = 8;  // of all places, the best ones
 
-// All places are weighed by every so many-th point, and this share of them by all.
-constexpr std::size_t kSparse = 3;
-constexpr double kPromising = 0.125;
+/// Places are weighed by every so many-th point, and this share of all of them, the best, by more.
+struct Round {
+  std::size_t stride;
+  double kept;
+};
+constexpr Round kRounds[] = {{9, 0.35}, {3, 0.125}, {1, 1.0}};
+constexpr Round kRefiningRounds[] = {{6, 0.25}, {2, 1.0}};  // places that are near one of them
+constexpr std::size_t kFewest = 4 * kRefined;               // are kept
 
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
@@ -46,29 +51,20 @@ double fit_of(const Eigen::Vector3d& place, const Surfel& surfel, double scale) 
   return fit / surfel.directions;
 }
 
+/// The sum over every so many-th point, but for those of the round before.
 double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, std::size_t stride,
-              const Pose& pose, const Grain& grain) {
+              std::size_t before, const Pose& pose, const Grain& grain) {
   const int finest = map.level_of(grain.step);
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
-  std::array<SurfelMap::Question, SurfelMap::kAtOnce> questions;
-  std::array<SurfelMap::Place, SurfelMap::kAtOnce> answers;
   double sum = 0.0;
-  int asked = 0;
-  for (std::size_t i = 0; i < points.size();) {
-    std::size_t n = 0;
-    for (; n < questions.size() && i < points.size(); ++n, i += stride) {
-      const Eigen::Vector3d ray = R * points[i];
-      answers[n] = {};
-      questions[n] = {ray + pose.translation, ray, &answers[n]};
-    }
-    map.find_all({questions.data(), n}, finest);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (answers[k].surfel == nullptr) continue;
-      sum += fit_of(questions[k].place, *answers[k].surfel, grain.scale);
-    }
-    asked += static_cast<int>(n);
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    if (before > 0 && i % before == 0) continue;
+    const Eigen::Vector3d ray = R * points[i];
+    const Eigen::Vector3d place = ray + pose.translation;
+    const Surfel* const surfel = map.find(place, ray, finest);
+    if (surfel != nullptr) sum += fit_of(place, *surfel, grain.scale);
   }
-  return sum / std::max(asked, 1);
+  return sum;
 }
 
 double heading(const Pose& pose) { return roll_pitch_yaw(pose.rotation).z(); }
@@ -137,6 +133,25 @@ std::vector<PlaceFit> best_apart(std::vector<PlaceFit> places, std::size_t most)
   return best;
 }
 
+/// Only the best of a round reach the next one; best first.
+void weigh_in_rounds(std::span<const Round> rounds, const SurfelMap& map,
+                     const std::vector<Eigen::Vector3d>& points, const Grain& grain,
+                     const Workers& workers, std::vector<PlaceFit>& places) {
+  const auto all = static_cast<double>(places.size());
+  std::size_t before = 0;
+  for (const auto& [stride, kept] : rounds) {
+    workers.for_each(places.size(), [&](std::size_t i) {
+      places[i].fit += fit_of(map, points, stride, before, places[i].pose, grain);
+    });
+    std::stable_sort(places.begin(), places.end(), better);
+    const auto promising = static_cast<std::size_t>(kept * all);
+    places.resize(std::min(places.size(), std::max(promising, kFewest)));
+    before = stride;
+  }
+  const auto asked = static_cast<double>((points.size() + before - 1) / before);
+  for (PlaceFit& place : places) place.fit /= std::max(asked, 1.0);
+}
+
 }  // namespace
 
 bool SearchRegion::is_as_high(const Eigen::Vector3d& place) const {
@@ -155,22 +170,16 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
                                     std::size_t most, const Workers& workers) {
   Grain grain{kStep, kTurnStep, kScale};
   std::vector<PlaceFit> places = places_of(region, grain, way);
-  const auto weigh = [&](std::size_t stride) {
-    workers.for_each(places.size(), [&](std::size_t i) {
-      places[i].fit = fit_of(map, points, stride, places[i].pose, grain);
-    });
+  const auto weigh = [&](std::span<const Round> rounds) {
+    weigh_in_rounds(rounds, map, points, grain, workers, places);
   };
-  weigh(kSparse);
-  const auto promising = static_cast<std::size_t>(kPromising * static_cast<double>(places.size()));
-  std::stable_sort(places.begin(), places.end(), better);
-  places.resize(std::min(places.size(), std::max(promising, 4 * kRefined)));
-  weigh(1);
+  weigh(kRounds);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
     const std::vector<PlaceFit> coarse = best_apart(std::move(places), std::max(kRefined, most));
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
     for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, region, places);
-    weigh(2);
+    weigh(kRefiningRounds);
   }
   return best_apart(std::move(places), most);
 }

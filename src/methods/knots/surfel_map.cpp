@@ -76,23 +76,45 @@ void SurfelMap::find_all(std::span<const Question> questions, int finest) const 
   }
 }
 
+/// Of a voxel's surfel and its back's the one that a ray can have hit, or null.
+const Surfel* SurfelMap::hit_side(const Grid& grid, std::uint64_t key, const Surfel& front,
+                                  const Eigen::Vector3d& ray) {
+  if (!front.from_behind(ray)) return &front;
+  const std::uint32_t back = grid.table.find_entry(key | kBack).second;
+  if (back == VoxelTable::kNone || grid.surfels[back].from_behind(ray)) return nullptr;
+  return &grid.surfels[back];
+}
+
 /// What a voxel tells of a question; returns whether no coarser one is to be asked.
 bool SurfelMap::answer(const Search& search, int level) const {
   if (search.surfel == VoxelTable::kNone) return false;
   const Grid& grid = grids_[level];
   Place& last = *search.question->last;
-  const Surfel* surfel = &grid.surfels[search.surfel];
-  if (surfel->from_behind(search.question->ray)) {
-    last.asked = -1;  // the answer depends on the ray, too
-    const std::uint32_t back = grid.table.find_entry(search.key | kBack).second;
-    if (back == VoxelTable::kNone) return false;
-    surfel = &grid.surfels[back];
-    if (surfel->from_behind(search.question->ray)) return false;
-  }
-  if (surfel->directions == 0 || (surfel->cloud() && last.level >= 0)) return false;
+  const Surfel& front = grid.surfels[search.surfel];
+  const Surfel* surfel = hit_side(grid, search.key, front, search.question->ray);
+  if (surfel != &front) last.asked = -1;  // the answer depends on the ray, too
+  if (surfel == nullptr || surfel->directions == 0) return false;
+  if (surfel->cloud() && last.level >= 0) return false;
   last.level = level;
   last.surfel = surfel;
   return !surfel->cloud();
+}
+
+const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
+                              int finest) const {
+  VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
+  const Surfel* cloud = nullptr;
+  for (std::size_t level = finest; level < grids_.size(); ++level, index = half(index)) {
+    const Grid& grid = grids_[level];
+    const std::uint64_t key = voxel_key(index);
+    const std::uint32_t front = grid.table.find_entry(key).second;
+    if (front == VoxelTable::kNone) continue;
+    const Surfel* surfel = hit_side(grid, key, grid.surfels[front], ray);
+    if (surfel == nullptr || surfel->directions == 0) continue;
+    if (!surfel->cloud()) return surfel;
+    if (cloud == nullptr) cloud = surfel;
+  }
+  return cloud;
 }
 
 int SurfelMap::level_of(double size) const {

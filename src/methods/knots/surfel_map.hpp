@@ -55,13 +55,10 @@ class SurfelMap {
   /// whose voxel about the place has one that the ray can have hit; if none has, the finest cloud
   /// there, or null. The map must not change between two answers for a point.
   void find_all(std::span<const Question> questions, int finest) const;
-  /// Likewise, for one.
+  /// Likewise, for one of which nothing is remembered: for those who ask about many places once
+  /// each.
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
-                                   int finest, Place& last) const {
-    const Question question{place, ray, &last};
-    find_all({&question, 1}, finest);
-    return last.surfel;
-  }
+                                   int finest) const;
 
   /// Adds what a scan saw, fits the voxels that changed and empties those that its beams went
   /// through. Returns those that were emptied on both sides, of the finest grid that asks the
@@ -134,6 +131,8 @@ class SurfelMap {
            (last.surfel == nullptr || !last.surfel->from_behind(ray));
   }
   struct Search;
+  [[nodiscard]] static const Surfel* hit_side(const Grid& grid, std::uint64_t key,
+                                              const Surfel& front, const Eigen::Vector3d& ray);
   [[nodiscard]] bool answer(const Search& search, int level) const;
   static std::uint32_t make_side(Grid& grid, std::uint64_t key, const VoxelIndex& index);
   [[nodiscard]] static VoxelTable::Entry side_of(Grid& grid, std::uint64_t key,

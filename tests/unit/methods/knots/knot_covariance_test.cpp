@@ -44,8 +44,7 @@ void add_dense_surfels(const KnotWindow& window, const Config::Knots& config,
       const Eigen::Vector3d place =
           first * se3_exp(u * se3_log(first.inverse() * last)) * points.points[i].position;
       const Eigen::Vector3d arm = place - (1.0 - u) * first.translation - u * last.translation;
-      SurfelMap::Place unknown;
-      const Surfel* const surfel = true_map().find(place, arm, 0, unknown);
+      const Surfel* const surfel = true_map().find(place, arm, 0);
       for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
         const Eigen::Vector3d n = surfel->across(d);
         const double r = n.dot(place - surfel->mean);

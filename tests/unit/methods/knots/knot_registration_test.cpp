@@ -86,8 +86,7 @@ double cost(const KnotWindow& window, const KnotPrior& prior, const Config::Knot
       const KnotPoints::Point& point = points.points[i];
       const Pose T = window.knots[s + 1] * se3_exp(point.share * turn);
       const Eigen::Vector3d place = T * point.position;
-      SurfelMap::Place unknown;
-      const Surfel* const surfel = true_map().find(place, place - T.translation, 0, unknown);
+      const Surfel* const surfel = true_map().find(place, place - T.translation, 0);
       for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
         const double r = surfel->across(d).dot(place - surfel->mean);
         const double variance = config.noise * config.noise + surfel->variance(d);
@@ -162,8 +161,7 @@ TEST(KnotRegistration, TheMisfitIsWhatTheKernelTakesAway) {
       const KnotPoints::Point& point = points.points[i];
       const Pose T = motion.at((static_cast<double>(s) + point.share) / kSegments);
       const Eigen::Vector3d place = T * point.position;
-      SurfelMap::Place unknown;
-      const Surfel* const surfel = true_map().find(place, place - T.translation, 0, unknown);
+      const Surfel* const surfel = true_map().find(place, place - T.translation, 0);
       if (surfel == nullptr) ++unseen;
       for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
         const double r = surfel->across(d).dot(place - surfel->mean);

@@ -41,13 +41,20 @@ inline SurfelMap map_of(const Points& points, const Config::Knots& config = knot
 
 inline const Surfel* find(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0,
                           const Eigen::Vector3d& sensor = kSensor) {
-  SurfelMap::Place fresh;
-  return map.find(place, place - sensor, finest, fresh);
+  return map.find(place, place - sensor, finest);
+}
+
+/// The answer for a point of which `last` remembers the one before.
+inline const Surfel* find_again(const SurfelMap& map, const Eigen::Vector3d& place,
+                                const Eigen::Vector3d& ray, int finest, SurfelMap::Place& last) {
+  const SurfelMap::Question question{place, ray, &last};
+  map.find_all({&question, 1}, finest);
+  return last.surfel;
 }
 
 inline int level_found(const SurfelMap& map, const Eigen::Vector3d& place, int finest = 0) {
   SurfelMap::Place fresh;
-  (void)map.find(place, place - kSensor, finest, fresh);
+  (void)find_again(map, place, place - kSensor, finest, fresh);
   return fresh.level;
 }
 

@@ -203,9 +203,10 @@ TEST(SurfelMap, ARememberedPlaceChangesNoAnswer) {
       place += random.vector(step % 3 == 0 ? 0.3 : 0.02);
       const int finest = step / 40 % 4;
       const Eigen::Vector3d ray = step % 7 < 3 ? place - kSensor : random.vector(1.0);
-      const Surfel* const surfel = map.find(place, ray, finest, remembered);
+      const Surfel* const surfel = find_again(map, place, ray, finest, remembered);
       SurfelMap::Place fresh;
-      ASSERT_EQ(surfel, map.find(place, ray, finest, fresh));
+      ASSERT_EQ(surfel, find_again(map, place, ray, finest, fresh));
+      ASSERT_EQ(surfel, map.find(place, ray, finest));
       EXPECT_EQ(remembered.level, fresh.level);
       ++(surfel != nullptr ? hits : misses);
     }
@@ -230,7 +231,8 @@ TEST(SurfelMap, PlacesLookedUpAtOnceGetTheAnswersOfEach) {
     map.find_all(questions, finest);
     for (const SurfelMap::Question& question : questions) {
       SurfelMap::Place fresh;
-      ASSERT_EQ(question.last->surfel, map.find(question.place, question.ray, finest, fresh));
+      ASSERT_EQ(question.last->surfel,
+                find_again(map, question.place, question.ray, finest, fresh));
       EXPECT_EQ(question.last->level, fresh.level);
       hits += fresh.surfel != nullptr ? 1 : 0;
     }
