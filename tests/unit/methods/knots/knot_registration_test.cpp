@@ -218,6 +218,12 @@ TEST(KnotRegistration, ThreadsDoNotChangeABit) {
   }
 }
 
+TEST(KnotRegistration, IsHopelessWhereItDisagreesMuchAndGetsNoBetter) {
+  EXPECT_TRUE(is_hopeless(0.4, 0.4, 0.2));
+  EXPECT_FALSE(is_hopeless(0.28, 0.28, 0.2));  // hardly more than the least
+  EXPECT_FALSE(is_hopeless(0.4, 0.5, 0.2));    // on its way
+}
+
 TEST(KnotRegistration, WithoutAMapThePredictionStays) {
   const SurfelMap empty(Config().knots, 100.0);
   const Config::Knots config = Config().knots;

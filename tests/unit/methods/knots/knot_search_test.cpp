@@ -63,6 +63,30 @@ TEST(KnotSearch, FindsWhereAScanWasTaken) {
   }
 }
 
+// [K29], at the finest step: every second point, each once.
+TEST(KnotSearch, TheFitIsTheMeanOverThePoints) {
+  const SurfelMap map = map_of_the_hall();
+  const Pose truth{so3_exp({0.0, 0.0, 0.7}), {-2.3, -0.4, 0.45}};
+  const auto points = thinned(points_from(truth));
+  const auto places = search_places(map, points, {kMapped, 4.0, 1.5}, level_way(), 4, Workers(1));
+  ASSERT_GE(places.size(), 2U);
+  const double g = 0.35 * 0.7 * 0.7;
+  for (const PlaceFit& place : places) {
+    double sum = 0.0;
+    int asked = 0;
+    for (std::size_t i = 0; i < points.size(); i += 2, ++asked) {
+      const Eigen::Vector3d ray = place.pose.rotation * points[i];
+      const Eigen::Vector3d end = place.pose.translation + ray;
+      const Surfel* const surfel = map.find(end, ray, map.level_of(0.25));
+      for (int d = 0; surfel != nullptr && d < surfel->directions; ++d) {
+        const double r = surfel->across(d).dot(end - surfel->mean);
+        sum += 1.0 / (1.0 + r * r / (g * g + surfel->variance(d))) / surfel->directions;
+      }
+    }
+    EXPECT_NEAR(place.fit, sum / asked, 1e-9);
+  }
+}
+
 // Who was carried up a slope stands higher, and tilted.
 TEST(KnotSearch, FindsWhoStandsOnAnotherSlope) {
   const SurfelMap map = map_of_the_hall();
