@@ -436,6 +436,34 @@ def threads():
     return f"{markdown(['', 'before', 'now', 'now to before'], rows)}\n\n{kept_by_turns(kept)}"
 
 
+def slow_scans():
+    kept = Kept("slow_scans")
+    walks = {}
+    for walk, *cells in kept.rows[1:]:
+        walks.setdefault(walk, []).append([float(cell) for cell in cells])
+    rows = []
+    for walk, turns in walks.items():
+        before, now = ([list(column) for column in zip(*turns)][part] for part in (slice(0, 3), slice(3, 6)))
+        rows.append([walk, *(" / ".join(f"{statistics.median(column):.1f}" for column in part)
+                             for part in (before, now)),
+                     *(with_range(ratios(now[k], before[k])) for k in (1, 2))])
+    head = ["walk", "before: median / p99 / slowest [ms]", "now [ms]", "p99, now to before", "slowest, now to before"]
+    return f"{markdown(head, rows)}\n\n{kept_by_turns(kept)}"
+
+
+def fewer_points():
+    kept = Kept("fewer_points")
+    columns = list(zip(*kept.rows[1:]))
+    as_it_is = [float(cell) for cell in columns[1]]
+    rows = []
+    for k in range(1, len(columns), 2):
+        times = ratios([float(cell) for cell in columns[k]], as_it_is)
+        rows.append([kept.rows[0][k], f"{statistics.geometric_mean(times):.2f}",
+                     str(sum(ratio > 1.1 for ratio in times)), str(sum(int(cell) for cell in columns[k + 1]))])
+    head = ["", "APE, times (geometric mean)", f"of {len(as_it_is)} walks worse by a tenth", "scans lost"]
+    return f"{markdown(head, rows)}\n\n{kept_by(kept)}."
+
+
 def simulation_turns():
     kept, turns = measured_by_turns("simulation_turns")
     rows = []
@@ -597,6 +625,8 @@ TABLES = {
     "latency": latency,
     "threads": threads,
     "simulation-turns": simulation_turns,
+    "slow-scans": slow_scans,
+    "fewer-points": fewer_points,
 }
 
 
