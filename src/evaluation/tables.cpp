@@ -120,8 +120,8 @@ std::vector<Column> rmse_columns(const std::vector<Evaluation>& evaluations,
                          }});
     }
     if (!columns.empty()) break;  // estimates differ only in having none
-    return columns;
   }
+  return columns;
 }
 
 /// Segments have a column for each length that any of the estimates is long enough for.

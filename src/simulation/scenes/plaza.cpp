@@ -83,22 +83,23 @@ Scene plaza(const SceneSeeds& seeds) {
   }
   // Ten walk round the fountain inside the robot's loop, the others outside of it.
   for (std::uint64_t i = 0; i < 22; ++i) {
-    const std::uint64_t draw = 8'000'000 + 8 * i;
-    const double speed = random.uniform(draw, 0.8, 1.6) * (i % 2 == 0 ? 1.0 : -1.0);
-    const double start = kTwoPi * random.uniform(draw + 1);
+    const std::uint64_t counter = 8'000'000 + 8 * i;
+    const double speed = random.uniform(counter, 0.8, 1.6) * (i % 2 == 0 ? 1.0 : -1.0);
+    const double start = kTwoPi * random.uniform(counter + 1);
     if (i < 10) {
       scene.moving.push_back(walker({0.0, 2.0}, 3.8 + 0.22 * static_cast<double>(i), speed, start));
     } else {
       const double x = -24.0 + 8.0 * static_cast<double>((i - 10) % 7);
-      scene.moving.push_back(
-          walker({x, i % 3 == 0 ? -12.5 : 13.0}, random.uniform(draw + 2, 0.8, 1.8), speed, start));
+      scene.moving.push_back(walker({x, i % 3 == 0 ? -12.5 : 13.0},
+                                    random.uniform(counter + 2, 0.8, 1.8), speed, start));
     }
   }
   for (std::uint64_t i = 0; i < 6; ++i) {
-    const std::uint64_t draw = 8'500'000 + 8 * i;
+    const std::uint64_t counter = 8'500'000 + 8 * i;
     const bool east = i % 2 == 0;
-    scene.moving.push_back(driver(east ? -1.7 : 1.7, (east ? 1.0 : -1.0) * 8.0,
-                                  47.0 * static_cast<double>(i / 2) + random.uniform(draw, 0, 12)));
+    scene.moving.push_back(
+        driver(east ? -1.7 : 1.7, (east ? 1.0 : -1.0) * 8.0,
+               47.0 * static_cast<double>(i / 2) + random.uniform(counter, 0, 12)));
   }
   // Round those who walk about the fountain, inside of those who walk along the sides.
   const double south = draw.between(20, -7.0, -8.5, -6.0);

@@ -109,5 +109,13 @@ TEST(Tables, LatexLeavesOutWhatARunIsTooShortFor) {
   EXPECT_TRUE(contains(latex, "Drift at the end")) << latex;
 }
 
+TEST(Tables, LatexHasWhatOnlyALaterRunIsLongEnoughFor) {
+  const Trajectory walk = test::winding_walk(5);
+  const Evaluation brief = evaluate(
+      "short", walk, walk, {.alignment = AlignmentMethod::none, .stretches = {.delta = 50.0}});
+  const std::string latex = to_latex({brief, too_high("long", 0.1)});
+  EXPECT_TRUE(contains(latex, "Relative pose error")) << latex;
+}
+
 }  // namespace
 }  // namespace surefoot::evaluation
