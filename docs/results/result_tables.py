@@ -461,7 +461,7 @@ def fewer_points():
         rows.append([kept.rows[0][k], f"{statistics.geometric_mean(times):.2f}",
                      str(sum(ratio > 1.1 for ratio in times)), str(sum(int(cell) for cell in columns[k + 1]))])
     head = ["", "APE, times (geometric mean)", f"of {len(as_it_is)} walks worse by a tenth", "scans lost"]
-    return f"{markdown(head, rows)}\n\n{kept_by(kept)}."
+    return f"{markdown(head, rows)}\n\n{kept_by(kept)}"
 
 
 def simulation_turns():

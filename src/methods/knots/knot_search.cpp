@@ -18,14 +18,14 @@ constexpr double kStep = 1.0, kTurnStep = 12.0 * kDegree;  // [m], [rad]
 constexpr int kRefinements = 2;
 constexpr std::size_t kRefined = 8;  // of all places, the best ones
 
-/// Places are weighed by every so many-th point, and this share of all of them, the best, by more.
+/// A round weighs places by some of the points; the best go on to the next one, of more points.
 struct Round {
-  std::size_t stride;
-  double kept;
+  std::size_t stride;  // every so many-th point
+  double kept;         // share of all places
 };
 constexpr Round kRounds[] = {{9, 0.35}, {3, 0.125}, {1, 1.0}};
-constexpr Round kRefiningRounds[] = {{6, 0.25}, {2, 1.0}};  // places that are near one of them
-constexpr std::size_t kFewest = 4 * kRefined;               // are kept
+constexpr Round kRefiningRounds[] = {{6, 0.25}, {2, 1.0}};
+constexpr std::size_t kFewest = 4 * kRefined;  // places that are kept, however many there are
 
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
