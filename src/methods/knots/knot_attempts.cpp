@@ -3,18 +3,16 @@
 #include "methods/knots/knot_attempts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "methods/knots/knot_trials.hpp"
+
 namespace surefoot {
 
 namespace {
-
-// So many points tell where a start leads and, roughly, how well the scan fits there.
-constexpr std::size_t kProbed = 500;
 
 // Two registrations ended at the same place, or one has found a better one.
 constexpr double kSame = 0.01, kSameAngle = 0.005;  // [m], [rad] of every knot
@@ -27,31 +25,8 @@ constexpr double kFreer = 0.9;  // disagreements' ratio
 // on nothing does.
 constexpr double kAllFirm = 0.3, kNoneFirm = 0.5;
 
-// Iterations once the kernel has narrowed: where it leads is seen then, whether it converges is not
-// asked.
-constexpr int kSettling = 6;
-
 // A flight's treads look alike: between two of them a narrow kernel stays, a wider one goes on.
 constexpr double kWider = 2.5;
-
-/// Every so many-th point of each segment.
-KnotPoints every(std::size_t stride, const KnotPoints& points) {
-  KnotPoints some;
-  for (std::size_t s = 0; s + 1 < points.begins.size(); ++s) {
-    some.begins.push_back(some.points.size());
-    for (std::size_t i = points.begins[s]; i < points.begins[s + 1]; i += stride) {
-      some.points.push_back(points.points[i]);
-    }
-  }
-  some.begins.push_back(some.points.size());
-  return some;
-}
-
-/// Each of the points that are left counts as so many.
-Config::Knots weighed(Config::Knots config, std::size_t stride) {
-  config.independence *= static_cast<double>(stride);
-  return config;
-}
 
 bool same_end(const KnotWindow& a, const KnotWindow& b) {
   for (std::size_t k = 2; k < a.knots.size(); ++k) {
@@ -65,24 +40,17 @@ bool is_better(const KnotRegistration& a, const KnotRegistration& b, double unse
   return a.solved && (!b.solved || a.disagreement(unseen_weight) < b.disagreement(unseen_weight));
 }
 
-/// Where other starts than the first lead: by some of the points, so that all of them together cost
-/// about as much as one registration. Most lead to where the first did.
+/// Where other starts than the first lead. All of them together cost about as much as one
+/// registration. Most lead to where the first did.
 class Attempts {
  public:
   Attempts(const KnotPoints& points, const KnotProblem& problem, const KnotRegistration& first)
-      : stride_(std::max<std::size_t>(points.points.size() / kProbed, 1)),
-        points_(every(stride_, points)),
-        config_(weighed(problem.config, stride_)),
-        usual_(problem.model),
-        first_(first) {
-    // By one look from where it ended, how much of these points disagrees there.
-    const Annealing look{config_.kernel_end, 1.0, 1};
-    least_ = disagreement(register_from(first.window, problem, look));
+      : trials_(points, problem.config), usual_(problem.model), first_(first) {
+    least_ = trials_.disagreement_at(first.window, problem);
     if (first.converged) least_ *= kBetter;
   }
 
-  void add(const KnotProblem& problem, const KnotWindow& start, Annealing annealing) {
-    annealing.max_iterations = std::min(annealing.max_iterations, most_iterations(annealing));
+  void add(const KnotProblem& problem, const KnotWindow& start, const Annealing& annealing) {
     starts_.push_back({problem, start, annealing});
   }
 
@@ -95,18 +63,18 @@ class Attempts {
   [[nodiscard]] std::optional<Best> best(const Workers& workers) const {
     std::vector<KnotRegistration> found(starts_.size());
     workers.for_each(starts_.size(), [&](std::size_t i) {
-      found[i] = register_from(starts_[i].window, starts_[i].problem, starts_[i].annealing,
-                               [this](const KnotRegistration& so_far, double before) {
-                                 return leads_nowhere(so_far, before);
-                               });
+      found[i] = trials_.run(starts_[i].problem, starts_[i].window, starts_[i].annealing,
+                             [this](const KnotRegistration& so_far, double before) {
+                               return leads_nowhere(so_far, before);
+                             });
     });
     std::optional<Best> best;
     double least = least_;
     for (std::size_t i = 0; i < starts_.size(); ++i) {
       const KnotProblem& problem = starts_[i].problem;
       const double most = &problem.model == &usual_ ? least : kFreer * least;
-      if (!found[i].solved || disagreement(found[i]) >= most) continue;
-      least = disagreement(found[i]);
+      if (!found[i].solved || trials_.disagreement(found[i]) >= most) continue;
+      least = trials_.disagreement(found[i]);
       best.emplace(Best{std::move(found[i].window), problem});
     }
     return best;
@@ -119,42 +87,17 @@ class Attempts {
     Annealing annealing;
   };
 
-  [[nodiscard]] double disagreement(const KnotRegistration& found) const {
-    return found.disagreement(config_.unseen_weight);
-  }
-
-  [[nodiscard]] int most_iterations(const Annealing& annealing) const {
-    const double narrowed =
-        std::log(config_.kernel_end / annealing.start) / std::log(annealing.decay);
-    return static_cast<int>(std::ceil(std::max(narrowed, 0.0))) + kSettling;
-  }
-
   /// Most that lead nowhere are seen to before they end.
   [[nodiscard]] bool leads_nowhere(const KnotRegistration& so_far, double before) const {
-    if (is_hopeless(disagreement(so_far), before, least_)) return true;
+    if (is_hopeless(trials_.disagreement(so_far), before, least_)) return true;
     return first_.converged && same_end(so_far.window, first_.window);
   }
 
-  [[nodiscard]] KnotRegistration register_from(const KnotWindow& start, const KnotProblem& problem,
-                                               const Annealing& annealing,
-                                               const Abandon& abandon = {}) const {
-    KnotPoints points = points_;
-    for (KnotPoints::Point& point : points.points) point.place = {};
-    // The observer is one thread's own: if there are several, it is told nothing of each one's.
-    const StepObserver nobody = [](Step) {};
-    const StepObserver& observer = problem.workers.threads() > 1 ? nobody : problem.begin_step;
-    const KnotProblem some{problem.map, problem.prior, problem.model, config_, alone_, observer};
-    return register_knots(points, some, start, annealing, abandon);
-  }
-
-  std::size_t stride_;
-  KnotPoints points_;
-  Config::Knots config_;
+  KnotTrials trials_;
   const VelocityModel& usual_;
   const KnotRegistration& first_;
   double least_ = 1.0;
   std::vector<Start> starts_;
-  const Workers alone_{1};
 };
 
 /// By a kernel that leaves a registration where it begins, or so many times as wide.

@@ -130,7 +130,7 @@ KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
   const bool better_here = here.estimate.trusted() &&
                            !is_farther_back(here.trajectory.at(0.5), scan) &&
                            kClearlyBetter * disagreement_of(here) < disagreement_of(*there) &&
-                           !sees_more_new(here, *there);
+                           !sees_more_new(here.found.unseen, there->found.unseen);
   return better_here ? std::move(here) : std::move(*there);
 }
 
@@ -143,9 +143,10 @@ bool KnotFrontEnd::is_farther_back(const Pose& place, const PreparedScan& scan) 
   return (place.translation - ahead).norm() > (last - ahead).norm() + kBack;
 }
 
-/// Whether much that a scan sees would be new at one place, and known at another.
-bool KnotFrontEnd::sees_more_new(const Registered& one, const Registered& other) {
-  return one.found.unseen >= kClearlyBetter * other.found.unseen + kNew;
+/// Whether much that a scan sees would be new at one place, and known at another: by the shares
+/// that are new.
+bool KnotFrontEnd::sees_more_new(double at_one, double at_other) {
+  return at_one >= kClearlyBetter * at_other + kNew;
 }
 
 /// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.

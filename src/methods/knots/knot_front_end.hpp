@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/knot_search.hpp"
+#include "methods/knots/place_trials.hpp"
 #include "methods/knots/sweep_bend.hpp"
 #include "methods/knots/velocity_model.hpp"
 #include "methods/knots/walked_way.hpp"
@@ -74,7 +74,17 @@ class KnotFrontEnd : public FrontEnd {
     std::optional<KnotEnd> found;  // where it may be: to be confirmed
     bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
+    int missed = 0;                // scans since then that do not
     bool after_hole = false;       // it may have walked on, unseen
+
+    void agree(const KnotEnd& end) {
+      found = end;
+      ++agreed;
+    }
+    void forget() {
+      found.reset();
+      agreed = missed = 0;
+    }
   };
 
   [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);
@@ -95,7 +105,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double since_trusted(std::int64_t instant_ns) const;
   [[nodiscard]] bool is_after_hole(const PreparedScan& scan) const;
   [[nodiscard]] bool is_farther_back(const Pose& place, const PreparedScan& scan) const;
-  [[nodiscard]] static bool sees_more_new(const Registered& one, const Registered& other);
+  [[nodiscard]] static bool sees_more_new(double at_one, double at_other);
   [[nodiscard]] double mean_speed() const;
   Estimate accept(double hazard_now, View view, Registered registered);
   Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
@@ -116,12 +126,13 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] std::vector<PlaceFit> places_in(const PreparedScan& scan,
                                                 const std::vector<std::uint32_t>& chosen,
                                                 const SearchRegion& region, std::size_t most) const;
-  [[nodiscard]] std::array<Twist, 2> velocities_at(const Pose& place) const;
-  [[nodiscard]] std::optional<Registered> register_at(const Pose& place, const Twist& velocity,
-                                                      const PreparedScan& scan,
-                                                      const std::vector<std::uint32_t>& chosen,
-                                                      const Abandon& abandon = {}) const;
-  [[nodiscard]] Abandon worse_than(double least) const;
+  [[nodiscard]] std::vector<PlaceStart> starts_at(const std::vector<PlaceFit>& places) const;
+  [[nodiscard]] std::optional<Registered> register_from(
+      const KnotEnd& begin, const KnotWindow& predicted, const KnotWindow& start,
+      const PreparedScan& scan, const std::vector<std::uint32_t>& chosen) const;
+  [[nodiscard]] std::optional<Registered> register_at(
+      const PlaceStart& start, const PreparedScan& scan,
+      const std::vector<std::uint32_t>& chosen) const;
   [[nodiscard]] std::optional<Registered> register_ahead(const PreparedScan& scan,
                                                          const std::vector<std::uint32_t>& thinned);
   [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,

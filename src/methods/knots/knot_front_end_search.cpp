@@ -39,6 +39,12 @@ constexpr std::size_t kPoints = 150;  // to look with, coarsely
 constexpr std::size_t kPlaces = 4;    // to register at
 constexpr std::size_t kTwins = 12;    // to register at, before a place is believed
 
+// What has not settled after so many iterations is hardly a place that is believed.
+constexpr int kMostIterations = 40;
+
+// So many scans may fail to confirm a place: a gait shakes some so that they are hardly registered.
+constexpr int kMissed = 1;
+
 // So much more doubt is allowed straight after the scan that went wrong: where the robot would be
 // had that one not come is a likelier place than one that was looked for.
 constexpr double kStraightOn = 2.0;
@@ -46,13 +52,6 @@ constexpr double kStraightOn = 2.0;
 // A scan fewer of whose beams can tell of a place than this share believes none: a covered sensor
 // sees nothing that speaks against any.
 constexpr double kBlind = 0.1;
-
-/// A scan that begins at a place of which nothing is known but what a coarse look told.
-KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
-  constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
-  const double step = std::max(seconds(scan.end_ns - scan.start_ns) / config.segments, kInstant);
-  return {at_rest(place, step, kSince), std::min(scan.start_ns, scan.end_ns - kInstantNs), step};
-}
 
 std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& chosen) {
@@ -124,12 +123,12 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_ahead(
   const Pose level = straight_on(scan.start_ns).centre;
   const Twist going = model_.mean(level.rotation);
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
-  std::optional<Registered> best = register_at(level, going, scan, chosen);
+  std::optional<Registered> best = register_at({level, going}, scan, chosen);
   Pose climbing = level;
   const Pose& last = end_.prior.means[1];
   climbing.translation.z() =
       last.translation.z() + since_trusted(scan.start_ns) * model_.mean(last.rotation).z();
-  auto other = register_at(climbing, going, scan, chosen);
+  auto other = register_at({climbing, going}, scan, chosen);
   const bool better =
       other && other->estimate.trusted() &&
       (!best || !best->estimate.trusted() || disagreement_of(*other) < disagreement_of(*best));
@@ -154,42 +153,48 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
   return search_places(map_.surfels(), some_of(scan, chosen), region, way_, most, session_.workers);
 }
 
-/// A scan registered where a coarse look told that it may be, at first by one velocity; none if
-/// that is not solved. From so far away it takes its time: whether it settles is told by a second
-/// one, from where the first ended.
-std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
-    const Pose& place, const Twist& velocity, const PreparedScan& scan,
-    const std::vector<std::uint32_t>& chosen, const Abandon& abandon) const {
-  const KnotEnd begin = begin_at(place, scan, config_.knots);
-  Registered here{begin, predict_knots(scan, begin, model_, config_.knots)};
-  here.predicted = here.predicted.at_velocity(velocity);
-  KnotPoints points = sort_points(scan, chosen, here.predicted);
-  here.found.window = here.predicted;
-  for (int time = 0; time < 2 && !has_settled(here.found.converged, here.found.settling, false);
-       ++time) {
-    here.found = register_knots(points, problem(begin), here.found.window,
-                                usual_annealing(config_.knots), abandon);
-    if (!here.found.solved) return std::nullopt;
+/// A scan where it is thought to begin, from some motion; none if that is not solved. From far away
+/// it takes its time: whether it settles is told by a second one, from where the first ended.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_from(
+    const KnotEnd& begin, const KnotWindow& predicted, const KnotWindow& start,
+    const PreparedScan& scan, const std::vector<std::uint32_t>& chosen) const {
+  Registered here{begin, predicted};
+  KnotPoints points = sort_points(scan, chosen, predicted);
+  Config::Knots config = config_.knots;
+  config.max_iterations = std::min(config.max_iterations, kMostIterations);
+  const KnotProblem problem{map_.surfels(), begin.prior,      model_,
+                            config,         session_.workers, session_.begin_step};
+  here.found = register_in_attempts(points, problem, start, usual_);
+  if (here.found.solved && !has_settled(here.found.converged, here.found.settling, false)) {
+    here.found = register_knots(points, problem, here.found.window, usual_annealing(config));
   }
+  if (!here.found.solved) return std::nullopt;
   conclude(scan, points.points.size(), here);
   return here;
 }
 
-/// Whoever was carried stands; whoever lost himself in a turn still goes.
-std::array<Twist, 2> KnotFrontEnd::velocities_at(const Pose& place) const {
-  return {Twist::Zero(), model_.mean(place.rotation)};
+/// Likewise, at a place and a velocity.
+std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_at(
+    const PlaceStart& start, const PreparedScan& scan,
+    const std::vector<std::uint32_t>& chosen) const {
+  const KnotEnd begin = begin_at(start.place, scan, config_.knots);
+  const KnotWindow predicted =
+      predict_knots(scan, begin, model_, config_.knots).at_velocity(start.velocity);
+  return register_from(begin, predicted, predicted, scan, chosen);
+}
+
+/// At each place: whoever was carried stands; whoever lost himself in a turn still goes.
+std::vector<PlaceStart> KnotFrontEnd::starts_at(const std::vector<PlaceFit>& places) const {
+  std::vector<PlaceStart> starts;
+  for (const PlaceFit& place : places) {
+    starts.push_back({place.pose, Twist::Zero()});
+    starts.push_back({place.pose, model_.mean(place.pose.rotation)});
+  }
+  return starts;
 }
 
 double KnotFrontEnd::disagreement_of(const Registered& registered) const {
   return registered.found.disagreement(config_.knots.unseen_weight);
-}
-
-/// For registrations that only matter where they disagree less than another, or hardly more.
-Abandon KnotFrontEnd::worse_than(double least) const {
-  return
-      [least, unseen = config_.knots.unseen_weight](const KnotRegistration& so_far, double before) {
-        return is_hopeless(so_far.disagreement(unseen), before, least);
-      };
 }
 
 /// As far as a place is ever looked for, and turned anyhow.
@@ -210,16 +215,17 @@ double KnotFrontEnd::rival_in(const SearchRegion& region, std::size_t most,
   const auto places = places_in(scan, chosen, region, most);
   const Pose here = registered.trajectory.at(0.5);
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
-  const Abandon no_rival = worse_than(disagreement_of(registered));
+  const KnotProblem problem_here = problem(registered.begin);
+  const PlaceTrials trials(scan, chosen, problem_here);
+  const double disagreement = trials.disagreement_at(registered.bent);
+  std::vector<PlaceStart> standing;
+  for (const PlaceFit& place : places) standing.push_back({place.pose, Twist::Zero()});
   double rival = 0.0;
-  for (const PlaceFit& place : places) {
-    const auto other = register_at(place.pose, Twist::Zero(), scan, chosen, no_rival);
-    if (!other || same_place(other->trajectory.at(0.5), here)) continue;
-    if (is_farther_back(other->trajectory.at(0.5), scan)) continue;
-    if (is_after_hole(scan) && sees_more_new(*other, registered)) continue;
+  for (const PlaceTrial& other : trials.from(standing, disagreement)) {
+    if (same_place(other.pose, here) || is_farther_back(other.pose, scan)) continue;
+    if (is_after_hole(scan) && sees_more_new(other.unseen, registered.found.unseen)) continue;
     // [K33]
-    const double times_less = disagreement_of(registered) / std::max(disagreement_of(*other), 1e-3);
-    rival = std::max(rival, strength(times_less));
+    rival = std::max(rival, strength(disagreement / std::max(other.disagreement, 1e-3)));
   }
   return rival;
 }
@@ -244,27 +250,21 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(
     const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
     const SearchRegion& region) {
   const auto chosen = choice_.choose(scan, thinned, session_.workers);
-  std::vector<Registered> found;
   std::vector<PlaceFit> places = places_in(scan, chosen, region, kPlaces);
   const auto ahead = places_in(scan, chosen, straight_on(scan.start_ns), 1);
   if (!ahead.empty()) places.push_back(ahead.front());
-  for (const PlaceFit& place : places) {
-    for (const Twist& velocity : velocities_at(place.pose)) {
-      auto here = register_at(place.pose, velocity, scan, chosen);
-      if (here && region.is_as_high(here->trajectory.at(0.5).translation)) {
-        found.push_back(std::move(*here));
-      }
-    }
-  }
-  std::stable_sort(found.begin(), found.end(), [&](const Registered& a, const Registered& b) {
-    return disagreement_of(a) < disagreement_of(b);
-  });
-  for (std::size_t i = 1; i < found.size(); ++i) {
-    if (disagreement_of(found[i]) > kClearlyBetter * disagreement_of(found[0])) break;
-    if (!same_place(found[i].trajectory.at(0.5), found[0].trajectory.at(0.5))) return std::nullopt;
-  }
-  if (found.empty()) return std::nullopt;
-  return std::move(found[0]);
+  const KnotProblem problem_here = problem(end_);
+  auto trials = PlaceTrials(scan, chosen, problem_here).from(starts_at(places));
+  std::erase_if(
+      trials, [&](const PlaceTrial& trial) { return !region.is_as_high(trial.pose.translation); });
+  if (trials.empty()) return std::nullopt;
+  const PlaceTrial& best = trials[0];
+  const bool alike =
+      trials.size() > 1 && trials[1].disagreement < kClearlyBetter * best.disagreement;
+  if (alike) return std::nullopt;
+  auto found = register_from(best.begin, best.predicted, best.window, scan, chosen);
+  const bool as_high = found && region.is_as_high(found->trajectory.at(0.5).translation);
+  return as_high ? std::move(found) : std::nullopt;
 }
 
 /// Whether a scan fits elsewhere as well as where it was found. Who is found elsewhere than where
@@ -275,16 +275,15 @@ bool KnotFrontEnd::has_twin(const PreparedScan& scan, const std::vector<std::uin
   if (same_place(here, straight_on(scan.start_ns).centre)) return false;
   PointChoice choice = choice_;  // what is asked here must not change the next scan
   const auto chosen = choice.choose(scan, thinned, session_.workers);
-  const Abandon no_twin = worse_than(disagreement_of(registered));
-  for (const PlaceFit& place : places_in(scan, chosen, region_anywhere(), kTwins)) {
-    if (same_place(place.pose, here)) continue;
-    for (const Twist& velocity : velocities_at(place.pose)) {
-      const auto other = register_at(place.pose, velocity, scan, chosen, no_twin);
-      if (!other || same_place(other->trajectory.at(0.5), here)) continue;
-      if (disagreement_of(*other) < kClearlyBetter * disagreement_of(registered)) return true;
-    }
-  }
-  return false;
+  std::vector<PlaceFit> places = places_in(scan, chosen, region_anywhere(), kTwins);
+  std::erase_if(places, [&](const PlaceFit& place) { return same_place(place.pose, here); });
+  const KnotProblem problem_here = problem(registered.begin);
+  const PlaceTrials trials(scan, chosen, problem_here);
+  const double disagreement = trials.disagreement_at(registered.bent);
+  const std::vector<PlaceTrial> others = trials.from(starts_at(places), disagreement);
+  return std::any_of(others.begin(), others.end(), [&](const PlaceTrial& other) {
+    return !same_place(other.pose, here) && other.disagreement < kClearlyBetter * disagreement;
+  });
 }
 
 /// A scan right after one that went wrong: where it would be had that one not come. One scan of
@@ -324,7 +323,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   }
   std::optional<Registered> best = register_lost(scan, thinned);
   ++search_->scans;
-  bool right = false;
+  bool right = false, twin = false;
   if (best && best->estimate.trusted() && can_be_placed()) {
     View view = look(scan, thinned, best->trajectory);
     judge(scan, view, *best);
@@ -333,17 +332,19 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
         hazard_where_lost(search_->far, best->estimate);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     const bool agreed = right && search_->agreed + 1 >= kAgree;
-    right = right && !(agreed && has_twin(scan, thinned, *best));
-    if (right && agreed) {
+    twin = agreed && has_twin(scan, thinned, *best);
+    if (agreed && !twin) {
       search_.reset();
       forget_verdicts();
       best->estimate.message = "found itself again";
       return accept(hazard_now, std::move(view), std::move(*best));
     }
   }
-  search_->agreed = right ? search_->agreed + 1 : 0;
-  search_->found.reset();
-  if (right) search_->found = end_of(best->found.window, best->found.last_two);
+  if (right && !twin) {
+    search_->agree(end_of(best->found.window, best->found.last_two));
+  } else if (twin || !confirms || ++search_->missed > kMissed) {
+    search_->forget();
+  }
   return stay_lost(scan, thinned);
 }
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <span>
 
+#include "methods/knots/surfel_lookup.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -22,10 +24,11 @@ constexpr std::size_t kRefined = 8;  // of all places, the best ones
 struct Round {
   std::size_t stride;  // every so many-th point
   double kept;         // share of all places
+  std::size_t fewest;  // places that are kept, however many there are
 };
-constexpr Round kRounds[] = {{9, 0.35}, {3, 0.125}, {1, 1.0}};
-constexpr Round kRefiningRounds[] = {{6, 0.25}, {2, 1.0}};
-constexpr std::size_t kFewest = 4 * kRefined;  // places that are kept, however many there are
+// By four times what the best of 700 looks through 3,000 places and more needed.
+constexpr Round kRounds[] = {{27, 0.4, 1500}, {9, 0.12, 1500}, {3, 0.012, 600}, {1, 1.0, 0}};
+constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kRefined}, {2, 1.0, 0}};
 
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
@@ -51,27 +54,61 @@ double fit_of(const Eigen::Vector3d& place, const Surfel& surfel, double scale) 
   return fit / surfel.directions;
 }
 
+/// A map asked from the same grid on.
+struct FinelyAsked {
+  const SurfelMap& map;
+  int finest;
+
+  [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray) const {
+    return map.find(place, ray, finest);
+  }
+};
+
+/// About what some points show from some places [m].
+Eigen::AlignedBox3d box_of(const std::vector<PlaceFit>& places,
+                           const std::vector<Eigen::Vector3d>& points) {
+  constexpr double kUneven = 3.0;  // [m] by which a tilt lifts or lowers most points at most
+  Eigen::AlignedBox3d stands, seen;
+  for (const PlaceFit& place : places) stands.extend(place.pose.translation);
+  double range = 0.0;
+  for (const Eigen::Vector3d& point : points) {
+    range = std::max(range, point.head<2>().norm());
+    seen.extend(point);
+  }
+  const Eigen::Vector3d below(range, range, kUneven - seen.min().z());
+  const Eigen::Vector3d above(range, range, kUneven + seen.max().z());
+  return {stands.min() - below, stands.max() + above};
+}
+
 /// The sum over every so many-th point, but for those of the round before.
-double fit_of(const SurfelMap& map, const std::vector<Eigen::Vector3d>& points, std::size_t stride,
-              std::size_t before, const Pose& pose, const Grain& grain) {
-  const int finest = map.level_of(grain.step);
+template <typename Map>
+double fit_of(const Map& map, const std::vector<Eigen::Vector3d>& points, std::size_t stride,
+              std::size_t before, const Pose& pose, double scale) {
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     if (before > 0 && i % before == 0) continue;
     const Eigen::Vector3d ray = R * points[i];
     const Eigen::Vector3d place = ray + pose.translation;
-    const Surfel* const surfel = map.find(place, ray, finest);
-    if (surfel != nullptr) sum += fit_of(place, *surfel, grain.scale);
+    const Surfel* const surfel = map.find(place, ray);
+    if (surfel != nullptr) sum += fit_of(place, *surfel, scale);
   }
   return sum;
 }
 
 double heading(const Pose& pose) { return roll_pitch_yaw(pose.rotation).z(); }
 
-Pose turned(const Pose& pose, double turn) {
-  const Eigen::AngleAxisd by(turn, Eigen::Vector3d::UnitZ());
-  return {(pose.rotation * by).normalized(), pose.translation};
+/// So many steps of so much [rad] to the right, up to as many to the left.
+std::vector<Eigen::Quaterniond> turns_of(int steps, double step) {
+  std::vector<Eigen::Quaterniond> turns;
+  for (int turn = -steps; turn <= steps; ++turn) {
+    turns.emplace_back(Eigen::AngleAxisd(turn * step, Eigen::Vector3d::UnitZ()));
+  }
+  return turns;
+}
+
+Pose turned(const Pose& pose, const Eigen::Quaterniond& turn) {
+  return {(pose.rotation * turn).normalized(), pose.translation};
 }
 
 /// On the ground of the way, and near the centre on a level with it: stairs leave the way steeply.
@@ -79,13 +116,12 @@ std::vector<PlaceFit> places_of(const SearchRegion& region, const Grain& grain,
                                 const WalkedWay& way) {
   std::vector<PlaceFit> places;
   const int reach = static_cast<int>(region.radius / grain.step);
-  const int turns = static_cast<int>(std::min(region.turn, std::numbers::pi) / grain.turn);
+  const auto turns =
+      turns_of(static_cast<int>(std::min(region.turn, std::numbers::pi) / grain.turn), grain.turn);
   const double yaw = heading(region.centre);
   const Eigen::Vector3d& centre = region.centre.translation;
   const auto add = [&](const Pose& stand) {
-    for (int turn = -turns; turn <= turns; ++turn) {
-      places.push_back({turned(stand, turn * grain.turn)});
-    }
+    for (const Eigen::Quaterniond& turn : turns) places.push_back({turned(stand, turn)});
   };
   for (int x = -reach; x <= reach; ++x) {
     for (int y = -reach; y <= reach; ++y) {
@@ -104,11 +140,12 @@ std::vector<PlaceFit> places_of(const SearchRegion& region, const Grain& grain,
 /// About one of those before, and higher and lower: ground is not even.
 void add_places_about(const Pose& pose, const Grain& grain, const SearchRegion& region,
                       std::vector<PlaceFit>& places) {
+  const auto turns = turns_of(1, grain.turn);
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int rise = -2; rise <= 2; ++rise) {
-        for (int turn = -1; turn <= 1; ++turn) {
-          Pose place = turned(pose, turn * grain.turn);
+        for (const Eigen::Quaterniond& turn : turns) {
+          Pose place = turned(pose, turn);
           place.translation += grain.step * Eigen::Vector3d(x, y, rise);
           if (region.is_as_high(place.translation)) places.push_back({place});
         }
@@ -133,19 +170,23 @@ std::vector<PlaceFit> best_apart(std::vector<PlaceFit> places, std::size_t most)
   return best;
 }
 
-/// Only the best of a round reach the next one; best first.
-void weigh_in_rounds(std::span<const Round> rounds, const SurfelMap& map,
+/// Only the best of a round reach the next one.
+template <typename Map>
+void weigh_in_rounds(std::span<const Round> rounds, const Map& map,
                      const std::vector<Eigen::Vector3d>& points, const Grain& grain,
                      const Workers& workers, std::vector<PlaceFit>& places) {
   const auto all = static_cast<double>(places.size());
   std::size_t before = 0;
-  for (const auto& [stride, kept] : rounds) {
+  for (const auto& [stride, kept, fewest] : rounds) {
     workers.for_each(places.size(), [&](std::size_t i) {
-      places[i].fit += fit_of(map, points, stride, before, places[i].pose, grain);
+      places[i].fit += fit_of(map, points, stride, before, places[i].pose, grain.scale);
     });
-    std::stable_sort(places.begin(), places.end(), better);
-    const auto promising = static_cast<std::size_t>(kept * all);
-    places.resize(std::min(places.size(), std::max(promising, kFewest)));
+    const std::size_t most = std::max(static_cast<std::size_t>(kept * all), fewest);
+    if (places.size() > most) {
+      const auto end = places.begin() + static_cast<std::ptrdiff_t>(most);
+      std::nth_element(places.begin(), end, places.end(), better);
+      places.erase(end, places.end());
+    }
     before = stride;
   }
   const auto asked = static_cast<double>((points.size() + before - 1) / before);
@@ -170,16 +211,16 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
                                     std::size_t most, const Workers& workers) {
   Grain grain{kStep, kTurnStep, kScale};
   std::vector<PlaceFit> places = places_of(region, grain, way);
-  const auto weigh = [&](std::span<const Round> rounds) {
-    weigh_in_rounds(rounds, map, points, grain, workers, places);
-  };
-  weigh(kRounds);
+  if (places.empty() || points.empty()) return {};
+  const SurfelLookup lookup(map, map.level_of(grain.step), box_of(places, points));
+  weigh_in_rounds(kRounds, lookup, points, grain, workers, places);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
     const std::vector<PlaceFit> coarse = best_apart(std::move(places), std::max(kRefined, most));
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
     for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, region, places);
-    weigh(kRefiningRounds);
+    const FinelyAsked finely{map, map.level_of(grain.step)};
+    weigh_in_rounds(kRefiningRounds, finely, points, grain, workers, places);
   }
   return best_apart(std::move(places), most);
 }

@@ -60,6 +60,19 @@ class SurfelMap {
   [[nodiscard]] const Surfel* find(const Eigen::Vector3d& place, const Eigen::Vector3d& ray,
                                    int finest) const;
 
+  /// f(voxel, its surfel, its back's or null) for every voxel of a grid that has one.
+  template <typename Function>
+  void for_each_front(int level, const Function& f) const {
+    const Grid& grid = grids_[level];
+    for (std::size_t at = 0; at < grid.voxels.size(); ++at) {
+      const Voxel& voxel = grid.voxels[at];
+      if (voxel.surfel == VoxelTable::kNone || (voxel.key & kBack) != 0) continue;
+      const std::uint32_t back = grid.table.find_entry(voxel.key | kBack).second;
+      f(voxel.index, grid.surfels[voxel.surfel],
+        back == VoxelTable::kNone ? nullptr : &grid.surfels[back]);
+    }
+  }
+
   /// Adds what a scan saw, fits the voxels that changed and empties those that its beams went
   /// through. Returns those that were emptied on both sides, of the finest grid that asks the
   /// beams.
@@ -71,6 +84,9 @@ class SurfelMap {
   void clear();
 
   [[nodiscard]] bool empty() const { return grids_.back().in_use() == 0; }
+  [[nodiscard]] int levels() const { return static_cast<int>(grids_.size()); }
+  /// [m] of a grid's voxels.
+  [[nodiscard]] double size_of(int level) const { return grids_[level].size; }
   /// The finest grid whose voxels are at least so large [m], or the coarsest.
   [[nodiscard]] int level_of(double size) const;
   /// The means of the voxels [m] of the finest grid that no other is divided into.

@@ -18,6 +18,7 @@ namespace {
 
 using test::cloud;
 using test::find;
+using test::find_again;
 using test::kCentre;
 using test::knots_config;
 using test::kSensor;
