@@ -26,7 +26,7 @@ struct Round {
   double kept;         // share of all places
   std::size_t fewest;  // places that are kept, however many there are
 };
-// By four times what the best of 700 looks through 3,000 places and more needed.
+// The best place of a large region was always among these. docs/method.md, "Tried".
 constexpr Round kRounds[] = {{27, 0.4, 1500}, {9, 0.12, 1500}, {3, 0.012, 600}, {1, 1.0, 0}};
 constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kRefined}, {2, 1.0, 0}};
 

@@ -65,6 +65,38 @@ TEST(SurfelLookup, AnswersAsTheMapDoes) {
   }
 }
 
+// As of points that are garbage: no array is made of where there is nothing.
+TEST(SurfelLookup, ABoxMayBeFarLargerThanTheMap) {
+  const SurfelMap map = map_of_much();
+  const Eigen::Vector3d far(1e6, 1e6, 1e5);
+  const SurfelLookup lookup(map, 2, Eigen::AlignedBox3d(-far, far));
+  Random random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3d place = 20.0 * random.vector(1.0), ray = random.vector(1.0);
+    EXPECT_EQ(lookup.find(place, ray), map.find(place, ray, 2));
+  }
+}
+
+// Two walls 8 km apart are too far apart for one array: the map answers about them.
+TEST(SurfelLookup, AMapMayReachForKilometres) {
+  Random random(7);
+  SurfelMap map(knots_config(), 1e5);
+  Points points;
+  for (const double at : {-3000.0, 3000.0}) {
+    const Points wall = cloud(random, 60, {at + 0.1, at + 0.2, 0.1 * at + 0.2},
+                              Eigen::Matrix3d::Identity(), {0.0, 0.19, 0.19}, 0.002);
+    points.insert(points.end(), wall.begin(), wall.end());
+  }
+  map.insert({{0.0, 0.0, 0.0}, points});
+  const Eigen::Vector3d far(4e3, 4e3, 4e3);
+  const SurfelLookup lookup(map, 0, Eigen::AlignedBox3d(-far, far));
+  for (const double at : {-3000.0, 3000.0}) {
+    const Eigen::Vector3d place(at + 0.1, at + 0.2, 0.1 * at + 0.2);
+    ASSERT_NE(map.find(place, place, 0), nullptr);
+    EXPECT_EQ(lookup.find(place, place), map.find(place, place, 0));
+  }
+}
+
 TEST(SurfelLookup, OfAnEmptyMapNothingIsFound) {
   const SurfelMap map(Config().knots, 100.0);
   const Eigen::AlignedBox3d box(Eigen::Vector3d::Zero().eval(), Eigen::Vector3d::Ones().eval());
