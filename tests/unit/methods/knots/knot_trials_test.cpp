@@ -55,6 +55,13 @@ TEST_F(KnotTrialsTest, HowMuchDisagreesIsSeenByOneLook) {
   EXPECT_GT(trials_.disagreement_at(beside, problem_), 1.5 * at_truth);
 }
 
+// Against the last scan and the velocity model.
+TEST_F(KnotTrialsTest, SomePointsWeighAsMuchAsAll) {
+  const Annealing usual = usual_annealing(config_);
+  const double some = trials_.run(problem_, truth_, usual).rigid.H.trace();
+  EXPECT_NEAR(some / register_from(truth_, prior_).rigid.H.trace(), 1.0, 0.2);
+}
+
 TEST_F(KnotTrialsTest, EndsUnsolvedWhereItIsToldTo) {
   int asked = 0;
   const auto never_mind = [&](const KnotRegistration&, double) { return ++asked == 2; };
