@@ -74,17 +74,7 @@ class KnotFrontEnd : public FrontEnd {
     std::optional<KnotEnd> found;  // where it may be: to be confirmed
     bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
-    int missed = 0;                // scans since then that do not
     bool after_hole = false;       // it may have walked on, unseen
-
-    void agree(const KnotEnd& end) {
-      found = end;
-      ++agreed;
-    }
-    void forget() {
-      found.reset();
-      agreed = missed = 0;
-    }
   };
 
   [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);

@@ -42,9 +42,6 @@ constexpr std::size_t kTwins = 12;    // to register at, before a place is belie
 // What has not settled after so many iterations is hardly a place that is believed.
 constexpr int kMostIterations = 40;
 
-// So many scans may fail to confirm a place: a gait shakes some so that they are hardly registered.
-constexpr int kMissed = 1;
-
 // So much more doubt is allowed straight after the scan that went wrong: where the robot would be
 // had that one not come is a likelier place than one that was looked for.
 constexpr double kStraightOn = 2.0;
@@ -323,7 +320,7 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   }
   std::optional<Registered> best = register_lost(scan, thinned);
   ++search_->scans;
-  bool right = false, twin = false;
+  bool right = false;
   if (best && best->estimate.trusted() && can_be_placed()) {
     View view = look(scan, thinned, best->trajectory);
     judge(scan, view, *best);
@@ -332,19 +329,17 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
         hazard_where_lost(search_->far, best->estimate);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     const bool agreed = right && search_->agreed + 1 >= kAgree;
-    twin = agreed && has_twin(scan, thinned, *best);
-    if (agreed && !twin) {
+    right = right && !(agreed && has_twin(scan, thinned, *best));
+    if (right && agreed) {
       search_.reset();
       forget_verdicts();
       best->estimate.message = "found itself again";
       return accept(hazard_now, std::move(view), std::move(*best));
     }
   }
-  if (right && !twin) {
-    search_->agree(end_of(best->found.window, best->found.last_two));
-  } else if (twin || !confirms || ++search_->missed > kMissed) {
-    search_->forget();
-  }
+  search_->agreed = right ? search_->agreed + 1 : 0;
+  search_->found.reset();
+  if (right) search_->found = end_of(best->found.window, best->found.last_two);
   return stay_lost(scan, thinned);
 }
 

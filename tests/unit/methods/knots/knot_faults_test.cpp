@@ -124,19 +124,6 @@ TEST(KnotFaults, CarriedItFindsItselfAgainInItsMap) {
   }
 }
 
-TEST(KnotFaults, OneScanThatConfirmsNothingEndsNoSearch) {
-  const MotionFunction motion = carried({Eigen::Quaterniond::Identity(), {2.0, 1.5, 0.0}});
-  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kFaultScans);
-  make_garbage(scans[kEvent + 2]);  // of the three that must say the same, the second
-  Odometry odometry;
-  std::vector<Estimate> all;
-  for (const Scan& scan : scans) all.push_back(odometry.add_scan(scan));
-  for (const int lost : {0, 1, 2, 3}) EXPECT_FALSE(all[kEvent + lost].trusted()) << lost;
-  const Estimate& again = all[kEvent + 4];
-  EXPECT_EQ(again.message, "found itself again");
-  EXPECT_LT(end_error(all, again, motion), 0.1);
-}
-
 // For 3 s. At a walker's speed the scan after it begins where that led; at 1.5 m/s it is looked
 // for, farther away than any registration may move a scan.
 TEST(KnotFaults, WhoWalksOnUnseenIsFoundAtOnce) {
