@@ -103,9 +103,9 @@ def reliability_alike():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
-def home_again(name="home_again"):
+def home_again():
     """What happened a row: of how many places, how soon, and the walks where some are missed."""
-    kept = Kept(name)
+    kept = Kept("home_again")
     lines = []
     for what in dict.fromkeys(row[0] for row in kept.rows[1:]):
         walks = [row for row in kept.rows[1:] if row[0] == what and row[1] != "all"]
@@ -619,8 +619,6 @@ TABLES = {
     "detectors": detectors,
     "reference": reference,
     "home-again": home_again,
-    "home-again-run-before": lambda: home_again("home_again_run_before"),
-    "home-again-run": lambda: home_again("home_again_run"),
     "reliability-alike": reliability_alike,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
