@@ -20,8 +20,9 @@ SurfelMap map_of_much() {
     const Pose pose{Eigen::Quaterniond::Identity(), {x, 0.5, 0.45}};
     Points points;
     for (const Scan& scan : take_scans(furnished_hall(), standing(pose), 1)) {
-      for (const Eigen::Vector3f& point : scan.points)
+      for (const Eigen::Vector3f& point : scan.points) {
         points.push_back(pose * point.cast<double>());
+      }
     }
     map.insert({pose.translation, points});
   }
