@@ -156,20 +156,6 @@ void add_places_about(const Pose& pose, const Grain& grain, const SearchRegion& 
 
 bool better(const PlaceFit& a, const PlaceFit& b) { return a.fit > b.fit; }
 
-/// The best, no two of them near each other.
-std::vector<PlaceFit> best_apart(std::vector<PlaceFit> places, std::size_t most) {
-  std::stable_sort(places.begin(), places.end(), better);
-  std::vector<PlaceFit> best;
-  for (const PlaceFit& place : places) {
-    if (best.size() == most) break;
-    const bool known = std::any_of(best.begin(), best.end(), [&](const PlaceFit& other) {
-      return same_place(place.pose, other.pose);
-    });
-    if (!known) best.push_back(place);
-  }
-  return best;
-}
-
 /// Only the best of a round reach the next one.
 template <typename Map>
 void weigh_in_rounds(std::span<const Round> rounds, const Map& map,
@@ -215,14 +201,15 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
   const SurfelLookup lookup(map, map.level_of(grain.step), box_of(places, points));
   weigh_in_rounds(kRounds, lookup, points, grain, workers, places);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
-    const std::vector<PlaceFit> coarse = best_apart(std::move(places), std::max(kRefined, most));
+    const std::vector<PlaceFit> coarse =
+        best_apart(std::move(places), std::max(kRefined, most), better);
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
     for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, region, places);
     const FinelyAsked finely{map, map.level_of(grain.step)};
     weigh_in_rounds(kRefiningRounds, finely, points, grain, workers, places);
   }
-  return best_apart(std::move(places), most);
+  return best_apart(std::move(places), most, better);
 }
 
 }  // namespace surefoot

@@ -5,7 +5,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -39,6 +42,22 @@ struct PlaceFit {
 
 /// Whether two poses are near enough to each other for a registration to go from one to the other.
 [[nodiscard]] bool same_place(const Pose& a, const Pose& b);
+
+/// What has a `pose`: the best of them, best first, no two at the same place, `most` at most.
+template <typename Placed, typename Better>
+[[nodiscard]] std::vector<Placed> best_apart(std::vector<Placed> all, std::size_t most,
+                                             const Better& better) {
+  std::stable_sort(all.begin(), all.end(), better);
+  std::vector<Placed> best;
+  for (Placed& one : all) {
+    if (best.size() == most) break;
+    const bool known = std::any_of(best.begin(), best.end(), [&](const Placed& other) {
+      return same_place(one.pose, other.pose);
+    });
+    if (!known) best.push_back(std::move(one));
+  }
+  return best;
+}
 
 /// The poses of a region, on the ground of a way, where some of a scan's points [m, LiDAR frame],
 /// as one rigid body, fit best: best first, no two near each other, `most` at most.

@@ -17,33 +17,15 @@ namespace {
 constexpr double kWorthMore = 1.4;
 
 /// Best first, of those that end at one place the best.
-std::vector<PlaceTrial> best_apart(const std::vector<std::optional<PlaceTrial>>& ends) {
+std::vector<PlaceTrial> best_of(const std::vector<std::optional<PlaceTrial>>& ends) {
   std::vector<PlaceTrial> trials;
   for (const std::optional<PlaceTrial>& end : ends) {
     if (end) trials.push_back(*end);
   }
-  std::stable_sort(trials.begin(), trials.end(), [](const PlaceTrial& a, const PlaceTrial& b) {
+  return best_apart(std::move(trials), ends.size(), [](const PlaceTrial& a, const PlaceTrial& b) {
     return a.disagreement < b.disagreement;
   });
-  std::vector<PlaceTrial> apart;
-  for (PlaceTrial& trial : trials) {
-    const bool known = std::any_of(apart.begin(), apart.end(), [&](const PlaceTrial& other) {
-      return same_place(trial.pose, other.pose);
-    });
-    if (!known) apart.push_back(std::move(trial));
-  }
-  return apart;
 }
-
-}  // namespace
-
-KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
-  constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
-  const double step = std::max(seconds(scan.end_ns - scan.start_ns) / config.segments, kInstant);
-  return {at_rest(place, step, kSince), std::min(scan.start_ns, scan.end_ns - kInstantNs), step};
-}
-
-namespace {
 
 KnotWindow predicted_at(const KnotEnd& begin, const Twist& velocity, const PreparedScan& scan,
                         const KnotProblem& problem) {
@@ -58,6 +40,12 @@ KnotPoints points_of(const PreparedScan& scan, const std::vector<std::uint32_t>&
 }
 
 }  // namespace
+
+KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
+  constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
+  const double step = std::max(seconds(scan.end_ns - scan.start_ns) / config.segments, kInstant);
+  return {at_rest(place, step, kSince), std::min(scan.start_ns, scan.end_ns - kInstantNs), step};
+}
 
 PlaceTrials::PlaceTrials(const PreparedScan& scan, const std::vector<std::uint32_t>& chosen,
                          const KnotProblem& problem)
@@ -96,7 +84,7 @@ std::vector<PlaceTrial> PlaceTrials::from(const std::vector<PlaceStart>& starts,
     const KnotWindow predicted = predicted_at(begin, starts[i].velocity, scan_, problem_);
     ends[i] = run({begin, predicted, predicted, {}}, least);
   });
-  std::vector<PlaceTrial> trials = best_apart(ends);
+  std::vector<PlaceTrial> trials = best_of(ends);
   // What is about as good as the best may be better yet: from so far away it takes its time.
   ends.clear();
   for (const PlaceTrial& trial : trials) {
@@ -107,7 +95,7 @@ std::vector<PlaceTrial> PlaceTrials::from(const std::vector<PlaceStart>& starts,
     if (again && again->disagreement < trials[i].disagreement) ends[i] = std::move(again);
   });
   for (std::size_t i = ends.size(); i < trials.size(); ++i) ends.emplace_back(trials[i]);
-  return best_apart(ends);
+  return best_of(ends);
 }
 
 }  // namespace surefoot
