@@ -67,6 +67,28 @@ TEST_F(PlaceTrialsTest, OfTwoThatEndAtOnePlaceOneIsTold) {
   EXPECT_NEAR(ends[0].disagreement, least, 0.01);
 }
 
+// From far away the first trial has not come to its end yet.
+TEST_F(PlaceTrialsTest, TheBestGoesOnceMoreFromWhereItEnded) {
+  const Workers workers(1);
+  const KnotProblem problem = this->problem(workers);
+  const PlaceTrials trials(scan_, chosen_, problem);
+  int better = 0;
+  for (const double turn : {-0.4, -0.2, 0.2, 0.4}) {
+    const Pose place{begin_.rotation * so3_exp({0.0, 0.0, turn}),
+                     begin_.translation + Eigen::Vector3d(1.0, 2.0 * turn, 0.2)};
+    const KnotEnd begin = begin_at(place, scan_, config_);
+    const KnotWindow start =
+        predict_knots(scan_, begin, model_, config_).at_velocity(Twist::Zero());
+    const KnotTrials by_hand(sort_points(scan_, chosen_, start), config_);
+    const KnotProblem there{true_map(), begin.prior, model_, config_, workers, kNobody};
+    const double once = by_hand.disagreement(by_hand.run(there, start, usual_annealing(config_)));
+    const double twice = trials.from({{place, Twist::Zero()}}).at(0).disagreement;
+    EXPECT_LE(twice, once) << turn;
+    if (twice < once) ++better;
+  }
+  EXPECT_GE(better, 1);
+}
+
 TEST_F(PlaceTrialsTest, AMotionIsWhatItBeginsWith) {
   const Workers workers(1);
   const KnotProblem problem = this->problem(workers);
