@@ -6,6 +6,8 @@ function(surefoot_common target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wno-sign-conversion)
+  # Undefined whatever it does, and no false alarm: stops a release build too.
+  target_compile_options(${target} PRIVATE -Werror=return-type)
   if(SUREFOOT_HARDENED)
     surefoot_harden(${target})
   endif()
