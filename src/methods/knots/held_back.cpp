@@ -20,6 +20,13 @@ constexpr double kUsual = 0.5;
 // The mean fades so much slower than the usual square.
 constexpr double kSlower = 0.5;
 
+// How alike two scans in a row are held back is a fading mean at this rate, and is taken to be
+// wholly until more than so many scans tell otherwise.
+constexpr double kAlikeRate = 0.025, kDoubtful = 20.0;
+
+// Poses whose neighbours are held back so much alike are not let go of.
+constexpr double kAlike = 0.4;
+
 }  // namespace
 
 Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
@@ -32,8 +39,31 @@ Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
   return tilt / kAsMuch * (own * own.transpose() + kUsual * turn * usual_ * turn.transpose());
 }
 
+/// Of each of the sensor's axes. A map's unevenness holds neighbouring scans back alike, a gait
+/// from scan to scan otherwise.
+Twist HeldBack::shares() const {
+  const double known = learnt_ / (learnt_ + kDoubtful);
+  Twist shares;
+  for (int axis = 0; axis < 6; ++axis) {
+    const double seen = squares_[axis] > 0.0 ? products_[axis] / squares_[axis] : 1.0;
+    const double alike = known * seen + 1.0 - known;
+    shares[axis] = std::clamp(1.0 - alike / kAlike, 0.0, 1.0);
+  }
+  return shares;
+}
+
+Twist HeldBack::let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const {
+  const Twist own = rotated(rotation.conjugate(), held_back) - mean_;
+  return rotated(rotation, shares().cwiseProduct(own));  // [K38]
+}
+
 void HeldBack::learn(const Twist& held_back, const Eigen::Quaterniond& rotation, double rate) {
   const Twist own = rotated(rotation.conjugate(), held_back) - mean_;
+  ++learnt_;
+  const double alike_rate = std::max(kAlikeRate, 1.0 / learnt_);
+  squares_ += alike_rate * (own.cwiseAbs2() - squares_);
+  products_ += alike_rate * (own.cwiseProduct(last_) - products_);
+  last_ = own;
   usual_ += rate * (own * own.transpose() - usual_);
   if (!counts_mean_) mean_ += kSlower * rate * own;
 }

@@ -21,14 +21,25 @@ class HeldBack {
   [[nodiscard]] Matrix6 covariance(const Twist& held_back, const Twist& fluctuation,
                                    const Eigen::Quaterniond& rotation) const;
 
+  /// What a pose is let go of: of what it is held back by, what a gait held back, and no map's
+  /// unevenness. In the map's axes, as all.
+  [[nodiscard]] Twist let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const;
+
   /// `rate`: of the fading mean.
   void learn(const Twist& held_back, const Eigen::Quaterniond& rotation, double rate);
 
  private:
+  [[nodiscard]] Twist shares() const;
+
   bool counts_mean_;
   // Fading means in the sensor's axes.
   Twist mean_ = Twist::Zero();
   Matrix6 usual_ = Matrix6::Zero();  // square of what differs from that
+  // That of the last scan; fading means of its square, and of its product with the one before.
+  Twist last_ = Twist::Zero();
+  Twist squares_ = Twist::Zero();
+  Twist products_ = Twist::Zero();
+  int learnt_ = 0;  // scans
 };
 
 }  // namespace surefoot

@@ -43,6 +43,10 @@ constexpr double kSuddenlyNew = 2.0;   // times as much as usual that the map do
 constexpr int kYoung = 20;             // scans: a map of fewer is young
 constexpr double kFollows = 1.5;       // usual periods since the last scan, or one is missing
 
+// Of what a pose is let go of, so much goes wrong or is not far enough: without it the error would
+// be taken to be.
+constexpr double kStillHeld = 0.5;
+
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
   constexpr std::uint64_t kFactor = 0x100000001b3ULL;
@@ -177,7 +181,19 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   way_.add(last_pose_->pose);
-  return publish(trajectory, std::move(registered.estimate));
+  to_deskew_.trajectory = registered.told;
+  return publish(registered.told, std::move(registered.estimate));
+}
+
+/// The motion with its knots let go of, by as much as they are held back.
+ScanTrajectory KnotFrontEnd::let_go(const ScanTrajectory& trajectory,
+                                    const KnotRegistration& found) const {
+  const Eigen::Quaterniond rotation = trajectory.at(0.5).rotation;
+  KnotWindow free = found.window;
+  for (std::size_t k = 0; k < free.knots.size(); ++k) {
+    free.knots[k] = displaced(free.knots[k], held_back_.let_go(found.held_back[k], rotation));
+  }
+  return free.trajectory(trajectory.start_ns(), trajectory.end_ns());
 }
 
 /// What a trusted scan does not hold may have moved since one last did.
@@ -287,11 +303,13 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   if (judgement.status != Status::ok) return;
   const std::int64_t mid_ns = trajectory.mid_ns();
   const Eigen::Quaterniond& rotation = T_map_lidar.rotation;
+  registered.told = let_go(trajectory, found);
   const Twist held_back = found.held_back_at(mid_ns), fluctuation = model_.fluctuation();
+  const Twist still_held = held_back - kStillHeld * held_back_.let_go(held_back, rotation);
   const Matrix6 independent = residual_variance(found, config_.knots) * found.covariance_at(mid_ns);
   // [K22]
   estimate.covariance = dependence_.applied(independent, rotation) +
-                        held_back_.covariance(held_back, fluctuation, rotation);
+                        held_back_.covariance(still_held, fluctuation, rotation);
   const Matrix6 in_all = dependence_.mean() * independent +
                          held_back_in_all_.covariance(held_back, fluctuation, rotation);
   registered.deviation = std::sqrt(in_all.diagonal().head<3>().maxCoeff());

@@ -52,6 +52,7 @@ class KnotFrontEnd : public FrontEnd {
     KnotRegistration found{};
     KnotWindow bent{};  // as registered, in a map that may be bent
     ScanTrajectory trajectory{};
+    ScanTrajectory told{};  // let go of: nothing here relies on it
     Estimate estimate{};
     Signs signs{};
     double deviation = 0.0;  // [m] of the worst held position, with what all scans err by alike
@@ -143,6 +144,8 @@ class KnotFrontEnd : public FrontEnd {
                                       const std::vector<std::uint32_t>& thinned,
                                       const Registered& registered) const;
   void learn(const Registered& registered, double right);
+  [[nodiscard]] ScanTrajectory let_go(const ScanTrajectory& trajectory,
+                                      const KnotRegistration& found) const;
   void let_drift(Registered& registered);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& thinned);
