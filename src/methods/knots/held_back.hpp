@@ -21,8 +21,8 @@ class HeldBack {
   [[nodiscard]] Matrix6 covariance(const Twist& held_back, const Twist& fluctuation,
                                    const Eigen::Quaterniond& rotation) const;
 
-  /// What a pose is let go of: of what it is held back by, what a gait held back, and no map's
-  /// unevenness. In the map's axes, as all.
+  /// Of what a pose is held back by, what a gait held back, and no map's unevenness: the pose is
+  /// told so much farther on. In the map's axes, as all.
   [[nodiscard]] Twist let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const;
 
   /// `rate`: of the fading mean.

@@ -43,8 +43,8 @@ constexpr double kSuddenlyNew = 2.0;   // times as much as usual that the map do
 constexpr int kYoung = 20;             // scans: a map of fewer is young
 constexpr double kFollows = 1.5;       // usual periods since the last scan, or one is missing
 
-// Of what a pose is let go of, so much goes wrong or is not far enough: without it the error would
-// be taken to be.
+// Of what a pose is let go of, this share counts as held back all the same: it is noisy, and at a
+// run not far enough.
 constexpr double kStillHeld = 0.5;
 
 /// By which a scan that was seen before is known again, byte by byte.
@@ -185,7 +185,7 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   return publish(registered.told, std::move(registered.estimate));
 }
 
-/// The motion with its knots let go of, by as much as they are held back.
+/// The motion as it is told: with what a gait held its knots back by.
 ScanTrajectory KnotFrontEnd::let_go(const ScanTrajectory& trajectory,
                                     const KnotRegistration& found) const {
   const Eigen::Quaterniond rotation = trajectory.at(0.5).rotation;
@@ -301,21 +301,27 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);
   if (judgement.status != Status::ok) return;
-  const std::int64_t mid_ns = trajectory.mid_ns();
-  const Eigen::Quaterniond& rotation = T_map_lidar.rotation;
-  registered.told = let_go(trajectory, found);
+  tell(registered);
+  NormalEquations<6> held = found.rigid;
+  held.H -= found.doubtful;
+  report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);
+}
+
+/// Where the pose is told, and how far it may be off.
+void KnotFrontEnd::tell(Registered& registered) const {
+  const KnotRegistration& found = registered.found;
+  const std::int64_t mid_ns = registered.trajectory.mid_ns();
+  const Eigen::Quaterniond rotation = registered.trajectory.at(0.5).rotation;
+  registered.told = let_go(registered.trajectory, found);
   const Twist held_back = found.held_back_at(mid_ns), fluctuation = model_.fluctuation();
   const Twist still_held = held_back - kStillHeld * held_back_.let_go(held_back, rotation);
   const Matrix6 independent = residual_variance(found, config_.knots) * found.covariance_at(mid_ns);
   // [K22]
-  estimate.covariance = dependence_.applied(independent, rotation) +
-                        held_back_.covariance(still_held, fluctuation, rotation);
+  registered.estimate.covariance = dependence_.applied(independent, rotation) +
+                                   held_back_.covariance(still_held, fluctuation, rotation);
   const Matrix6 in_all = dependence_.mean() * independent +
                          held_back_in_all_.covariance(held_back, fluctuation, rotation);
   registered.deviation = std::sqrt(in_all.diagonal().head<3>().maxCoeff());
-  NormalEquations<6> held = found.rigid;
-  held.H -= found.doubtful;
-  report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);
 }
 
 /// A scan that could not be registered, or whose pose is probably wrong: the pose is the

@@ -87,6 +87,7 @@ class KnotFrontEnd : public FrontEnd {
                                          const std::vector<std::uint32_t>& thinned,
                                          const KnotEnd& begin);
   void conclude(const PreparedScan& scan, std::size_t points, Registered& registered) const;
+  void tell(Registered& registered) const;
   void judge(const PreparedScan& scan, const View& view, Registered& registered) const;
   [[nodiscard]] double hazard_of(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned, const View& view,
