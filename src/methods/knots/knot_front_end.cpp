@@ -408,8 +408,9 @@ void KnotFrontEnd::integrate(View view) {
   map_.add(std::move(view));
 }
 
-Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {
+Estimate KnotFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) {
   estimate.trajectory = trajectory;
+  if (estimate.trusted()) last_told_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   estimate.twist = velocity_;
   estimate.segment = segment_;
   return estimate;

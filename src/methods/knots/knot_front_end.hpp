@@ -27,7 +27,7 @@ class KnotFrontEnd : public FrontEnd {
 
   Estimate add(const PreparedScan& scan) override;
 
-  [[nodiscard]] std::optional<StampedPose> last_pose() const override { return last_pose_; }
+  [[nodiscard]] std::optional<StampedPose> last_pose() const override { return last_told_; }
   [[nodiscard]] Twist velocity() const override { return velocity_; }
   [[nodiscard]] const LevelReport& level() const override { return level_; }
   [[nodiscard]] const DeskewedScan& deskewed_scan() const override;
@@ -168,7 +168,7 @@ class KnotFrontEnd : public FrontEnd {
   void integrate(View view);
   [[nodiscard]] KnotEnd end_of(const KnotWindow& window, const Matrix12& information) const;
   void finish(const KnotWindow& window, const Matrix12& information);
-  [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate) const;
+  [[nodiscard]] Estimate publish(const ScanTrajectory& trajectory, Estimate estimate);
 
   const Session& session_;
   const Config& config_;
@@ -182,6 +182,7 @@ class KnotFrontEnd : public FrontEnd {
   PointChoice choice_;
   KnotEnd end_;
   std::optional<StampedPose> last_pose_;
+  std::optional<StampedPose> last_told_;
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
   Dependence dependence_;
