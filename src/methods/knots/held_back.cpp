@@ -39,8 +39,8 @@ Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
   return tilt / kAsMuch * (own * own.transpose() + kUsual * turn * usual_ * turn.transpose());
 }
 
-/// Of each of the sensor's axes. A map's unevenness holds neighbouring scans back alike, a gait
-/// from scan to scan otherwise.
+/// Of each of the sensor's axes [K38]. A map's unevenness holds neighbouring scans back alike, a
+/// gait from scan to scan otherwise.
 Twist HeldBack::shares() const {
   const double known = learnt_ / (learnt_ + kDoubtful);
   Twist shares;
@@ -54,7 +54,7 @@ Twist HeldBack::shares() const {
 
 Twist HeldBack::let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const {
   const Twist own = rotated(rotation.conjugate(), held_back) - mean_;
-  return rotated(rotation, shares().cwiseProduct(own));  // [K38]
+  return rotated(rotation, shares().cwiseProduct(own));
 }
 
 void HeldBack::learn(const Twist& held_back, const Eigen::Quaterniond& rotation, double rate) {

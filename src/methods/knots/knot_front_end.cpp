@@ -185,15 +185,9 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   return publish(registered.told, std::move(registered.estimate));
 }
 
-/// The motion as it is told: with what a gait held its knots back by.
-ScanTrajectory KnotFrontEnd::let_go(const ScanTrajectory& trajectory,
-                                    const KnotRegistration& found) const {
-  const Eigen::Quaterniond rotation = trajectory.at(0.5).rotation;
-  KnotWindow free = found.window;
-  for (std::size_t k = 0; k < free.knots.size(); ++k) {
-    free.knots[k] = displaced(free.knots[k], held_back_.let_go(found.held_back[k], rotation));
-  }
-  return free.trajectory(trajectory.start_ns(), trajectory.end_ns());
+/// What a pose is told farther on by than the map has it. Who stands has no gait.
+Twist KnotFrontEnd::let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const {
+  return std::min(mean_speed() / kWalks, 1.0) * held_back_.let_go(held_back, rotation);
 }
 
 /// What a trusted scan does not hold may have moved since one last did.
@@ -312,9 +306,14 @@ void KnotFrontEnd::tell(Registered& registered) const {
   const KnotRegistration& found = registered.found;
   const std::int64_t mid_ns = registered.trajectory.mid_ns();
   const Eigen::Quaterniond rotation = registered.trajectory.at(0.5).rotation;
-  registered.told = let_go(registered.trajectory, found);
+  KnotWindow told = found.window;
+  for (std::size_t k = 0; k < told.knots.size(); ++k) {
+    told.knots[k] = displaced(told.knots[k], let_go(found.held_back[k], rotation));
+  }
+  registered.told =
+      told.trajectory(registered.trajectory.start_ns(), registered.trajectory.end_ns());
   const Twist held_back = found.held_back_at(mid_ns), fluctuation = model_.fluctuation();
-  const Twist still_held = held_back - kStillHeld * held_back_.let_go(held_back, rotation);
+  const Twist still_held = held_back - kStillHeld * let_go(held_back, rotation);
   const Matrix6 independent = residual_variance(found, config_.knots) * found.covariance_at(mid_ns);
   // [K22]
   registered.estimate.covariance = dependence_.applied(independent, rotation) +

@@ -145,8 +145,7 @@ class KnotFrontEnd : public FrontEnd {
                                       const std::vector<std::uint32_t>& thinned,
                                       const Registered& registered) const;
   void learn(const Registered& registered, double right);
-  [[nodiscard]] ScanTrajectory let_go(const ScanTrajectory& trajectory,
-                                      const KnotRegistration& found) const;
+  [[nodiscard]] Twist let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const;
   void let_drift(Registered& registered);
   [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& thinned);
