@@ -10,8 +10,8 @@ import reliability_diagram
 HERE = pathlib.Path(__file__).resolve().parent
 APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
 RELATIVE = "Relative over 10 m, RMSE (%)"
-LATEST_SET = 16  # of those with layouts of their own
-CHANGED_SET = "reporting-16"  # run by two defaults, without the other methods
+LATEST_SET = 17  # of those with layouts of their own
+CHANGED_SET = "reporting-17"  # run by two defaults, without the other methods
 
 
 class Kept:
@@ -295,8 +295,9 @@ def whole_runs(kept, method):
     if not errors:
         return ["–"] * 2
     whole = "" if len(errors) == len(kept.recordings) else f" ({len(errors)} whole)"
+    beside = kept.values("kiss-icp")
     return [f"{statistics.median(errors):.3f} / {max(errors):.3f}{whole}",
-            f"{statistics.median(kept.values('kiss-icp')):.3f}"]
+            f"{statistics.median(beside):.3f}" if beside else "–"]
 
 
 def earlier_sets():
@@ -313,18 +314,21 @@ def earlier_sets():
 
 def changed_set():
     """One default against another on a set that neither was made on."""
+    figures = {"APE": APE, "relative error": RELATIVE, "height": "Height, RMSE (m)"}
     rows, kept = [], None
     for begun, ending in (("standing", ""), ("in motion", "-in-motion")):
         kept = Results(f"{CHANGED_SET}{ending}")
         before = Results(f"{CHANGED_SET}{ending}-before")
-        ratios = [kept.value(name, "surefoot") / before.value(name, "surefoot")
-                  for name in kept.recordings
-                  if kept.value(name, "surefoot") and before.value(name, "surefoot")]
-        rows.append([begun, *(f"{statistics.median(run.values('surefoot')):.3f} / "
-                              f"{max(run.values('surefoot')):.3f}" for run in (before, kept)),
-                     f"{statistics.geometric_mean(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
-                     f"{len(ratios)} of {len(kept.recordings)}"])
-    return (f"{markdown(['begun', 'before', 'now', 'ratio', 'whole runs'], rows)}\n\n"
+        row = [begun, *(f"{statistics.median(run.values('surefoot')):.3f} / "
+                        f"{max(run.values('surefoot')):.3f}" for run in (before, kept))]
+        for figure in figures.values():
+            ratios = [kept.value(name, "surefoot", figure) / before.value(name, "surefoot", figure)
+                      for name in kept.recordings
+                      if kept.value(name, "surefoot", figure) and before.value(name, "surefoot", figure)]
+            row.append(f"{statistics.geometric_mean(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})")
+        rows.append([*row, f"{len(kept.values('surefoot'))} of {len(kept.recordings)}"])
+    head = ["begun", "before", "now", *(f"{name}, ratio" for name in figures), "whole runs"]
+    return (f"{markdown(head, rows)}\n\n"
             f"Kept in [{CHANGED_SET}.csv](results/{CHANGED_SET}.csv), "
             f"[-before](results/{CHANGED_SET}-before.csv), "
             f"[-in-motion](results/{CHANGED_SET}-in-motion.csv) and "
