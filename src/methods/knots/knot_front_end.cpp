@@ -8,16 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <utility>
 
 #include "core/deskew.hpp"
-#include "core/health.hpp"
 #include "core/information.hpp"
 #include "core/level.hpp"
-#include "methods/knots/drift.hpp"
 #include "methods/knots/sweep_axis.hpp"
-#include "methods/knots/verdict_weights.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
@@ -28,24 +24,9 @@ namespace {
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
 constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
 
-/// The residuals' variance as a share of the one that was assumed (reduced chi squared).
-double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
-  return found.rigid.weighted_squares / (config.independence * std::max(found.rigid.count, 1));
-}
-
-// What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
-constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
-
 constexpr double kBack = 0.8;          // [m] as another place is
 constexpr double kLongStraight = 5.0;  // [s] that one may have walked straight on
 constexpr double kNew = 0.02;          // share of the points, more than what is the same
-constexpr double kSuddenlyNew = 2.0;   // times as much as usual that the map does not have
-constexpr int kYoung = 20;             // scans: a map of fewer is young
-constexpr double kFollows = 1.5;       // usual periods since the last scan, or one is missing
-
-// Of what a pose is let go of, this share counts as held back all the same: it is noisy, and at a
-// run not far enough.
-constexpr double kStillHeld = 0.5;
 
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
@@ -101,24 +82,6 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
     return lose(scan, thinned, std::move(registered));
   }
   return accept(hazard_now, std::move(view), std::move(registered));
-}
-
-/// What of a scan's hazard is a reason to leave the map. That a young one holds a direction badly
-/// is none, where that direction is named and no scan is missing: the next map would hold it no
-/// better.
-double KnotFrontEnd::objection_of(const Estimate& estimate, double hazard_now) const {
-  const bool follows = estimate.evidence.gap < strength(kFollows);
-  if (agreed_ >= kYoung || !follows || estimate.degenerate.empty()) return hazard_now;
-  Evidence others = estimate.evidence;
-  others.uncertainty = 0.0;
-  return hazard(others);
-}
-
-/// To begin a map of few scans anew costs little: there a single scan is held to what poses are
-/// held to in all.
-bool KnotFrontEnd::is_lost(double objection, double of_all) const {
-  const double most = config_.knots.lost_probability;
-  return of_all > most || (agreed_ < kAgree && most < 1.0 && objection > kVerdictBase);
 }
 
 /// A scan from where the last one ended; after a hole, from where it would be had it walked
@@ -185,26 +148,6 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   return publish(registered.told, std::move(registered.estimate));
 }
 
-/// What a pose is told farther on by than the map has it. Who stands has no gait.
-Twist KnotFrontEnd::let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const {
-  return std::min(mean_speed() / kWalks, 1.0) * held_back_.let_go(held_back, rotation);
-}
-
-/// What a trusted scan does not hold may have moved since one last did.
-void KnotFrontEnd::let_drift(Registered& registered) {
-  Estimate& estimate = registered.estimate;
-  const std::int64_t mid_ns = registered.trajectory.mid_ns();
-  if (estimate.degenerate.empty()) held_ns_ = mid_ns;
-  const NormalEquations<6>& rigid = registered.found.rigid;
-  const double distance =
-      std::sqrt(registered.found.squared_distance / std::max(rigid.weight, 1e-12));
-  const Drift drift = drift_along(estimate.degenerate, std::max(distance, 1e-3),
-                                  std::max(seconds(mid_ns - held_ns_), 0.0));
-  estimate.covariance += drift.covariance;
-  estimate.wrong_probability =
-      1.0 - (1.0 - estimate.wrong_probability) * (1.0 - drift.wrong_probability);
-}
-
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
   return {map_.surfels(), begin.prior,      model_,
           config_.knots,  session_.workers, session_.begin_step};
@@ -218,41 +161,6 @@ double KnotFrontEnd::since_trusted(std::int64_t instant_ns) const {
 /// [m/s]
 double KnotFrontEnd::mean_speed() const {
   return model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
-}
-
-/// What speaks against a registration.
-void KnotFrontEnd::judge(const PreparedScan& scan, const View& view, Registered& registered) const {
-  const KnotRegistration& found = registered.found;
-  const bool slides = !registered.estimate.degenerate.empty();
-  const bool settled = has_settled(found.converged, found.settling, slides);
-  registered.signs = {found.misfit_of_seen(), found.unseen,
-                      map_.views().contradiction(view, session_.workers),
-                      registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
-  Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
-  evidence.uncertainty = strength(registered.deviation / kKnown);
-  const std::int64_t mid_ns = scan.mid_ns();
-  evidence.gap = strength(since_trusted(mid_ns) / kUsualPeriod);
-  evidence.frozen = seen_again_ ? std::min(mean_speed() / kWalks, 1.0) : 0.0;
-}
-
-/// How probably a scan went wrong; where what speaks against it leaves doubt, whether another place
-/// fits better is asked, too.
-double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                               const View& view, Registered& registered) const {
-  judge(scan, view, registered);
-  Estimate& estimate = registered.estimate;
-  const double alone = hazard(estimate.evidence);
-  if (!is_doubtful(alone)) return alone;
-  estimate.evidence.rival = rival_beside(scan, thinned, registered);
-  // Who suddenly sees much that is new may have been carried to a place that he knows.
-  if (estimate.evidence.unseen > strength(kSuddenlyNew)) {
-    const double far = rival_anywhere(scan, thinned, registered);
-    estimate.evidence.rival = std::max(estimate.evidence.rival, far);
-    return hazard_beside_rival(estimate.evidence);
-  }
-  // Along a weak direction the scan fits everywhere; that it is weak is told.
-  if (!estimate.degenerate.empty()) return hazard(estimate.evidence);
-  return hazard_beside_rival(estimate.evidence);
 }
 
 /// What a trusted registration tells for the next scan.
@@ -272,55 +180,6 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
   bend_.learn(registered.bent);
   model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
   finish(found.window, found.last_two);
-}
-
-void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
-                            Registered& registered) const {
-  registered.bent = registered.found.window;
-  registered.found.window = bend_.straightened(registered.bent);
-  const KnotRegistration& found = registered.found;
-  registered.trajectory = found.window.trajectory(scan.start_ns, scan.end_ns);
-  const ScanTrajectory& trajectory = registered.trajectory;
-  Estimate& estimate = registered.estimate;
-  estimate.converged = found.converged;
-  estimate.stages = StageReport{"registration", found.iterations, found.matches, found.rigid.rms()};
-  estimate.registered_points = static_cast<int>(points);
-  const Pose T_map_lidar = trajectory.at(0.5);
-  const Pose T_0 = registered.predicted.trajectory().at_time(trajectory.mid_ns());
-  Judgement judgement =
-      judge_registration({T_0, T_map_lidar, found.matches, points}, config_.health);
-  if (!found.solved && judgement.status == Status::ok) {
-    judgement = {Status::diverged, "the knots' normal equations gave no finite solution"};
-  }
-  estimate.status = judgement.status;
-  estimate.message = std::move(judgement.message);
-  if (judgement.status != Status::ok) return;
-  tell(registered);
-  NormalEquations<6> held = found.rigid;
-  held.H -= found.doubtful;
-  report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);
-}
-
-/// Where the pose is told, and how far it may be off.
-void KnotFrontEnd::tell(Registered& registered) const {
-  const KnotRegistration& found = registered.found;
-  const std::int64_t mid_ns = registered.trajectory.mid_ns();
-  const Eigen::Quaterniond rotation = registered.trajectory.at(0.5).rotation;
-  KnotWindow told = found.window;
-  for (std::size_t k = 0; k < told.knots.size(); ++k) {
-    told.knots[k] = displaced(told.knots[k], let_go(found.held_back[k], rotation));
-  }
-  registered.told =
-      told.trajectory(registered.trajectory.start_ns(), registered.trajectory.end_ns());
-  const Twist held_back = found.held_back_at(mid_ns), fluctuation = model_.fluctuation();
-  const Twist still_held = held_back - kStillHeld * let_go(held_back, rotation);
-  const Matrix6 independent = residual_variance(found, config_.knots) * found.covariance_at(mid_ns);
-  // [K22]
-  registered.estimate.covariance = dependence_.applied(independent, rotation) +
-                                   held_back_.covariance(still_held, fluctuation, rotation);
-  const Matrix6 in_all = dependence_.mean() * independent +
-                         held_back_in_all_.covariance(held_back, fluctuation, rotation);
-  registered.deviation = std::sqrt(in_all.diagonal().head<3>().maxCoeff());
 }
 
 /// A scan that could not be registered, or whose pose is probably wrong: the pose is the

@@ -52,7 +52,7 @@ class KnotFrontEnd : public FrontEnd {
     KnotRegistration found{};
     KnotWindow bent{};  // as registered, in a map that may be bent
     ScanTrajectory trajectory{};
-    ScanTrajectory told{};  // let go of: nothing here relies on it
+    ScanTrajectory told{};  // let go of; the map and what is expected next do not rely on it
     Estimate estimate{};
     Signs signs{};
     double deviation = 0.0;  // [m] of the worst held position, with what all scans err by alike
@@ -180,8 +180,8 @@ class KnotFrontEnd : public FrontEnd {
   PointChoice map_choice_;
   PointChoice choice_;
   KnotEnd end_;
-  std::optional<StampedPose> last_pose_;
-  std::optional<StampedPose> last_told_;
+  std::optional<StampedPose> last_pose_;  // trusted, in the map
+  std::optional<StampedPose> last_told_;  // the same, let go of
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
   Dependence dependence_;
