@@ -4,13 +4,20 @@
 surefoot, reading what it wrote, judging it by the exact truth, keeping the table. A pose is
 T_world_lidar: a position [m] and a quaternion x y z w; stamps are in seconds."""
 import argparse
+import array
+import bisect
 import csv
+import functools
+import math
+import os
 import pathlib
 import subprocess
 
 HERE = pathlib.Path(__file__).parent
 BARE = ("--no-map", "--no-report", "--no-picture", "-q")  # of a run: figures and trajectories alone
 RMSE = 6  # in a row of what eval says: after the name, the unit, max, mean, median and min
+FALSE_METRES, FALSE_DEGREES = 0.2, 2.0  # of a loop
+WRONG_METRES, WRONG_DEGREES, BEFORE = 0.2, 3.0, 10  # of a pose, against that so many scans before
 
 
 def parser_of(text, *paths):
@@ -48,6 +55,15 @@ def simulate(program, recording, *words):
     return recording
 
 
+def cost_of(words, said=None, fine=(0,)):
+    """Runs a program; its processor time [s] and peak memory [MB]. `fine`: exit codes."""
+    child = subprocess.Popen([str(word) for word in words], stdout=said, stderr=said)
+    _, status, usage = os.wait4(child.pid, 0)
+    if os.waitstatus_to_exitcode(status) not in fine:
+        raise RuntimeError(f"{words}: ended with {status}")
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024.0
+
+
 def rows_of(text):
     """Of CSV with a head."""
     return list(csv.DictReader(text.splitlines()))
@@ -70,7 +86,119 @@ def errors_of(program, truth, trajectory):
     return {row["error"]: row for row in rows_of(told)}
 
 
+def ape(program, truth, trajectory):
+    """RMSE of the translation after alignment [m]."""
+    return float(errors_of(program, truth, trajectory)["ape_translation"]["rmse"])
+
+
+def apes_of_map(program, truth, run):
+    """APE [m] before its loops were closed, and after."""
+    return [f"{ape(program, truth, run / name):.3f}"
+            for name in ("trajectory.tum", "trajectory_optimized.tum")]
+
+
 def rmse_told(told, *names):
     """The RMSE of each of these errors, as eval says it without --csv."""
     rows = {words[0]: words for words in map(str.split, told.splitlines()) if words}
     return [rows[name][RMSE] for name in names]
+
+
+def taken(loops):
+    """Of rows of loops.csv: those that became loops."""
+    return [row for row in loops if row["verdict"] == "taken"]
+
+
+def true_gap(loop):
+    """Between a loop and the truth [m], [deg]."""
+    return float(loop["true_gap_m"]), float(loop["true_gap_deg"])
+
+
+def is_false(gap):
+    """Whether a loop with this gap to the truth is wrong."""
+    return gap[0] >= FALSE_METRES or gap[1] >= FALSE_DEGREES
+
+
+def judged_map(run):
+    """Way [m]; pieces that lie where the way led before, and how many of these found it; places
+    compared; gaps [m], [deg] of the loops that were taken."""
+    pieces, loops = rows_in(run / "revisits.csv"), rows_in(run / "loops.csv")
+    found = [row["found"] == "1" for row in pieces if row["revisit"] == "1"]
+    gaps = [true_gap(row) for row in taken(loops)]
+    return float(pieces[-1]["way_m"]), len(found), sum(found), len(loops), gaps
+
+
+@functools.lru_cache(maxsize=None)
+def numbers_in(file):
+    """Of a TUM file: stamps, and all of its numbers, eight a row; in arrays, for a truth has 400
+    rows a second."""
+    numbers = array.array("d")
+    with file.open() as lines:
+        for line in lines:
+            if not line.startswith("#"):
+                numbers.extend(map(float, line.split()))
+    return numbers[::8], numbers
+
+
+def stamps_in(file):
+    return numbers_in(file)[0]
+
+
+def pose_in(file, i):
+    row = numbers_in(file)[1][8 * i:8 * i + 8]
+    return row[1:4], row[4:8]
+
+
+def nearest(file, stamp):
+    """Which pose is nearest in time."""
+    stamps = stamps_in(file)
+    i = min(max(bisect.bisect_left(stamps, stamp), 1), len(stamps) - 1)
+    return i - (stamp - stamps[i - 1] < stamps[i] - stamp)
+
+
+def pose_at(file, stamp):
+    """The nearest in time; none: it is not within 10 ms."""
+    i = nearest(file, stamp)
+    return pose_in(file, i) if abs(stamps_in(file)[i] - stamp) < 0.01 else None
+
+
+def product(p, q):
+    (px, py, pz, pw), (qx, qy, qz, qw) = p, q
+    return (pw * qx + px * qw + py * qz - pz * qy, pw * qy - px * qz + py * qw + pz * qx,
+            pw * qz + px * qy - py * qx + pz * qw, pw * qw - px * qx - py * qy - pz * qz)
+
+
+def inverse(q):
+    return (-q[0], -q[1], -q[2], q[3])
+
+
+def relative(one, other):
+    """T_one_other of two poses."""
+    apart = [b - a for a, b in zip(one[0], other[0])]
+    back = inverse(one[1])
+    return product(product(back, (*apart, 0.0)), one[1])[:3], product(back, other[1])
+
+
+def gap_between(one, other):
+    """[m], [deg]"""
+    turned = product(inverse(one[1]), other[1])
+    angle = 2.0 * math.atan2(math.hypot(*turned[:3]), abs(turned[3]))
+    return math.dist(one[0], other[0]), math.degrees(angle)
+
+
+def judged_poses(run, truth):
+    """How many poses are called ok, and how many of these are false."""
+    scans = [(row["status"], row["segment"]) for row in rows_in(run / "scans.csv") if trusted(row)]
+    trajectory = run / "trajectory.tum"
+    stamps = stamps_in(trajectory)
+    assert len(scans) == len(stamps), run
+    poses = [pose_in(trajectory, i) for i in range(len(stamps))]
+    truths = [pose_at(truth, stamp) for stamp in stamps]
+    ok = false = 0
+    for i in range(BEFORE, len(scans)):
+        if scans[i][0] != "ok" or scans[i][1] != scans[i - BEFORE][1]:
+            continue
+        ok += 1
+        metres, degrees = gap_between(relative(poses[i - BEFORE], poses[i]),
+                                      relative(truths[i - BEFORE], truths[i]))
+        false += metres > WRONG_METRES or degrees > WRONG_DEGREES
+    return ok, false
