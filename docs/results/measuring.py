@@ -148,6 +148,11 @@ def pose_in(file, i):
     return row[1:4], row[4:8]
 
 
+def places_in(file):
+    """Positions alone [m]."""
+    return [pose_in(file, i)[0] for i in range(len(stamps_in(file)))]
+
+
 def nearest(file, stamp):
     """Which pose is nearest in time."""
     stamps = stamps_in(file)
@@ -159,6 +164,11 @@ def pose_at(file, stamp):
     """The nearest in time; none: it is not within 10 ms."""
     i = nearest(file, stamp)
     return pose_in(file, i) if abs(stamps_in(file)[i] - stamp) < 0.01 else None
+
+
+def true_places(truth, trajectory):
+    """Where a trajectory's poses really are [m]."""
+    return [pose_in(truth, nearest(truth, stamp))[0] for stamp in stamps_in(trajectory)]
 
 
 def product(p, q):
@@ -202,3 +212,60 @@ def judged_poses(run, truth):
                                       relative(truths[i - BEFORE], truths[i]))
         false += metres > WRONG_METRES or degrees > WRONG_DEGREES
     return ok, false
+
+
+def mean(places):
+    return [sum(place[axis] for place in places) / len(places) for axis in range(3)]
+
+
+def rigid(from_places, to_places):
+    """Rotation (rows) and shift that bring one to the other: Horn's quaternion."""
+    middle, target = mean(from_places), mean(to_places)
+    s = [[sum((p[i] - middle[i]) * (q[k] - target[k]) for p, q in zip(from_places, to_places))
+          for k in range(3)] for i in range(3)]
+    n = [[s[0][0] + s[1][1] + s[2][2], s[1][2] - s[2][1], s[2][0] - s[0][2], s[0][1] - s[1][0]],
+         [0, s[0][0] - s[1][1] - s[2][2], s[0][1] + s[1][0], s[2][0] + s[0][2]],
+         [0, 0, s[1][1] - s[0][0] - s[2][2], s[1][2] + s[2][1]],
+         [0, 0, 0, s[2][2] - s[0][0] - s[1][1]]]
+    shift = max(sum(abs(n[min(i, k)][max(i, k)]) for k in range(4)) for i in range(4))
+    q = [0.5, 0.5, 0.5, 0.51]
+    for _ in range(3000):  # the largest eigenvalue's vector
+        q = [sum(n[min(i, k)][max(i, k)] * q[k] for k in range(4)) + shift * q[i]
+             for i in range(4)]
+        size = math.sqrt(sum(value * value for value in q))
+        q = [value / size for value in q]
+    w, x, y, z = q
+    rotation = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    return rotation, [target[i] - sum(rotation[i][k] * middle[k] for k in range(3))
+                      for i in range(3)]
+
+
+def markers(file, which):
+    """Points 10 m above, ahead of and beside poses of these indices: a straight way alone does not
+    tell how it lies."""
+    places = []
+    for i in which:
+        t, (x, y, z, w) = pose_in(file, i)
+        axes = [[1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
+                [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+                [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)]]
+        places += [[t[k] + 10.0 * axis[k] for k in range(3)] for axis in axes]
+    return places
+
+
+def laid_on_truth(truth, trajectory, which=None):
+    """T_truth_map that brings a map's poses (all, or those of these indices) to the truth."""
+    stamps = stamps_in(trajectory)
+    which = range(len(stamps)) if which is None else which
+    return rigid(markers(trajectory, which),
+                 markers(truth, [nearest(truth, stamps[i]) for i in which]))
+
+
+def farthest_off(T_truth_map, truth, trajectory):
+    """How far a trajectory in a map's frame ever is from the truth [m]."""
+    rotation, shift = T_truth_map
+    moved = ([sum(rotation[i][k] * place[k] for k in range(3)) + shift[i] for i in range(3)]
+             for place in places_in(trajectory))
+    return max(map(math.dist, moved, true_places(truth, trajectory)))
