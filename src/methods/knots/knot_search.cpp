@@ -26,7 +26,7 @@ struct Round {
   double kept;         // share of all places
   std::size_t fewest;  // places that are kept, however many there are
 };
-// The best place of a large region was always among these. docs/method.md, "Tried".
+// The best place of a large region was always among these. docs/tried.md, "Lost and search".
 constexpr Round kRounds[] = {{27, 0.4, 1500}, {9, 0.12, 1500}, {3, 0.012, 600}, {1, 1.0, 0}};
 constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kRefined}, {2, 1.0, 0}};
 
