@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/rounding.hpp"
+
 namespace surefoot::simulation {
 
 namespace {
@@ -116,9 +118,9 @@ BeamReturn measure(const LidarModel& model, const Echo& echo, double standard_no
   result.true_range = echo.range();
   const double sigma = model.range_sigma * (1.0 + 1.0 / echo.power);
   const double noisy = result.true_range + sigma * standard_normal;
-  result.range = std::round(noisy / model.range_unit) * model.range_unit;
+  result.range = rounded_to(model.range_unit, noisy);
   result.intensity = static_cast<std::uint8_t>(
-      std::clamp(std::lround(100.0 * echo.weighted_reflectivity / echo.power), 1L, 255L));
+      std::clamp<std::int64_t>(rounded(100.0 * echo.weighted_reflectivity / echo.power), 1, 255));
   result.mixed = echo.farthest - echo.nearest > kEdge;
   result.met = echo.met;
   return result;

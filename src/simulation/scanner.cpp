@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "simulation/rounding.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot::simulation {
@@ -120,7 +121,7 @@ Scanner::AzimuthReading Scanner::azimuth_reading(std::uint64_t sequence) const {
   reading.time_ns = static_cast<double>(sequence - sequence % per_reading) * model_.sequence_ns;
   reading.azimuth = true_azimuth(reading.time_ns);
   if (model_.azimuth_unit > 0.0) {
-    reading.azimuth = std::round(reading.azimuth / model_.azimuth_unit) * model_.azimuth_unit;
+    reading.azimuth = rounded_to(model_.azimuth_unit, reading.azimuth);
   }
   return reading;
 }
@@ -226,7 +227,7 @@ void Scanner::report(const Firing& firing, std::size_t laser, const BeamReturn& 
   const RotorBeam& beam = beams_[laser];
   // Not from angles nearby: a coordinate of 1e-16 m would change by more than its float's rounding.
   const Rotor reported(firing.reported_azimuth);
-  const std::int64_t time_ns = std::llround(firing.time_ns) + options_.start_ns;
+  const std::int64_t time_ns = rounded(firing.time_ns) + options_.start_ns;
   result.scan.points.push_back(
       (reported * (beam.origin + value.range * beam.direction)).cast<float>());
   result.scan.intensities.push_back(static_cast<float>(value.intensity));
@@ -253,7 +254,7 @@ void Scanner::add_airborne(const Firing& firing, std::size_t laser, BeamReturns&
   returns.values[1] = returns.values[0];
   returns.values[0] = BeamReturn{};
   returns.values[0].true_range = *range;
-  returns.values[0].range = std::round(*range / model_.range_unit) * model_.range_unit;
+  returns.values[0].range = rounded_to(model_.range_unit, *range);
   returns.values[0].intensity = 1;
   returns.values[0].met = Met::air;
   returns.count = std::min(returns.count + 1, 2);

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <numbers>
 
+#include "simulation/random.hpp"
+#include "simulation/rotor.hpp"
+#include "simulation/rounding.hpp"
 #include "support.hpp"
 
 namespace surefoot::simulation::test {
@@ -110,6 +115,21 @@ TEST(LidarModelTest, OthersKeepToTheirPeriodsAndUnknownNamesAreRefused) {
     }
   }
   EXPECT_THROW((void)lidar_model("hdl-64"), std::invalid_argument);
+}
+
+// Halves, both signs, what is far from zero: as the C library rounds.
+TEST(RoundingTest, IsTheCLibrarysInPlace) {
+  const CounterRandom random(5, 1);
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const double value = random.uniform(i, -1.0, 1.0) * std::pow(10.0, static_cast<double>(i % 12));
+    ASSERT_EQ(rounded(value), std::llround(value)) << value;
+    const double half = std::floor(value) + 0.5;
+    ASSERT_EQ(rounded(half), std::llround(half)) << half;
+    ASSERT_EQ(rounded_to(0.002, value), std::round(value / 0.002) * 0.002) << value;
+  }
+  for (const double value : {0.0, -0.0, 0.25, -0.25, 0.75}) {
+    EXPECT_EQ(rounded(value), std::llround(value)) << value;
+  }
 }
 
 TEST(RotorTest, TurnsVectorsAndFramesLikeItsMatrix) {
