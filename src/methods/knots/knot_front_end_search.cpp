@@ -23,9 +23,9 @@ constexpr double kReach = 1.0, kMostReach = 25.0, kCarried = 5.0, kHurries = 1.2
 constexpr double kTurn = 0.5, kTurnSpeed = 1.5;
 constexpr double kAhead = 1.5, kAheadTurn = 0.4;  // of who walked straight on
 
-// [m] Heights that are another storey's; of who climbs, those of where he came from; and who has
-// climbed on so far may be so high that the storey below, which looks alike, is as high as he was.
-constexpr double kHalfStorey = 1.5, kNotBack = 0.75, kWayOfAStorey = 3.0;
+// [m] Who has climbed on so far may be so high that the storey below, which looks alike, is as high
+// as he was.
+constexpr double kWayOfAStorey = 3.0;
 
 // Another place than the registration's is looked for so much farther away [m]: who was carried, or
 // turned by hand, went faster than it walks.
@@ -83,8 +83,7 @@ SearchRegion KnotFrontEnd::region_within(double speed, std::int64_t instant_ns) 
   if (search_ && search_->after_hole) return region;
   const double climb = way_.climb_of_late();
   if (climb == 0.0 && !way_.has_storeys(region.centre.translation, region.radius)) return region;
-  region.below = climb > 0.0 ? kNotBack : kHalfStorey;
-  region.above = climb < 0.0 ? kNotBack : kHalfStorey;
+  region.keep_to_storey(climb);
   return region;
 }
 
@@ -109,8 +108,9 @@ SearchRegion KnotFrontEnd::straight_on(std::int64_t instant_ns) const {
   const Pose& last = end_.prior.means[1];
   const Eigen::Vector3d way = since_trusted(instant_ns) * model_.mean(last.rotation).head<3>();
   const double heading = roll_pitch_yaw(last.rotation).z();
-  return {way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn, kHalfStorey,
-          kHalfStorey};
+  SearchRegion ahead{way_.stand_at(last.translation + way, heading), kAhead, kAheadTurn};
+  ahead.keep_to_storey(0.0);
+  return ahead;
 }
 
 /// A scan where it would be had it walked straight on, unseen: as high as the ground of its way

@@ -33,6 +33,9 @@ constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kRefined}, {2, 1
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
 
+// [m] Heights that are another storey's; of who climbs, those of where he came from.
+constexpr double kOtherStorey = 1.5, kCameFrom = 0.75;
+
 // What points lie off a surfel that fits [m], at the first step.
 constexpr double kScale = 0.35;
 
@@ -180,6 +183,11 @@ void weigh_in_rounds(std::span<const Round> rounds, const Map& map,
 }
 
 }  // namespace
+
+void SearchRegion::keep_to_storey(double climb) {
+  below = climb > 0.0 ? kCameFrom : kOtherStorey;
+  above = climb < 0.0 ? kCameFrom : kOtherStorey;
+}
 
 bool SearchRegion::is_as_high(const Eigen::Vector3d& place) const {
   const double higher = place.z() - centre.translation.z();

@@ -28,6 +28,9 @@ struct SearchRegion {
   double below = std::numeric_limits<double>::infinity();
   double above = std::numeric_limits<double>::infinity();
 
+  /// Leaves out other storeys, and to who climbs or goes down (of late by so much [m]; zero:
+  /// neither) where he came from.
+  void keep_to_storey(double climb);
   /// Whether a place is neither too low nor too high.
   [[nodiscard]] bool is_as_high(const Eigen::Vector3d& place) const;
   /// Whether it may well hold places that look alike.

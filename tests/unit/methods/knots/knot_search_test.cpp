@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
 
 #include "geometry/so3.hpp"
 #include "support/synthetic_run.hpp"
@@ -135,6 +136,20 @@ TEST(KnotSearch, ARegionMayEndNearerBelowThanAbove) {
   EXPECT_TRUE(is_as_high(-0.4));
   EXPECT_TRUE(is_as_high(1.4));
   EXPECT_FALSE(is_as_high(1.6));
+}
+
+// Up and down alike: what lies behind is shut out by half of what lies ahead.
+TEST(KnotSearch, WhoClimbsAndWhoGoesDownAreNotFoundWhereTheyCameFrom) {
+  const auto heights = [](double climb) {
+    SearchRegion region{kMapped, 2.0, 0.2};
+    region.keep_to_storey(climb);
+    return std::pair(region.below, region.above);
+  };
+  const auto [level_below, level_above] = heights(0.0);
+  EXPECT_EQ(level_below, level_above);
+  EXPECT_LT(level_above, 2.0) << "storeys are 2.5 m high and more";
+  EXPECT_EQ(heights(1.0), std::pair(level_below / 2.0, level_above));
+  EXPECT_EQ(heights(-1.0), std::pair(level_below, level_above / 2.0));
 }
 
 TEST(KnotSearch, LooksNoFartherThanItsRegion) {
