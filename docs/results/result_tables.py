@@ -386,7 +386,7 @@ def bend():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
-def readme():
+def readme(root="docs/results"):
     """A method a row, over the set that nothing was tuned on."""
     kept = Results(f"reporting-{LATEST_SET}")
     names = {"surefoot": "**Surefoot**", "paper": "the paper's", "paper-surface": "a variant of it",
@@ -397,7 +397,7 @@ def readme():
         rows.append([names[method], f"{statistics.median(errors):.3f}", f"{max(errors):.3f}",
                      f"{len(errors)} of {len(kept.recordings)}"])
     table = markdown(["method", "median", "largest", "whole runs"], rows)
-    return f"{table}\n\nAt commit {kept.about['commit']}: {link(kept, 'docs/results')}."
+    return f"{table}\n\nAt commit {kept.about['commit']}: {link(kept, root)}."
 
 
 def measured_by_turns(name):
@@ -428,6 +428,12 @@ def latency():
     return f"{markdown(head, rows)}\n\n{kept_by_turns(kept)}"
 
 
+def latency_now():
+    _, turns = measured_by_turns("latency")
+    now, before = (f"{statistics.median(turns[when]):.2f}" for when in ("now", "before"))
+    return f"{now} ms in the median instead of {before}"
+
+
 def threads():
     kept, turns = measured_by_turns("threads")
     rows = [[f"{count}, wall time [ms]", *(with_range(turns[f"{when} {key}"]) for when in ("before", "now")),
@@ -453,6 +459,15 @@ def slow_scans():
                      *(with_range(ratios(now[k], before[k])) for k in (1, 2))])
     head = ["walk", "before: median / p99 / slowest [ms]", "now [ms]", "p99, now to before", "slowest, now to before"]
     return f"{markdown(head, rows)}\n\n{kept_by_turns(kept)}"
+
+
+def slowest_scans():
+    """The slowest scan of a run [ms]: medians of the turns, least to most of the walks."""
+    walks = {}
+    for walk, *cells in Kept("slow_scans").rows[1:]:
+        walks.setdefault(walk, []).append(float(cells[-1]))
+    slowest = [statistics.median(turns) for turns in walks.values()]
+    return f"{min(slowest):.0f} to {max(slowest):.0f}"
 
 
 def fewer_points():
@@ -625,6 +640,7 @@ TABLES = {
     "before-relative": before_relative,
     "before-count": before_count,
     "readme": readme,
+    "summary": lambda: readme("results"),
     "finer-grid": finer_grid,
     "let-go": let_go,
     "loops": loops,
@@ -635,9 +651,11 @@ TABLES = {
     "reliability": reliability,
     "reliability-bins": reliability_bins,
     "latency": latency,
+    "latency-now": latency_now,
     "threads": threads,
     "simulation-turns": simulation_turns,
     "slow-scans": slow_scans,
+    "slowest-scans": slowest_scans,
     "fewer-points": fewer_points,
 }
 
