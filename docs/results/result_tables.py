@@ -598,6 +598,47 @@ def trot_up_stairs_false():
     return f"{100.0 * shares[0] / shares[1]:.1f}"
 
 
+def kept_sum(name, column, of=lambda row: True):
+    """Of a kept file's column, over the rows that are meant."""
+    kept = Kept(name)
+    i = kept.rows[0].index(column)
+    return sum(int(row[i]) for row in kept.rows[1:] if of(row))
+
+
+def city_walks(column):
+    """Over the six walks as the file's commit has them, without those that were walked again."""
+    return f"{kept_sum('city', column, lambda row: row[0][:-1] == 'walk '):,}"
+
+
+def kept_cell(name, column, *first):
+    """Of the row that begins so."""
+    kept = Kept(name)
+    row = next(row for row in kept.rows[1:] if tuple(row[:len(first)]) == first)
+    return row[kept.rows[0].index(column)]
+
+
+def places_compared():
+    """On the walks of loops.csv and on the longest of kilometres.csv."""
+    longest = kept_sum("kilometres", "places compared", lambda row: row[0] == "town-10km")
+    return f"{kept_sum('loops', 'places compared') + longest:,}"
+
+
+def revisits_missed():
+    return str(kept_sum("loops", "revisits") - kept_sum("loops", "found"))
+
+
+def starts(own):
+    """Of the rows that no commit is named for, in maps of the walk's own place or of another."""
+    def meant(row):
+        return " " not in row[0] and (row[1] == row[2]) == own
+
+    return str(kept_sum("localization", "starts", meant))
+
+
+def starts_wrong():
+    return str(kept_sum("localization", "wrong", lambda row: " " not in row[0]))
+
+
 TABLES = {
     "trot-up-stairs-off": lambda: f"{float(fast_stairs('stairwell, a trot', 'off, median [m]')):.1f}",
     "trot-up-stairs-false": trot_up_stairs_false,
@@ -648,6 +689,28 @@ TABLES = {
     "reference": reference,
     "home-again": home_again,
     "reliability-alike": reliability_alike,
+    "reliability-ok": lambda: f"{kept_sum('reliability', 'ok'):,}",
+    "reliability-false": lambda: str(kept_sum("reliability", "false_ok")),
+    "alike-ok": lambda: f"{kept_sum('reliability_alike', 'ok'):,}",
+    "alike-false": lambda: str(kept_sum("reliability_alike", "false_ok")),
+    "alike-carried-off":
+        lambda: f"{float(kept_cell('reliability_alike', 'error_m', 'corridor-73', 'carried 20 m')):.0f}",
+    "alike-carried-again":
+        lambda: kept_cell("reliability_alike", "right_again_s", "corridor-73", "carried 1 m"),
+    "city-loops": lambda: city_walks("loops"),
+    "city-found": lambda: city_walks("found"),
+    "city-revisits": lambda: city_walks("revisits"),
+    "city-ok": lambda: city_walks("poses ok"),
+    "city-false": lambda: city_walks("false ok"),
+    "city-slid": lambda: kept_cell("city", "false ok", "walk 5"),
+    "city-slid-memory": lambda: kept_cell("city", "memory [MB]", "walk 5"),
+    "city-joined-off": lambda: kept_cell("city", "off, at most [m]", "all six joined"),
+    "places-compared": places_compared,
+    "loops-revisits": lambda: str(kept_sum("loops", "revisits")),
+    "loops-missed": revisits_missed,
+    "starts-here": lambda: starts(True),
+    "starts-elsewhere": lambda: starts(False),
+    "starts-wrong": starts_wrong,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
     "latency": latency,
