@@ -635,10 +635,6 @@ def starts(own):
     return str(kept_sum("localization", "starts", meant))
 
 
-def starts_wrong():
-    return str(kept_sum("localization", "wrong", lambda row: " " not in row[0]))
-
-
 TABLES = {
     "trot-up-stairs-off": lambda: f"{float(fast_stairs('stairwell, a trot', 'off, median [m]')):.1f}",
     "trot-up-stairs-false": trot_up_stairs_false,
@@ -706,11 +702,12 @@ TABLES = {
     "city-slid-memory": lambda: kept_cell("city", "memory [MB]", "walk 5"),
     "city-joined-off": lambda: kept_cell("city", "off, at most [m]", "all six joined"),
     "places-compared": places_compared,
+    "forest-before": lambda: kept_cell("loops", "APE before [m]", "forest", "8201"),
+    "forest-after": lambda: kept_cell("loops", "APE after [m]", "forest", "8201"),
     "loops-revisits": lambda: str(kept_sum("loops", "revisits")),
     "loops-missed": revisits_missed,
     "starts-here": lambda: starts(True),
     "starts-elsewhere": lambda: starts(False),
-    "starts-wrong": starts_wrong,
     "reliability": reliability,
     "reliability-bins": reliability_bins,
     "latency": latency,
