@@ -343,7 +343,8 @@ Estimate KnotFrontEnd::search(const PreparedScan& scan, const std::vector<std::u
   return stay_lost(scan, thinned);
 }
 
-/// The pose is the last one that was trusted; who has searched in vain for long begins anew.
+/// The pose is the one predicted for the scan that went wrong; who has searched in vain for long
+/// begins anew.
 Estimate KnotFrontEnd::stay_lost(const PreparedScan& scan,
                                  const std::vector<std::uint32_t>& thinned) {
   // A map of few scans is not worth many more of them.
