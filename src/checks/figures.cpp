@@ -59,7 +59,7 @@ void add_stamps(const std::vector<ScanFacts>& scans, Figures& figures) {
   }
   figures.interval_s = spread_of(steps);
   // Where all stand still, as a run mends them.
-  figures.usual_interval_s = spread_of(forward.empty() ? mended : forward).median;
+  figures.usual_interval_s = io::usual_interval(forward.empty() ? mended : forward);
 }
 
 }  // namespace

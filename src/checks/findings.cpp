@@ -218,7 +218,8 @@ class Inspection {
     if (scan.times == PointTimes::equal) found_.scan("point times that are all equal", scan.name);
     if (scan.times != PointTimes::there) return;
     const double interval = figures_.usual_interval_s;
-    if (interval > 0.0 && scan.last_s - scan.first_s > kOverlap * interval) {
+    // Two scans may both be parts of a sweep: a capture begins and ends within one.
+    if (figures_.scans > 2 && scan.last_s - scan.first_s > kOverlap * interval) {
       found_.scan("sweeps that last longer than it is to the next", scan.name);
     }
     if (scan.spin == io::Spin::counterclockwise) {
@@ -306,9 +307,9 @@ class Inspection {
     found_.judge("sweeps that last longer than it is to the next", [&](Finding& finding) {
       finding.suffers = share(finding) > kHabit;
       finding.detail = text(
-          "%.4f s, the scans are %.4f s apart: is the unit of the point times "
+          "up to %.4f s, the scans are %.4f s apart: is the unit of the point times "
           "wrong (--time-unit), or the rate (--rate)?",
-          figures_.duration_s.median, figures_.usual_interval_s);
+          figures_.duration_s.greatest, figures_.usual_interval_s);
     });
     found_.judge("sweeps that run counter-clockwise", [&](Finding& finding) {
       finding.detail =

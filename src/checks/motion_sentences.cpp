@@ -20,6 +20,7 @@ std::string text(const char* format, Values... values) {
 
 std::string against(const TimeTrial& trial) {
   const std::size_t compared = trial.worse + trial.better;
+  if (compared == 0) return text("%s in no scan that can be compared", name_of(trial.reading));
   const bool worse = trial.worse >= trial.better;
   return text("%s %.1f mm (%s in %zu of %zu scans)", name_of(trial.reading),
               1e3 * trial.middle_blur, worse ? "worse" : "better",
@@ -74,10 +75,12 @@ void add_untrusted(const MotionCheck& motion, std::vector<Finding>& findings) {
   if (best.untrusted == 0) return;
   constexpr double kMostUntrusted = 0.1;
   const double share = static_cast<double>(best.untrusted) / static_cast<double>(motion.count);
-  findings.push_back(
-      {share > kMostUntrusted, "scans that do not fit those before",
-       text("%zu of the %zu that were tried were not registered", best.untrusted, motion.count), 0,
-       ""});
+  findings.push_back({share > kMostUntrusted, "scans that do not fit those before",
+                      text("%zu of the %zu that were tried were not registered: are they in the "
+                           "order in which they "
+                           "were recorded?",
+                           best.untrusted, motion.count),
+                      0, ""});
 }
 
 /// The flag that mends stamps that are so late; empty where none does.

@@ -114,16 +114,26 @@ std::vector<TimeReading> readings_for(const std::vector<Scan>& scans, bool looks
           TimeReading::counterclockwise_front, TimeReading::counterclockwise_behind};
 }
 
+// A map that is as sharp but for this share tells nothing, however often the one is the sharper: so
+// are those of a sensor that stands, by what its noise happens to be.
+constexpr double kLeastEffect = 0.02;
+
+bool is_sharper(const TimeTrial& one, const TimeTrial& other) {
+  return one.middle_blur < (1.0 - kLeastEffect) * other.middle_blur;
+}
+
 // Clearly better than the first, and the sharpest of those that are; or the first, where it is
 // clearly better than every other.
 void choose(TimeTrials& result) {
+  const TimeTrial& first = result.trials.front();
   bool first_wins = result.trials.size() > 1;
   for (std::size_t i = 1; i < result.trials.size(); ++i) {
     const TimeTrial& trial = result.trials[i];
     const bool unlikely = trial.chance < kUnlikely;
-    first_wins = first_wins && unlikely && trial.worse > trial.better;
+    first_wins = first_wins && unlikely && trial.worse > trial.better && is_sharper(first, trial);
     const double best = result.trials[result.preferred].middle_blur;
-    if (unlikely && trial.better > trial.worse && trial.middle_blur < best) result.preferred = i;
+    const bool wins = unlikely && trial.better > trial.worse && is_sharper(trial, first);
+    if (wins && trial.middle_blur < best) result.preferred = i;
   }
   result.decided = first_wins || result.preferred > 0;
 }

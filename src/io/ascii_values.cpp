@@ -129,7 +129,13 @@ std::string in_quotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
   for (const char c : word.substr(0, kLongest)) {
-    text += (c >= ' ' && c <= '~') ? c : '?';
+    if (c >= ' ' && c <= '~') {
+      text += c;
+    } else {
+      constexpr char kHex[] = "0123456789abcdef";
+      const auto byte = static_cast<unsigned char>(c);
+      text += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+    }
   }
   return text + (word.size() > kLongest ? "...'" : "'");
 }

@@ -51,6 +51,7 @@ class Summariser {
     summary_.capture = recording.capture_counts();
     summary_.points = spread_of(points_);
     summary_.interval_s = spread_of(intervals_);
+    summary_.usual_interval_s = usual_interval(intervals_);
     summary_.duration_s = spread_of(durations_);
     summary_.range_m = overall(ranges_);
     summary_.intensity = overall(intensities_);
@@ -144,7 +145,7 @@ class Summariser {
   }
 
   void add_gaps() {
-    const double usual = summary_.interval_s.median;
+    const double usual = summary_.usual_interval_s;
     for (std::size_t i = 0; i < intervals_.size() && usual > 0.0; ++i) {
       if (intervals_[i] > kGapFactor * usual) {
         note_oddity("gap before a scan", interval_ends_[i]);
@@ -181,6 +182,12 @@ Spread spread_of(const std::vector<double>& values) {
   }
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   return {*least, quantile(values, 0.5), *greatest};
+}
+
+double usual_interval(const std::vector<double>& intervals) {
+  const std::size_t parts = intervals.size() > 1 ? 1 : 0;
+  return spread_of({intervals.begin() + static_cast<std::ptrdiff_t>(parts), intervals.end()})
+      .median;
 }
 
 RecordingSummary summarise(Recording& recording) {

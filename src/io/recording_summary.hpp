@@ -22,6 +22,10 @@ struct Spread {
 };
 [[nodiscard]] Spread spread_of(const std::vector<double>& values);
 
+/// The median of the intervals between scans but the first: a capture begins somewhere within a
+/// sweep, which the next one follows early.
+[[nodiscard]] double usual_interval(const std::vector<double>& intervals);
+
 /// Something odd, how often it occurs, and the first scan that has it.
 struct Oddity {
   std::string what;
@@ -39,6 +43,7 @@ struct RecordingSummary {
   std::int64_t first_stamp_ns = 0;
   std::int64_t last_stamp_ns = 0;
   Spread interval_s;  ///< between stamps of scans that follow each other
+  double usual_interval_s = 0.0;
   Spread duration_s;  ///< from first to last point of a scan
   Spread range_m;     ///< of returns; the median is that of the scans' middle ranges
   Spread intensity;   ///< the median as for the range
@@ -48,7 +53,7 @@ struct RecordingSummary {
   std::vector<Oddity> oddities;
 
   [[nodiscard]] double rate_hz() const {
-    return interval_s.median > 0.0 ? 1.0 / interval_s.median : 0.0;
+    return usual_interval_s > 0.0 ? 1.0 / usual_interval_s : 0.0;
   }
 };
 

@@ -19,6 +19,9 @@ constexpr std::array<std::string_view, 8> kTimeNames = {
 // Where LOAM's descendants put milliseconds; in other clouds it is what it says.
 constexpr std::string_view kCurvature = "curvature";
 constexpr double kLeastMilliseconds = 10.0;  // of a scan; no curvature spreads as far
+// Labels of points spread as far, and are few. A time has a firing's points, or of a small cloud
+// some.
+constexpr std::size_t kFewestTimes = 64, kMostOfATime = 4;
 constexpr std::array<std::string_view, 3> kRingNames = {"ring", "line", "channel"};
 constexpr std::array<std::string_view, 2> kIntensityNames = {"intensity", "reflectivity"};
 
@@ -155,11 +158,24 @@ FieldTimes field_times(const Column& column, const std::vector<Eigen::Vector3f>&
   return times;
 }
 
+// Whether a column has as many different values as one has of times.
+bool has_many_values(const PointTable& table, const Column& column) {
+  const std::size_t enough = std::min(kFewestTimes, table.size / kMostOfATime + 1);
+  std::vector<double> known;
+  for_each_value(column, table.size, [&](std::size_t, auto value) {
+    const auto wide = static_cast<double>(value);
+    if (known.size() == enough || std::isnan(wide)) return;
+    if (std::find(known.begin(), known.end(), wide) == known.end()) known.push_back(wide);
+  });
+  return known.size() == enough;
+}
+
 bool times_in_curvature(const PointTable& table, const Column& curvature) {
   const auto axis = [&table](std::string_view name) { return find_one_of(table, {&name, 1}); };
   const ScanColumns columns{axis("x"), axis("y"), axis("z"), nullptr, nullptr, &curvature};
   const TimeExtents extents = time_extents(table, columns);
-  return extents.greatest - extents.least >= kLeastMilliseconds;
+  return extents.greatest - extents.least >= kLeastMilliseconds &&
+         has_many_values(table, curvature);
 }
 
 // Coordinates of a byte each are none, and those that share their bytes neither: either would

@@ -3,6 +3,8 @@
 #include "sensors/sensor_list.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "sensors/hesai/hesai_decoder.hpp"
 #include "sensors/livox/livox_decoder.hpp"
@@ -35,8 +37,8 @@ std::unique_ptr<PacketDecoder> velodyne(std::span<const std::byte> payload,
                                         const std::string& wanted, const DecoderOptions& options,
                                         std::string& reason) {
   if (wanted.empty()) {
-    const VelodyneModel* model = find_velodyne_model(payload, reason);
-    return model == nullptr ? nullptr : std::make_unique<VelodyneDecoder>(*model, options);
+    std::optional<VelodyneModel> model = find_velodyne_model(payload, reason);
+    return model ? std::make_unique<VelodyneDecoder>(std::move(*model), options) : nullptr;
   }
   for (VelodyneModel model : velodyne_models()) {
     if (plain(model.name) == wanted && payload.size() == vlp16::kPacketBytes) {
@@ -114,8 +116,8 @@ bool is_sensor_name(const std::string& name) {
 
 std::string named_sensor(std::span<const std::byte> payload) {
   std::string ignored;
-  const VelodyneModel* model = find_velodyne_model(payload, ignored);
-  return model != nullptr && model->product ? model->name : "";
+  const std::optional<VelodyneModel> model = find_velodyne_model(payload, ignored);
+  return model && model->product ? model->name : "";
 }
 
 std::unique_ptr<PacketDecoder> find_decoder(std::span<const std::byte> payload,

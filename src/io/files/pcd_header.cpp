@@ -180,6 +180,7 @@ class HeaderLines {
                                        std::to_string(height) + " is not a number of points");
       }
       header_.points = *width_ * height;
+      if (header_.points == 0 && points_) header_.points = *points_;  // of no grid
       if (points_ && *points_ != header_.points) {
         refuse_line(header_.lines, "POINTS " + std::to_string(*points_) +
                                        " but WIDTH x HEIGHT is " + std::to_string(header_.points));

@@ -86,23 +86,40 @@ void read_compressed(const PcdHeader& header, Bytes data, PointTable& table) {
   }
 }
 
-void read_ascii_point(const PcdHeader& header, std::string_view line, std::size_t line_number,
-                      std::byte* out) {
+// Some writers print a byte as the character that it is, after one space; it may be a space itself.
+bool take_raw_byte(std::string_view& line, std::byte* out) {
+  if (line.size() < 2 || line[0] != ' ') return false;
+  if (line.size() > 2 && line[2] != ' ' && line[2] != '\r') return false;
+  *out = static_cast<std::byte>(line[1]);
+  line.remove_prefix(2);
+  return true;
+}
+
+// What is wrong with a line that is not a point's; empty if nothing is.
+std::string store_point(const PcdHeader& header, std::string_view line, bool raw_bytes,
+                        std::byte* out) {
   for (const PcdField& field : header.fields) {
     for (std::size_t element = 0; element < field.count; ++element) {
-      const std::string_view word = take_word(line);
-      if (is_padding(field) ? word.empty() : !store_number(word, field.type, out)) {
-        throw ReadError("PCD line " + std::to_string(line_number) + ": field " +
-                        in_quotes(field.name) + " is " + in_quotes(word) + "; expected a " +
-                        name_of(field.type));
+      const bool raw = raw_bytes && size_of(field.type) == 1 && take_raw_byte(line, out);
+      const std::string_view word = raw ? std::string_view{} : take_word(line);
+      const bool stored =
+          raw || (is_padding(field) ? !word.empty() : store_number(word, field.type, out));
+      if (!stored) {
+        return "field " + in_quotes(field.name) + " is " + in_quotes(word) + "; expected a " +
+               name_of(field.type);
       }
       out += size_of(field.type);
     }
   }
-  if (const std::string_view extra = take_word(line); !extra.empty()) {
-    throw ReadError("PCD line " + std::to_string(line_number) + ": " + in_quotes(extra) +
-                    " after the last field");
-  }
+  const std::string_view extra = take_word(line);
+  return extra.empty() ? "" : in_quotes(extra) + " after the last field";
+}
+
+void read_ascii_point(const PcdHeader& header, std::string_view line, std::size_t line_number,
+                      std::byte* out) {
+  const std::string wrong = store_point(header, line, false, out);
+  if (wrong.empty() || store_point(header, line, true, out).empty()) return;
+  throw ReadError("PCD line " + std::to_string(line_number) + ": " + wrong);
 }
 
 void read_ascii(const PcdHeader& header, Bytes data, PointTable& table) {

@@ -52,7 +52,8 @@ class VelodyneDecoder final : public PacketDecoder {
 
 /// The model of a data packet of Velodyne's, by its factory bytes or its blocks' flags; nothing
 /// where it is none. `reason` says what is wrong with one that is of Velodyne's but not known.
-[[nodiscard]] const VelodyneModel* find_velodyne_model(std::span<const std::byte> payload,
-                                                       std::string& reason);
+/// VLP-16s of 2014 call themselves HDL-32E: what they measured tells.
+[[nodiscard]] std::optional<VelodyneModel> find_velodyne_model(std::span<const std::byte> payload,
+                                                               std::string& reason);
 
 }  // namespace surefoot::sensors

@@ -176,6 +176,17 @@ TEST(Findings, UnreadableScansHurtAndAreNamed) {
   EXPECT_EQ(figures_of(scans).unreadable, 1U);
 }
 
+// A short capture that begins and ends within a sweep.
+TEST(Findings, PartsOfSweepsAtTheEndsTellNothingOfTheRate) {
+  std::vector<ScanFacts> scans = sound(3);
+  scans[0].stamp_ns += kPeriod - kPeriod / 5;  // its last fifth
+  scans[0].last_s /= 5.0;
+  EXPECT_NEAR(figures_of(scans).rate_hz(), 10.0, 1e-9);
+  EXPECT_TRUE(all_of(scans).empty());
+  scans.pop_back();
+  EXPECT_TRUE(all_of(scans).empty()) << "of two nothing is said of how long sweeps last";
+}
+
 TEST(Findings, SweepsThatOverlapTellOfAWrongUnit) {
   std::vector<ScanFacts> scans = sound(20);
   for (ScanFacts& scan : scans) scan.last_s = 0.9;

@@ -39,6 +39,14 @@ TEST(TimeTrials, TimesThatCountBackAreFoundOut) {
   EXPECT_LT(trials.trials[trials.preferred].chance, 0.001);
 }
 
+// Who stands has no motion that could tell: the noise of one reading is as good as the other's,
+// but may be less in every scan.
+TEST(TimeTrials, OfWhoStandsNothingIsConcluded) {
+  const Pose place{Eigen::Quaterniond::Identity(), {-2.0, 0.5, 0.5}};
+  const auto scans = test::take_scans(test::furnished_hall(), test::standing(place), 22);
+  EXPECT_FALSE(try_times(scans, kTrialPeriod, true, 1).decided);
+}
+
 TEST(TimeTrials, ChanceIsThatOfAFairCoin) {
   EXPECT_DOUBLE_EQ(chance_of(5, 5), 1.0);
   EXPECT_NEAR(chance_of(10, 0), 2.0 / 1024.0, 1e-12);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sensors/sensor_list.hpp"
+#include "sensors/velodyne/velodyne_decoder.hpp"
 #include "unit/sensors/decoded.hpp"
 #include "unit/sensors/encoders.hpp"
 
@@ -51,6 +52,51 @@ TEST(Hdl32, LasersFireOneAfterTheOther) {
   EXPECT_EQ(time_of(firings, 0), 2 * 46'080 + 31 * 1'152);
   expect_at(firings.points[0], 10.0, 359.32 + 0.16 * 31 * 1.152 / 46.08, 10.67);
   EXPECT_EQ(firings.points[0].ring, 31);
+}
+
+/// One of an HDL-32E by its factory byte. `distance`: of a channel of a block [2 mm].
+template <typename Distance>
+std::string measured_packet(Distance&& distance) {
+  auto packet = test::velodyne_packet({0xeeff}, turning(100, 40, 1), 0, 0x37, 0x21);
+  for (unsigned block = 0; block < 12; ++block) {
+    for (unsigned channel = 0; channel < 32; ++channel) {
+      test::set_velodyne(packet, block, channel, distance(block, channel), 50);
+    }
+  }
+  return packet;
+}
+
+std::string model_of(const std::string& packet) {
+  std::string reason;
+  const auto model = find_velodyne_model(std::as_bytes(std::span(packet)), reason);
+  return model ? model->name : reason;
+}
+
+// Captures of 2014 have 0x21 in a VLP-16's packets. Its lasers fire twice in a block.
+TEST(Vlp16, AnOldOneThatCallsItselfAnHdl32IsKnownByItsLasers) {
+  const auto lasers = [](unsigned times, unsigned noise) {
+    return [=](unsigned block, unsigned channel) {
+      return static_cast<std::uint16_t>(2000 + 150 * (channel % times) + 7 * block +
+                                        noise * (channel / times));
+    };
+  };
+  EXPECT_EQ(model_of(measured_packet(lasers(16, 15))), "VLP-16");
+  EXPECT_EQ(model_of(measured_packet(lasers(32, 0))), "HDL-32E");
+  EXPECT_EQ(model_of(measured_packet(lasers(16, 200))), "HDL-32E") << "not alike";
+  const auto few = [&](unsigned block, unsigned channel) {
+    return block == 0 ? lasers(16, 15)(block, channel) : std::uint16_t{0};
+  };
+  EXPECT_EQ(model_of(measured_packet(few)), "HDL-32E") << "too few pairs to tell";
+  // Whatever the factory byte says, its packets are then read.
+  const std::string packet = measured_packet(lasers(16, 15));
+  DecoderOptions options;
+  std::string reason;
+  const auto decoder = find_decoder(std::as_bytes(std::span(packet)), "", options, reason);
+  ASSERT_NE(decoder, nullptr);
+  Firings firings;
+  EXPECT_EQ(decoder->decode(std::as_bytes(std::span(packet)), firings), PacketKind::data);
+  EXPECT_EQ(firings.firings.size(), 24U);
+  EXPECT_EQ(named_sensor(std::as_bytes(std::span(packet))), "") << "--sensor contradicts nothing";
 }
 
 TEST(Vls128, BanksAndGroupsOfEight) {

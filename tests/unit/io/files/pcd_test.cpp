@@ -36,6 +36,15 @@ std::string header(const std::string& points, const std::string& data,
          "DATA " + data + "\n";
 }
 
+std::string pcd_error_of(const std::string& file) {
+  try {
+    (void)parse_pcd(bytes_of(file));
+  } catch (const ReadError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
 TEST(PcdAscii, AllTypesAndCounts) {
   const std::string file =
       "# .PCD v0.7\r\nVERSION 0.7\r\nFIELDS x y z a b c d e _ h\r\nSIZE 4 8 4 1 1 2 4 8 1 4\r\n"
@@ -59,6 +68,37 @@ TEST(PcdAscii, AllTypesAndCounts) {
   EXPECT_TRUE(std::isnan(value(table, "x", 1)));
   EXPECT_TRUE(std::isinf(value(table, "y", 1)));
   EXPECT_EQ(static_cast<float>(value(table, "z", 1)), -1e-3F);
+}
+
+// As PCL once wrote bytes: as the characters that they are, a space and a NUL among them.
+TEST(PcdAscii, BytesMayBeCharacters) {
+  const std::string file =
+      header("WIDTH 3\nHEIGHT 1\nPOINTS 3\n", "ascii", "x y z tag line", "4 4 4 1 1", "F F F U U") +
+      "1 2 3 16 4\n" + "1.5 -2 3 \x10 " + std::string(1, '\0') + "\n" + "4 5 6   \x05\r\n";
+  const PointTable table = parse_pcd(bytes_of(file));
+  ASSERT_EQ(table.size, 3U);
+  EXPECT_EQ(value(table, "tag", 0), 16.0);
+  EXPECT_EQ(value(table, "line", 0), 4.0);
+  EXPECT_EQ(value(table, "z", 1), 3.0);
+  EXPECT_EQ(value(table, "tag", 1), 16.0);
+  EXPECT_EQ(value(table, "line", 1), 0.0);
+  EXPECT_EQ(value(table, "tag", 2), 32.0);
+  EXPECT_EQ(value(table, "line", 2), 5.0);
+  // A word is none of them, and neither is a character where a coordinate is expected.
+  const auto of_line = [](const std::string& line) {
+    return pcd_error_of(header("WIDTH 1\n", "ascii", "x y z tag", "4 4 4 1", "F F F U") + line);
+  };
+  EXPECT_NE(of_line("1 2 3 ab\n").find("field 'tag' is 'ab'"), std::string::npos);
+  EXPECT_NE(of_line("1 2 3 \x10 \x11\n").find("field 'tag' is '\\x10'"), std::string::npos);
+  EXPECT_NE(of_line("1 2 \x10 4\n").find("field 'z' is '\\x10'"), std::string::npos);
+}
+
+// Of a cloud that is no grid some writers say so, and how many points it has.
+TEST(PcdAscii, PointsServeWhereTheGridIsEmpty) {
+  const std::string file =
+      header("WIDTH 0\nHEIGHT 0\nPOINTS 2\n", "ascii", "x y z", "4 4 4", "F F F") +
+      "1 2 3\n4 5 6\n";
+  EXPECT_EQ(parse_pcd(bytes_of(file)).size, 2U);
 }
 
 // Two points with padding, an organised cloud and no COUNT line.
@@ -106,15 +146,6 @@ TEST(PcdCompressed, FieldAfterField) {
   EXPECT_EQ(value(table, "z", 1), 6.0);
   EXPECT_EQ(value(table, "ring", 0), 7.0);
   EXPECT_EQ(value(table, "ring", 1), 8.0);
-}
-
-std::string pcd_error_of(const std::string& file) {
-  try {
-    (void)parse_pcd(bytes_of(file));
-  } catch (const ReadError& error) {
-    return error.what();
-  }
-  return "taken";
 }
 
 // A megabyte that says it becomes a hundred: no sweep compresses so.

@@ -283,6 +283,31 @@ TEST(PacketMessage, EveryType) {
   EXPECT_EQ(packets[0].bytes.size(), 4U);
 }
 
+// SemanticKITTI's clouds of some programs: a label where LOAM's have milliseconds.
+TEST(BuildScan, LabelsInCurvatureAreNoTimes) {
+  constexpr std::size_t kMany = 20'000;
+  const std::vector<Eigen::Vector3f> points(kMany, Eigen::Vector3f::Ones());
+  std::vector<float> curvatures(kMany);
+  PointTable table;
+  table.size = kMany;
+  table.columns = coordinate_columns(points);
+  table.columns.push_back({"curvature", ScalarType::f32,
+                           reinterpret_cast<const std::byte*>(curvatures.data()), sizeof(float)});
+  const auto filled = [&](std::size_t different) {
+    for (std::size_t i = 0; i < kMany; ++i) {
+      curvatures[i] = 100.0F * static_cast<float>(i % different) / static_cast<float>(different);
+    }
+    return find_scan_columns(table, {}).time != nullptr;
+  };
+  EXPECT_TRUE(filled(1800));
+  EXPECT_TRUE(filled(64));
+  EXPECT_FALSE(filled(34));
+  // Of a few points each may have a time of its own.
+  table.size = 40;
+  EXPECT_TRUE(filled(1800) || filled(40));
+  EXPECT_FALSE(filled(4));
+}
+
 TEST(BuildScan, PointsOfAClockOfItsOwnCountFromTheFirst) {
   const std::array<double, 3> at = {49.5, 49.55, 49.6};
   const std::vector<Eigen::Vector3f> points(3, Eigen::Vector3f::Ones());
