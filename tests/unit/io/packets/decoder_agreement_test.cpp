@@ -4,7 +4,7 @@
 // Real packets of many sensors against what other decoders made of them: the clouds in nebula's
 // test resources, the digests in ouster-sdk's. SUREFOOT_NEBULA and SUREFOOT_OUSTER_SDK name clones
 // of tier4/nebula and ouster-lidar/ouster-sdk; without them the tests are skipped.
-// SUREFOOT_AGREEMENT names a file that gets a line a sensor (docs/results/measure_agreement).
+// SUREFOOT_AGREEMENT names a file that gets a line a sensor (docs/results/agreement.csv).
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
