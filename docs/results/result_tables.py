@@ -135,6 +135,22 @@ def finer_grid():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
+def hard_walks():
+    """Walks of a kind a row: what of them is lost and false by one default and by another."""
+    kept = Kept("hard_walks")
+    lines = []
+    for kind in dict.fromkeys(row[0] for row in kept.rows[1:]):
+        rows = [row for row in kept.rows[1:] if row[0] == kind]
+        def sums(column, rows=rows):
+            return str(sum(int(row[column]) for row in rows))
+        ratios = [float(row[10]) / float(row[6]) for row in rows]
+        lines.append([f"`{kind}`", str(len(rows)), sums(2), sums(3), sums(5), sums(7), sums(9),
+                      f"{statistics.geometric_mean(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"])
+    head = ["walk", "walks", "scans", "before: not trusted", "before: false ok", "not trusted", "false ok",
+            "APE, ratio"]
+    return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
+
+
 def reference():
     """A recording a row: errors of the odometry and of the reference; then the ratios."""
     kept = Kept("reference")
@@ -670,6 +686,7 @@ TABLES = {
     "reporting-8-others": others,
     "reporting": lambda: reporting("reporting"),
     "bend": bend,
+    "hard-walks": hard_walks,
     "relative-change": relative_change,
     "before": before,
     "before-largest": before_largest,

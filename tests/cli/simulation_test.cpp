@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 #include "io/trajectory_files.hpp"
 #include "process.hpp"
@@ -195,6 +197,17 @@ std::string scans_up_stairs(const std::string& seed, const ScratchFolder& scratc
   return file_content(scratch.path() / "out/scans.csv");
 }
 
+/// RMSE of what lies in out, after alignment [m].
+double ape_of_run(const std::string& recording, const ScratchFolder& scratch) {
+  const ProcessResult judged = run_surefoot(
+      {"eval", recording + "/gt.tum", "out/trajectory.tum", "--pair", "interpolate", "--json"},
+      scratch.path());
+  EXPECT_EQ(judged.exit_code, 0) << judged;
+  if (judged.exit_code != 0) return std::numeric_limits<double>::infinity();
+  const auto errors = nlohmann::json::parse(judged.output).at(0).at("errors");
+  return errors.at("ape_translation").at("rmse");
+}
+
 // A trot up a flight of stairs, which the body meets with a pitch of 30 deg within half a second:
 // without attempts from other motions it is lost for 12 and 29 scans, and the second 0.14 m off;
 // the third, without those that have a wider kernel, is 0.08 m off.
@@ -202,14 +215,23 @@ TEST(Simulation, ATrotUpStairsIsFollowed) {
   const ScratchFolder scratch;
   for (const char* const seed : {"627", "630", "9138"}) {
     EXPECT_EQ(scans_up_stairs(seed, scratch).find(",lost,"), std::string::npos) << seed;
-    const ProcessResult judged =
-        run_surefoot({"eval", std::string(seed) + "/gt.tum", "out/trajectory.tum", "--pair",
-                      "interpolate", "--json"},
-                     scratch.path());
-    ASSERT_EQ(judged.exit_code, 0) << judged;
-    const auto errors = nlohmann::json::parse(judged.output).at(0).at("errors");
-    EXPECT_LT(errors.at("ape_translation").at("rmse"), 0.06) << seed;  // measured: below 0.035
+    EXPECT_LT(ape_of_run(seed, scratch), 0.06) << seed;  // measured: below 0.035
   }
+}
+
+// Where nothing is flat all fits nearly as well where it stood: with a looser model's motion
+// believed only where a tenth less disagrees it is taken to stand on, and 0.57 m off.
+TEST(Simulation, WhoBeginsToWalkOnAHilltopIsFollowed) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> hilltop = {
+      "simulate", "hilltop",  "--robot", "trot", "--scans",        "50", "--seed",
+      "12110",    "--layout", "12110",   "-q",   "--no-footprint", "-o", "hilltop"};
+  const ProcessResult made = run_surefoot(hilltop, scratch.path());
+  ASSERT_EQ(made.exit_code, 0) << made;
+  const ProcessResult run =
+      run_surefoot({"run", "hilltop", "-q", "--no-map", "-o", "out"}, scratch.path());
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_LT(ape_of_run("hilltop", scratch), 0.06);  // measured: 0.024
 }
 
 // Who lost himself on a stair and climbed on is where the map does not know; the storey below looks
