@@ -75,12 +75,11 @@ void add_untrusted(const MotionCheck& motion, std::vector<Finding>& findings) {
   if (best.untrusted == 0) return;
   constexpr double kMostUntrusted = 0.1;
   const double share = static_cast<double>(best.untrusted) / static_cast<double>(motion.count);
-  findings.push_back({share > kMostUntrusted, "scans that do not fit those before",
-                      text("%zu of the %zu that were tried were not registered: are they in the "
-                           "order in which they "
-                           "were recorded?",
-                           best.untrusted, motion.count),
-                      0, ""});
+  findings.push_back(
+      {share > kMostUntrusted, "scans that do not fit those before",
+       text("%zu of the %zu that were tried were not registered: ", best.untrusted, motion.count) +
+           "are they in the order in which they were recorded?",
+       0, ""});
 }
 
 /// The flag that mends stamps that are so late; empty where none does.
