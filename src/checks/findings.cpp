@@ -219,7 +219,8 @@ class Inspection {
     if (scan.times != PointTimes::there) return;
     const double interval = figures_.usual_interval_s;
     // Two scans may both be parts of a sweep: a capture begins and ends within one.
-    if (figures_.scans > 2 && scan.last_s - scan.first_s > kOverlap * interval) {
+    const bool tells = figures_.scans > 2 && interval > 0.0;
+    if (tells && scan.last_s - scan.first_s > kOverlap * interval) {
       found_.scan("sweeps that last longer than it is to the next", scan.name);
     }
     if (scan.spin == io::Spin::counterclockwise) {

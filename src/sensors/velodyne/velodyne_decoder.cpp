@@ -25,7 +25,6 @@ using vlp16::kPacketBytes;
 constexpr std::size_t kBlockHeaderBytes = 4;  // flag and azimuth
 constexpr std::size_t kReturnBytes = 3;
 constexpr std::size_t kTail = kBlocks * kBlockBytes;
-constexpr std::uint8_t kProductHdl32 = 0x21;
 constexpr double kUnit = 0.01 * std::numbers::pi / 180.0;  // [rad]
 
 // 1200 rpm turn 0.8 deg between blocks; a larger step, or none, is no turning head [0.01 deg].
@@ -60,8 +59,9 @@ int turn_between(int from, int to) {
 }
 
 // Whether a block's second 16 distances are those of the same lasers a moment later, as of 16
-// lasers, and not of others. Of the packets at hand that tell anything (48 pairs) at least 0.8 of
-// a VLP-16's pairs agree in the median one, and at most 0.1 of an HDL-32E's.
+// lasers, and not of others. Seen in the first 400 packets of ten captures, of those with 60 pairs:
+// in the median one 0.9 and more of the pairs agree in six of VLP-16s, at most 0.11 in four of
+// HDL-32Es, of whose packets none had more than 0.53.
 bool fires_each_laser_twice(Bytes payload) {
   constexpr int kFewest = 48, kAlike = 50;  // pairs; distances are so many times their difference
   int pairs = 0, alike = 0;
@@ -312,14 +312,12 @@ std::optional<VelodyneModel> find_velodyne_model(Bytes payload, std::string& rea
   if (two_banks) {
     return model_of([](const VelodyneModel& model) { return model.name == "HDL-64E-S3"; });
   }
-  if (product == kProductHdl32 && fires_each_laser_twice(payload)) {
-    std::optional<VelodyneModel> old =
-        model_of([](const VelodyneModel& model) { return model.product == vlp16::kProductVlp16; });
-    old->product.reset();  // whatever the packet says
-    return old;
-  }
   std::optional<VelodyneModel> found =
       model_of([product](const VelodyneModel& model) { return model.product == product; });
+  if (found && found->name == "HDL-32E" && fires_each_laser_twice(payload)) {
+    found = model_of([](const VelodyneModel& model) { return model.name == "VLP-16"; });
+    found->product.reset();  // whatever the packet says
+  }
   if (!found) {
     reason = "data packets of Velodyne's product " + velodyne_product_name(product);
   }

@@ -187,6 +187,14 @@ TEST(Findings, PartsOfSweepsAtTheEndsTellNothingOfTheRate) {
   EXPECT_TRUE(all_of(scans).empty()) << "of two nothing is said of how long sweeps last";
 }
 
+TEST(Findings, StampsThatAllStandTellNothingOfHowLongSweepsMayLast) {
+  std::vector<ScanFacts> scans = sound(5);
+  for (ScanFacts& scan : scans) scan.stamp_ns = 0;
+  for (const Finding& finding : all_of(scans)) {
+    EXPECT_EQ(finding.what.find("sweeps that last longer"), std::string::npos) << finding.what;
+  }
+}
+
 TEST(Findings, SweepsThatOverlapTellOfAWrongUnit) {
   std::vector<ScanFacts> scans = sound(20);
   for (ScanFacts& scan : scans) scan.last_s = 0.9;
