@@ -122,8 +122,11 @@ bool is_sharper(const TimeTrial& one, const TimeTrial& other) {
   return one.middle_blur < (1.0 - kLeastEffect) * other.middle_blur;
 }
 
-// Clearly better than the first, and the sharpest of those that are; or the first, where it is
-// clearly better than every other.
+}  // namespace
+
+const char* name_of(TimeReading reading) { return facts_of(reading).name; }
+const char* flags_of(TimeReading reading) { return facts_of(reading).flags; }
+
 void choose(TimeTrials& result) {
   const TimeTrial& first = result.trials.front();
   bool first_wins = result.trials.size() > 1;
@@ -137,11 +140,6 @@ void choose(TimeTrials& result) {
   }
   result.decided = first_wins || result.preferred > 0;
 }
-
-}  // namespace
-
-const char* name_of(TimeReading reading) { return facts_of(reading).name; }
-const char* flags_of(TimeReading reading) { return facts_of(reading).flags; }
 
 double chance_of(std::size_t a, std::size_t b) {
   const std::size_t n = a + b, least = std::min(a, b);

@@ -53,6 +53,10 @@ struct TimeTrials {
 [[nodiscard]] TimeTrials try_times(const std::vector<Scan>& scans, std::int64_t period_ns,
                                    bool looks_around, int threads);
 
+/// Prefers what is clearly better than the first, and the sharpest of those that are; or the first,
+/// where it is clearly better than every other: what is no chance, and makes a difference.
+void choose(TimeTrials& result);
+
 /// Chance of a count at least as uneven as `a` against `b` from a fair coin.
 [[nodiscard]] double chance_of(std::size_t a, std::size_t b);
 
