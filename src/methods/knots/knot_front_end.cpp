@@ -12,9 +12,7 @@
 
 #include "core/deskew.hpp"
 #include "core/information.hpp"
-#include "core/level.hpp"
 #include "methods/knots/sweep_axis.hpp"
-#include "surefoot/seconds.hpp"
 
 namespace surefoot {
 
@@ -24,9 +22,7 @@ namespace {
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
 constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
 
-constexpr double kBack = 0.8;          // [m] as another place is
-constexpr double kLongStraight = 5.0;  // [s] that one may have walked straight on
-constexpr double kNew = 0.02;          // share of the points, more than what is the same
+constexpr double kNew = 0.02;  // share of the points, more than what is the same
 
 /// By which a scan that was seen before is known again, byte by byte.
 std::uint64_t fingerprint(const std::vector<Eigen::Vector3f>& points) {
@@ -56,30 +52,30 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       model_(config_.knots),
       map_choice_(map_choice(config_.knots)),
       choice_(config_.knots.points, {config_.knots.map_voxel, kFirstCube, kCoarsestCube}),
-      dependence_(1.0 / config_.knots.independence) {}
+      errors_(config_.knots) {}
 
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
   reversed_ = are_opposite(sweep_axis_, sweep_axis(scan));
   session_.begin_step(Step::downsample);
-  const auto thinned = map_choice_.choose(scan, session_.workers);
-  if (agreed_ == 0) return begin_map(scan, thinned);  // there is no map
-  session_.begin_step(Step::map);                     // what of the last scan is not in it yet
+  const std::vector<std::uint32_t> points = map_choice_.choose(scan, session_.workers);
+  const ScanPart thinned{scan, points};
+  if (agreed_ == 0) return begin_map(thinned);  // there is no map
+  session_.begin_step(Step::map);               // what of the last scan is not in it yet
   map_.forget_emptied();
   session_.begin_step(Step::downsample);
-  if (search_) return search(scan, thinned);
+  if (search_) return search(thinned);
 
-  Registered registered =
-      first_scan_ ? register_second(scan, thinned) : register_next(scan, thinned);
+  Registered registered = first_scan_ ? register_second(thinned) : register_next(thinned);
   if (reversed_) refuse_reversed(registered.estimate);
-  if (!registered.estimate.trusted()) return lose(scan, thinned, std::move(registered));
-  View view = look(scan, thinned, registered.trajectory);
-  const double hazard_now = hazard_of(scan, thinned, view, registered);
+  if (!registered.estimate.trusted()) return lose(thinned, std::move(registered));
+  View view = look(thinned, registered.trajectory);
+  const double hazard_now = hazard_of(thinned, view, registered);
   registered.estimate.wrong_probability = verdict_.add(hazard_now);
   const double objection = objection_of(registered.estimate, hazard_now);
   if (is_lost(objection, objections_.add(objection))) {
-    return lose(scan, thinned, std::move(registered));
+    return lose(thinned, std::move(registered));
   }
   return accept(hazard_now, std::move(view), std::move(registered));
 }
@@ -88,26 +84,16 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 /// straight on, unless it fits clearly better nearer to where it was. Of equal bays none fits
 /// better than the next, but for what was not seen of it yet: nobody who walked ahead is farther
 /// back, and who stayed where he was sees nothing new.
-KnotFrontEnd::Registered KnotFrontEnd::register_next(const PreparedScan& scan,
-                                                     const std::vector<std::uint32_t>& thinned) {
-  Registered here = register_scan(scan, thinned, beginning_of(scan, end_, model_, config_));
-  if (!is_after_hole(scan) || since_trusted(scan.start_ns) > kLongStraight) return here;
-  std::optional<Registered> there = register_ahead(scan, thinned);
+KnotFrontEnd::Registered KnotFrontEnd::register_next(const ScanPart& thinned) {
+  Registered here = register_scan(thinned, beginning_of(thinned.scan, end_, model_, config_));
+  if (!whereabouts().is_after_short_hole(thinned.scan)) return here;
+  std::optional<Registered> there = register_ahead(thinned);
   if (!there || !there->estimate.trusted()) return here;
   const bool better_here = here.estimate.trusted() &&
-                           !is_farther_back(here.trajectory.at(0.5), scan) &&
+                           !whereabouts().is_farther_back(here.trajectory.at(0.5), thinned.scan) &&
                            kClearlyBetter * disagreement_of(here) < disagreement_of(*there) &&
                            !sees_more_new(here.found.unseen, there->found.unseen);
   return better_here ? std::move(here) : std::move(*there);
-}
-
-/// Whether a place lies behind where the last trusted scan ended, for one who walked on unseen for
-/// so short that he has not turned.
-bool KnotFrontEnd::is_farther_back(const Pose& place, const PreparedScan& scan) const {
-  if (!is_after_hole(scan) || since_trusted(scan.start_ns) > kLongStraight) return false;
-  const Eigen::Vector3d ahead = straight_on(scan.start_ns).centre.translation;
-  const Eigen::Vector3d& last = end_.prior.means[1].translation;
-  return (place.translation - ahead).norm() > (last - ahead).norm() + kBack;
 }
 
 /// Whether much that a scan sees would be new at one place, and known at another: by the shares
@@ -116,21 +102,23 @@ bool KnotFrontEnd::sees_more_new(double at_one, double at_other) {
   return at_one >= kClearlyBetter * at_other + kNew;
 }
 
-/// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.
-bool KnotFrontEnd::is_after_hole(const PreparedScan& scan) const {
-  return since_trusted(scan.start_ns) > config_.motion_prior.max_extrapolation;
+Whereabouts KnotFrontEnd::whereabouts() const {
+  return {end_.prior.means[1],
+          last_pose_->stamp_ns,
+          model_,
+          way_,
+          config_.motion_prior.max_extrapolation,
+          search_ && search_->after_hole};
 }
 
 /// A scan from where it is taken to begin, and what is known of the pose by itself.
-KnotFrontEnd::Registered KnotFrontEnd::register_scan(const PreparedScan& scan,
-                                                     const std::vector<std::uint32_t>& thinned,
+KnotFrontEnd::Registered KnotFrontEnd::register_scan(const ScanPart& thinned,
                                                      const KnotEnd& begin) {
-  Registered result{begin, predict_knots(scan, begin, model_, config_.knots)};
-  KnotPoints points =
-      sort_points(scan, choice_.choose(scan, thinned, session_.workers), result.predicted);
+  Registered result{begin, predict_knots(thinned.scan, begin, model_, config_.knots)};
+  KnotPoints points = sort_points(thinned.scan, choose(thinned), result.predicted);
   result.found = register_in_attempts(points, problem(begin), result.predicted, usual_);
   session_.begin_step(Step::assess);
-  conclude(scan, points.points.size(), result);
+  conclude(thinned.scan, points.points.size(), result);
   return result;
 }
 
@@ -144,23 +132,24 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   way_.add(last_pose_->pose);
-  to_deskew_.trajectory = registered.told;
-  return publish(registered.told, std::move(registered.estimate));
+  to_deskew_.trajectory = registered.told.trajectory;
+  return publish(registered.told.trajectory, std::move(registered.estimate));
+}
+
+/// The points to register.
+std::vector<std::uint32_t> KnotFrontEnd::choose(const ScanPart& thinned) {
+  return choice_.choose(thinned.scan, thinned.points, session_.workers);
+}
+
+/// Likewise, but that the next scan's do not depend on it.
+std::vector<std::uint32_t> KnotFrontEnd::chosen_in_passing(const ScanPart& thinned) const {
+  PointChoice choice = choice_;
+  return choice.choose(thinned.scan, thinned.points, session_.workers);
 }
 
 KnotProblem KnotFrontEnd::problem(const KnotEnd& begin) const {
   return {map_.surfels(), begin.prior,      model_,
           config_.knots,  session_.workers, session_.begin_step};
-}
-
-/// [s] from the last trusted pose to an instant.
-double KnotFrontEnd::since_trusted(std::int64_t instant_ns) const {
-  return seconds(instant_ns - last_pose_->stamp_ns);
-}
-
-/// [m/s]
-double KnotFrontEnd::mean_speed() const {
-  return model_.mean(Eigen::Quaterniond::Identity()).head<3>().norm();
 }
 
 /// What a trusted registration tells for the next scan.
@@ -170,12 +159,7 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
   lost_in_a_row_ = 0;
   ++agreed_;
   usual_signs_.learn(registered.signs, right, knots.usual_rate);
-  const Eigen::Quaterniond rotation = registered.trajectory.at(0.5).rotation;
-  dependence_.learn(found, rotation, knots.usual_rate);
-  const Twist held_back = found.held_back_at(registered.trajectory.mid_ns());
-  for (HeldBack* usual : {&held_back_, &held_back_in_all_}) {
-    usual->learn(held_back, rotation, std::max(knots.usual_rate, 1.0 / agreed_));
-  }
+  errors_.learn(found, registered.trajectory, agreed_);
   usual_.learn(found, first_scan_ ? 1.0 : knots.usual_rate, knots);
   bend_.learn(registered.bent);
   model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
@@ -185,13 +169,12 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
 /// A scan that could not be registered, or whose pose is probably wrong: the pose is the
 /// prediction, and the map stays as it is. What disagrees with the first scans of a map is no
 /// reason to believe these: the map begins anew.
-Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                            Registered registered) {
+Estimate KnotFrontEnd::lose(const ScanPart& thinned, Registered registered) {
   finish(registered.predicted, registered.begin.prior.information);
   Estimate& estimate = registered.estimate;
   const bool wrong = estimate.trusted();
   ++lost_in_a_row_;
-  if (agreed_ < kAgree && (wrong || lost_in_a_row_ == kAgree)) return begin_map(scan, thinned);
+  if (agreed_ < kAgree && (wrong || lost_in_a_row_ == kAgree)) return begin_map(thinned);
   if (wrong) {
     estimate.status = Status::lost;
     estimate.message = "the pose is wrong with a probability of " +
@@ -199,14 +182,16 @@ Estimate KnotFrontEnd::lose(const PreparedScan& scan, const std::vector<std::uin
                        std::to_string(config_.knots.lost_probability);
     estimate.degenerate.clear();
   }
-  if (wrong || is_after_hole(scan) || lost_in_a_row_ > config_.health.restart_after) {
-    if (config_.knots.search_scans == 0) return begin_map(scan, thinned);
+  const bool after_hole = whereabouts().is_after_hole(thinned.scan);
+  if (wrong || after_hole || lost_in_a_row_ > config_.health.restart_after) {
+    if (config_.knots.search_scans == 0) return begin_map(thinned);
     search_ = PoseSearch{};
-    search_->after_hole = is_after_hole(scan);
+    search_->after_hole = after_hole;
   }
   estimate.covariance = unregistered_covariance(config_.health);
-  const ScanTrajectory trajectory = registered.predicted.trajectory(scan.start_ns, scan.end_ns);
-  to_deskew_ = {&scan, trajectory};
+  const ScanTrajectory trajectory =
+      registered.predicted.trajectory(thinned.scan.start_ns, thinned.scan.end_ns);
+  to_deskew_ = {&thinned.scan, trajectory};
   return publish(trajectory, std::move(estimate));
 }
 
@@ -244,15 +229,15 @@ void KnotFrontEnd::forget_verdicts() {
 }
 
 /// Puts what a scan saw, deskewed, into the map's frame.
-View KnotFrontEnd::look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                        const ScanTrajectory& trajectory) {
+View KnotFrontEnd::look(const ScanPart& thinned, const ScanTrajectory& trajectory) {
+  const PreparedScan& scan = thinned.scan;
   const Pose middle = trajectory.at(0.5);
   to_deskew_ = {&scan, trajectory};
   const Deskewing deskewing(trajectory);
-  std::vector<Eigen::Vector3d> points(thinned.size());
+  std::vector<Eigen::Vector3d> points(thinned.points.size());
   session_.workers.for_chunks(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t at = begin; at < end; ++at) {
-      const std::uint32_t i = thinned[at];
+      const std::uint32_t i = thinned.points[at];
       const Eigen::Vector3f& point = scan.points[i];
       points[at] =
           middle * (scan.taus.empty() ? point : deskewing(point, scan.taus[i])).cast<double>();

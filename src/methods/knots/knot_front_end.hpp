@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "core/front_end.hpp"
-#include "methods/knots/dependence.hpp"
+#include "methods/knots/error_model.hpp"
 #include "methods/knots/evidence.hpp"
 #include "methods/knots/growing_map.hpp"
-#include "methods/knots/held_back.hpp"
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/knot_search.hpp"
@@ -17,6 +16,7 @@
 #include "methods/knots/sweep_bend.hpp"
 #include "methods/knots/velocity_model.hpp"
 #include "methods/knots/walked_way.hpp"
+#include "methods/knots/whereabouts.hpp"
 
 namespace surefoot {
 
@@ -40,9 +40,17 @@ class KnotFrontEnd : public FrontEnd {
   /// So many scans must agree before a map, or a place that was found again, is believed.
   static constexpr int kAgree = 3;
 
+  /// A scan and the points of it that are for the map; those that are registered are some of them.
+  struct ScanPart {
+    const PreparedScan& scan;
+    const std::vector<std::uint32_t>& points;
+  };
+  /// The same, kept.
   struct FirstScan {
     PreparedScan scan;
-    std::vector<std::uint32_t> thinned;
+    std::vector<std::uint32_t> points;
+
+    [[nodiscard]] ScanPart thinned() const { return {scan, points}; }
   };
 
   /// A scan's registration.
@@ -52,10 +60,9 @@ class KnotFrontEnd : public FrontEnd {
     KnotRegistration found{};
     KnotWindow bent{};  // as registered, in a map that may be bent
     ScanTrajectory trajectory{};
-    ScanTrajectory told{};  // let go of; the map and what is expected next do not rely on it
+    ToldScan told{};
     Estimate estimate{};
     Signs signs{};
-    double deviation = 0.0;  // [m] of the worst held position, with what all scans err by alike
   };
   /// How a map's first scan moved, and the second one's registration on a map of that.
   struct Beginning {
@@ -79,42 +86,27 @@ class KnotFrontEnd : public FrontEnd {
   };
 
   [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);
-  Estimate begin_map(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
+  Estimate begin_map(const ScanPart& thinned);
+  [[nodiscard]] std::vector<std::uint32_t> choose(const ScanPart& thinned);
+  [[nodiscard]] std::vector<std::uint32_t> chosen_in_passing(const ScanPart& thinned) const;
   [[nodiscard]] KnotProblem problem(const KnotEnd& begin) const;
-  [[nodiscard]] Registered register_next(const PreparedScan& scan,
-                                         const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] Registered register_scan(const PreparedScan& scan,
-                                         const std::vector<std::uint32_t>& thinned,
-                                         const KnotEnd& begin);
+  [[nodiscard]] Registered register_next(const ScanPart& thinned);
+  [[nodiscard]] Registered register_scan(const ScanPart& thinned, const KnotEnd& begin);
   void conclude(const PreparedScan& scan, std::size_t points, Registered& registered) const;
-  void tell(Registered& registered) const;
   void judge(const PreparedScan& scan, const View& view, Registered& registered) const;
-  [[nodiscard]] double hazard_of(const PreparedScan& scan,
-                                 const std::vector<std::uint32_t>& thinned, const View& view,
+  [[nodiscard]] double hazard_of(const ScanPart& thinned, const View& view,
                                  Registered& registered) const;
   [[nodiscard]] double objection_of(const Estimate& estimate, double hazard_now) const;
   [[nodiscard]] bool is_lost(double objection, double of_all) const;
-  [[nodiscard]] double since_trusted(std::int64_t instant_ns) const;
-  [[nodiscard]] bool is_after_hole(const PreparedScan& scan) const;
-  [[nodiscard]] bool is_farther_back(const Pose& place, const PreparedScan& scan) const;
+  [[nodiscard]] Whereabouts whereabouts() const;
   [[nodiscard]] static bool sees_more_new(double at_one, double at_other);
-  [[nodiscard]] double mean_speed() const;
   Estimate accept(double hazard_now, View view, Registered registered);
-  Estimate lose(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                Registered registered);
+  Estimate lose(const ScanPart& thinned, Registered registered);
   /// Whether the scan can tell where it was taken: it was not seen before, and is not reversed.
   [[nodiscard]] bool can_be_placed() const { return !seen_again_ && !reversed_; }
-  Estimate search(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] std::optional<Registered> register_lost(const PreparedScan& scan,
-                                                        const std::vector<std::uint32_t>& thinned);
-  Estimate stay_lost(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] bool may_be_a_storey_on(std::int64_t instant_ns) const;
-  [[nodiscard]] SearchRegion region_within(double speed, std::int64_t instant_ns) const;
-  [[nodiscard]] SearchRegion region_walked(std::int64_t instant_ns) const;
-  [[nodiscard]] SearchRegion region_carried(std::int64_t instant_ns) const;
-  [[nodiscard]] SearchRegion region_anywhere() const;
-  [[nodiscard]] SearchRegion straight_on(std::int64_t instant_ns) const;
-  [[nodiscard]] std::optional<SearchRegion> region_of_turn(std::int64_t instant_ns) const;
+  Estimate search(const ScanPart& thinned);
+  [[nodiscard]] std::optional<Registered> register_lost(const ScanPart& thinned);
+  Estimate stay_lost(const ScanPart& thinned);
   [[nodiscard]] std::vector<PlaceFit> places_in(const PreparedScan& scan,
                                                 const std::vector<std::uint32_t>& chosen,
                                                 const SearchRegion& region, std::size_t most) const;
@@ -125,45 +117,30 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] std::optional<Registered> register_at(
       const PlaceStart& start, const PreparedScan& scan,
       const std::vector<std::uint32_t>& chosen) const;
-  [[nodiscard]] std::optional<Registered> register_ahead(const PreparedScan& scan,
-                                                         const std::vector<std::uint32_t>& thinned);
-  [[nodiscard]] std::optional<Registered> find_place(const PreparedScan& scan,
-                                                     const std::vector<std::uint32_t>& thinned,
+  [[nodiscard]] std::optional<Registered> register_ahead(const ScanPart& thinned);
+  [[nodiscard]] std::optional<Registered> find_place(const ScanPart& thinned,
                                                      const SearchRegion& region);
-  [[nodiscard]] bool has_twin(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                              const Registered& registered) const;
+  [[nodiscard]] bool has_twin(const ScanPart& thinned, const Registered& registered) const;
   [[nodiscard]] double disagreement_of(const Registered& registered) const;
-  [[nodiscard]] std::optional<Estimate> go_on(const PreparedScan& scan,
-                                              const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] std::optional<Estimate> go_on(const ScanPart& thinned);
   [[nodiscard]] double rival_in(const SearchRegion& region, std::size_t most,
-                                const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                                const Registered& registered) const;
-  [[nodiscard]] double rival_beside(const PreparedScan& scan,
-                                    const std::vector<std::uint32_t>& thinned,
-                                    const Registered& registered) const;
-  [[nodiscard]] double rival_anywhere(const PreparedScan& scan,
-                                      const std::vector<std::uint32_t>& thinned,
-                                      const Registered& registered) const;
+                                const ScanPart& thinned, const Registered& registered) const;
+  [[nodiscard]] double rival_beside(const ScanPart& thinned, const Registered& registered) const;
+  [[nodiscard]] double rival_anywhere(const ScanPart& thinned, const Registered& registered) const;
   void learn(const Registered& registered, double right);
-  [[nodiscard]] Twist let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const;
   void let_drift(Registered& registered);
-  [[nodiscard]] Twist first_velocity(const PreparedScan& scan,
-                                     const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] Twist first_velocity(const ScanPart& thinned);
   [[nodiscard]] Beginning beginning_at(const Twist& velocity) const;
-  [[nodiscard]] Registered register_second(const PreparedScan& scan,
-                                           const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] Registered register_second(const ScanPart& thinned);
   [[nodiscard]] bool is_better(const Registered& one, const Registered& other,
                                double times_less) const;
-  [[nodiscard]] Beginning registered_on(Beginning beginning, int rounds, const PreparedScan& scan,
-                                        const std::vector<std::uint32_t>& thinned);
+  [[nodiscard]] Beginning registered_on(Beginning beginning, int rounds, const ScanPart& thinned);
   [[nodiscard]] std::optional<Beginning> turned(const Beginning& beginning,
-                                                const PreparedScan& scan,
-                                                const std::vector<std::uint32_t>& thinned);
+                                                const ScanPart& thinned);
   void take(const Beginning& beginning);
   void clear_map();
   void forget_verdicts();
-  [[nodiscard]] View look(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                          const ScanTrajectory& trajectory);
+  [[nodiscard]] View look(const ScanPart& thinned, const ScanTrajectory& trajectory);
   void integrate(View view);
   [[nodiscard]] KnotEnd end_of(const KnotWindow& window, const Matrix12& information) const;
   void finish(const KnotWindow& window, const Matrix12& information);
@@ -184,9 +161,7 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<StampedPose> last_told_;  // the same, let go of
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;
-  Dependence dependence_;
-  HeldBack held_back_{HeldBack::Mean::left_out};
-  HeldBack held_back_in_all_{HeldBack::Mean::counted};
+  ErrorModel errors_;
   UsualSigns usual_signs_;
   Verdict verdict_;
   Verdict objections_;            // of the same scans, what speaks for leaving the map

@@ -17,21 +17,12 @@ namespace surefoot {
 
 namespace {
 
-// What the evidence is counted from: [m], [s]; and [m/s] of who does not stand.
-constexpr double kKnown = 0.01, kUsualPeriod = 0.1, kWalks = 0.2;
+// What the evidence is counted from: [m], [s].
+constexpr double kKnown = 0.01, kUsualPeriod = 0.1;
 
 constexpr double kSuddenlyNew = 2.0;  // times as much as usual that the map does not have
 constexpr int kYoung = 20;            // scans: a map of fewer is young
 constexpr double kFollows = 1.5;      // usual periods since the last scan, or one is missing
-
-// Of what a pose is let go of, this share counts as held back all the same: it is noisy, and at a
-// run not far enough.
-constexpr double kStillHeld = 0.5;
-
-/// The residuals' variance as a share of the one that was assumed (reduced chi squared).
-double residual_variance(const KnotRegistration& found, const Config::Knots& config) {
-  return found.rigid.weighted_squares / (config.independence * std::max(found.rigid.count, 1));
-}
 
 }  // namespace
 
@@ -56,37 +47,11 @@ void KnotFrontEnd::conclude(const PreparedScan& scan, std::size_t points,
   estimate.status = judgement.status;
   estimate.message = std::move(judgement.message);
   if (judgement.status != Status::ok) return;
-  tell(registered);
+  registered.told = errors_.tell(found, trajectory, model_);
+  estimate.covariance = registered.told.covariance;
   NormalEquations<6> held = found.rigid;
   held.H -= found.doubtful;
   report_weak_directions(held, found.squared_distance, T_map_lidar, config_.health, estimate);
-}
-
-/// Where the pose is told, and how far it may be off.
-void KnotFrontEnd::tell(Registered& registered) const {
-  const KnotRegistration& found = registered.found;
-  const std::int64_t mid_ns = registered.trajectory.mid_ns();
-  const Eigen::Quaterniond rotation = registered.trajectory.at(0.5).rotation;
-  KnotWindow told = found.window;
-  for (std::size_t k = 0; k < told.knots.size(); ++k) {
-    told.knots[k] = displaced(told.knots[k], let_go(found.held_back[k], rotation));
-  }
-  registered.told =
-      told.trajectory(registered.trajectory.start_ns(), registered.trajectory.end_ns());
-  const Twist held_back = found.held_back_at(mid_ns), fluctuation = model_.fluctuation();
-  const Twist still_held = held_back - kStillHeld * let_go(held_back, rotation);
-  const Matrix6 independent = residual_variance(found, config_.knots) * found.covariance_at(mid_ns);
-  // [K22]
-  registered.estimate.covariance = dependence_.applied(independent, rotation) +
-                                   held_back_.covariance(still_held, fluctuation, rotation);
-  const Matrix6 in_all = dependence_.mean() * independent +
-                         held_back_in_all_.covariance(held_back, fluctuation, rotation);
-  registered.deviation = std::sqrt(in_all.diagonal().head<3>().maxCoeff());
-}
-
-/// What a pose is told farther on by than the map has it. Who stands has no gait.
-Twist KnotFrontEnd::let_go(const Twist& held_back, const Eigen::Quaterniond& rotation) const {
-  return std::min(mean_speed() / kWalks, 1.0) * held_back_.let_go(held_back, rotation);
 }
 
 /// What a trusted scan does not hold may have moved since one last did.
@@ -113,24 +78,23 @@ void KnotFrontEnd::judge(const PreparedScan& scan, const View& view, Registered&
                       map_.views().contradiction(view, session_.workers),
                       registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_signs_.compare(registered.signs);
-  evidence.uncertainty = strength(registered.deviation / kKnown);
-  const std::int64_t mid_ns = scan.mid_ns();
-  evidence.gap = strength(since_trusted(mid_ns) / kUsualPeriod);
-  evidence.frozen = seen_again_ ? std::min(mean_speed() / kWalks, 1.0) : 0.0;
+  evidence.uncertainty = strength(registered.told.deviation / kKnown);
+  evidence.gap = strength(whereabouts().since(scan.mid_ns()) / kUsualPeriod);
+  evidence.frozen = seen_again_ ? model_.walking() : 0.0;
 }
 
 /// How probably a scan went wrong; where what speaks against it leaves doubt, whether another place
 /// fits better is asked, too.
-double KnotFrontEnd::hazard_of(const PreparedScan& scan, const std::vector<std::uint32_t>& thinned,
-                               const View& view, Registered& registered) const {
-  judge(scan, view, registered);
+double KnotFrontEnd::hazard_of(const ScanPart& thinned, const View& view,
+                               Registered& registered) const {
+  judge(thinned.scan, view, registered);
   Estimate& estimate = registered.estimate;
   const double alone = hazard(estimate.evidence);
   if (!is_doubtful(alone)) return alone;
-  estimate.evidence.rival = rival_beside(scan, thinned, registered);
+  estimate.evidence.rival = rival_beside(thinned, registered);
   // Who suddenly sees much that is new may have been carried to a place that he knows.
   if (estimate.evidence.unseen > strength(kSuddenlyNew)) {
-    const double far = rival_anywhere(scan, thinned, registered);
+    const double far = rival_anywhere(thinned, registered);
     estimate.evidence.rival = std::max(estimate.evidence.rival, far);
     return hazard_beside_rival(estimate.evidence);
   }

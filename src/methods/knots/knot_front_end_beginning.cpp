@@ -57,8 +57,8 @@ Pose KnotFrontEnd::beginning_pose(const PreparedScan& scan) {
 }
 
 /// The first scan, or the first after too many lost ones: the map begins with it.
-Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
-                                 const std::vector<std::uint32_t>& thinned) {
+Estimate KnotFrontEnd::begin_map(const ScanPart& thinned) {
+  const PreparedScan& scan = thinned.scan;
   session_.begin_step(Step::map);
   Estimate estimate;
   estimate.status = Status::first_scan;
@@ -76,12 +76,12 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
   agreed_ = 1;
   search_.reset();
   clear_map();
-  first_scan_ = FirstScan{scan, thinned};
+  first_scan_ = FirstScan{scan, thinned.points};
   usual_ = {};
   usual_signs_ = {};
   sweep_axis_ = sweep_axis(scan);
   forget_verdicts();
-  integrate(look(scan, thinned, trajectory));
+  integrate(look(thinned, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
   way_.clear();
   way_.add(T_map_lidar);
@@ -91,16 +91,15 @@ Estimate KnotFrontEnd::begin_map(const PreparedScan& scan,
 
 /// The velocity that the second scan of a map shows: both scans as measured, distorted alike, as
 /// rigid bodies, from standstill to a car's speed. Zero where that cannot be told. Map axes.
-Twist KnotFrontEnd::first_velocity(const PreparedScan& scan,
-                                   const std::vector<std::uint32_t>& thinned) {
+Twist KnotFrontEnd::first_velocity(const ScanPart& thinned) {
   const Pose& middle = last_pose_->pose;
-  const std::int64_t mid_ns = scan.mid_ns();
+  const std::int64_t mid_ns = thinned.scan.mid_ns();
   const double elapsed = seconds(mid_ns - last_pose_->stamp_ns);
   const KnotWindow standing{
       {middle, middle, middle}, elapsed, elapsed, last_pose_->stamp_ns, mid_ns};
   KnotPoints points;
-  for (const std::uint32_t i : choice_.choose(scan, thinned, session_.workers)) {
-    points.points.push_back({scan.points[i].cast<double>(), 1.0, {}});
+  for (const std::uint32_t i : choose(thinned)) {
+    points.points.push_back({thinned.scan.points[i].cast<double>(), 1.0, {}});
   }
   points.begins = {0, points.points.size()};
   const KnotPrior anywhere = at_rest(middle, elapsed);
@@ -133,19 +132,18 @@ KnotFrontEnd::Beginning KnotFrontEnd::beginning_at(const Twist& velocity) const 
 
 /// The second scan of a map: from rest, which finds a walker's velocity, or turning, or from a
 /// faster start, if it fits as well or clearly better there.
-KnotFrontEnd::Registered KnotFrontEnd::register_second(const PreparedScan& scan,
-                                                       const std::vector<std::uint32_t>& thinned) {
-  const Twist fast = first_velocity(scan, thinned);
-  Beginning best = registered_on(beginning_at(Twist::Zero()), 1, scan, thinned);
+KnotFrontEnd::Registered KnotFrontEnd::register_second(const ScanPart& thinned) {
+  const Twist fast = first_velocity(thinned);
+  Beginning best = registered_on(beginning_at(Twist::Zero()), 1, thinned);
   if (std::abs(fast[5]) >= kTurning) {
     const double times_less = firmness(best.second.found) > 0.0 ? 1.0 / kAsGood : kClearlyFaster;
     const Twist turn = fast[5] * Twist::Unit(5);
-    Beginning turning = registered_on(beginning_at(turn), kTurnRounds, scan, thinned);
+    Beginning turning = registered_on(beginning_at(turn), kTurnRounds, thinned);
     if (is_better(turning.second, best.second, times_less)) best = std::move(turning);
   }
   if (speed(fast) >= kWalking) {
     const bool walks = speed(best.second.found.window.mean_velocity()) < kWalking;
-    Beginning faster = registered_on(beginning_at(fast), 1, scan, thinned);
+    Beginning faster = registered_on(beginning_at(fast), 1, thinned);
     if (is_better(faster.second, best.second, walks ? kClearlyFaster : 1.0)) {
       best = std::move(faster);
     }
@@ -164,15 +162,14 @@ bool KnotFrontEnd::is_better(const Registered& one, const Registered& other,
 /// The second scan on a map of the first, then the first on a map of the second, and the second
 /// again, `rounds` times: a gait swings, and what the one scan was bent by the other was not.
 KnotFrontEnd::Beginning KnotFrontEnd::registered_on(Beginning beginning, int rounds,
-                                                    const PreparedScan& scan,
-                                                    const std::vector<std::uint32_t>& thinned) {
+                                                    const ScanPart& thinned) {
   take(beginning);
-  beginning.second = register_next(scan, thinned);
+  beginning.second = register_next(thinned);
   for (int round = 0; round < rounds && beginning.second.estimate.trusted(); ++round) {
-    std::optional<Beginning> turn = turned(beginning, scan, thinned);
+    std::optional<Beginning> turn = turned(beginning, thinned);
     if (!turn) break;
     take(*turn);
-    turn->second = register_next(scan, thinned);
+    turn->second = register_next(thinned);
     if (!turn->second.estimate.trusted()) break;
     beginning = std::move(*turn);
   }
@@ -181,14 +178,13 @@ KnotFrontEnd::Beginning KnotFrontEnd::registered_on(Beginning beginning, int rou
 
 /// The first scan's motion as a map of the second shows it. Its middle stays where it is; a gait's
 /// swing in the second is not the first one's.
-std::optional<KnotFrontEnd::Beginning> KnotFrontEnd::turned(
-    const Beginning& beginning, const PreparedScan& scan,
-    const std::vector<std::uint32_t>& thinned) {
+std::optional<KnotFrontEnd::Beginning> KnotFrontEnd::turned(const Beginning& beginning,
+                                                            const ScanPart& thinned) {
   clear_map();
-  integrate(look(scan, thinned, beginning.second.trajectory));
+  integrate(look(thinned, beginning.second.trajectory));
   Twist velocity = beginning.second.found.window.mean_velocity();
   velocity.segment<2>(3).setZero();
-  const auto& [first, first_thinned] = *first_scan_;
+  const PreparedScan& first = first_scan_->scan;
   const Pose from = beginning_at(velocity).first.at(0.0);
   const KnotEnd begin{{{displaced(from, -end_.step * velocity), from},
                        at_rest(from, end_.step, kVague).information},
@@ -196,8 +192,7 @@ std::optional<KnotFrontEnd::Beginning> KnotFrontEnd::turned(
                       end_.step};
   const KnotWindow predicted =
       predict_knots(first, begin, model_, config_.knots).at_velocity(velocity);
-  KnotPoints points =
-      sort_points(first, choice_.choose(first, first_thinned, session_.workers), predicted);
+  KnotPoints points = sort_points(first, choose(first_scan_->thinned()), predicted);
   const KnotRegistration found =
       register_knots(points, problem(begin), predicted, usual_annealing(config_.knots));
   if (!found.solved || found.matches < config_.health.min_matches) return std::nullopt;
@@ -216,7 +211,7 @@ void KnotFrontEnd::take(const Beginning& beginning) {
   end_ = beginning.end;
   model_ = beginning.model;
   clear_map();
-  integrate(look(first_scan_->scan, first_scan_->thinned, beginning.first));
+  integrate(look(first_scan_->thinned(), beginning.first));
 }
 
 }  // namespace surefoot

@@ -16,6 +16,8 @@ const Twist kFirstFluctuation = (Twist() << 0.3, 0.3, 0.3, 0.6, 0.6, 0.4).finish
 // However smoothly it rolls, a sensor's velocity may change; the model is never infinitely stiff.
 constexpr double kLeastFluctuation = 0.003;  // [m/s, rad/s]
 
+constexpr double kWalks = 0.2;  // [m/s] of who does not stand
+
 /// How the deviation e_k = (v_{k+1} - m) - phi (v_k - m) depends on knots k, k + 1 and k + 2: the
 /// same factor for each axis. For rotations this takes the knots' turns to be small.
 std::array<double, 3> slopes_of(const KnotWindow& window, std::size_t k, double phi) {
@@ -45,6 +47,8 @@ VelocityModel VelocityModel::looser(double factor) const {
 Twist VelocityModel::mean(const Eigen::Quaterniond& rotation) const {
   return rotated(rotation, mean_);
 }
+
+double VelocityModel::walking() const { return std::min(mean_speed() / kWalks, 1.0); }
 
 double VelocityModel::pull(double step) const { return std::exp(-step / config_.correlation_time); }
 

@@ -45,6 +45,11 @@ class VelocityModel {
   /// The mean velocity, in the map's axes for a sensor turned by `rotation`.
   [[nodiscard]] Twist mean(const Eigen::Quaterniond& rotation) const;
 
+  /// [m/s]
+  [[nodiscard]] double mean_speed() const { return mean_.head<3>().norm(); }
+  /// 1 for who walks, the less the slower, 0 for who stands.
+  [[nodiscard]] double walking() const;
+
   /// s: [m/s] along x, y, z, [rad/s] about them, map axes.
   [[nodiscard]] Twist fluctuation() const { return variance_.cwiseSqrt(); }
 
