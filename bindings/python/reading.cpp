@@ -57,12 +57,12 @@ std::string dataset_named(const std::string& name) {
 }
 
 using Setter = void (*)(io::OpenOptions&, const py::handle&);
-struct Option {
+struct ReadingKeyword {
   const char* name;
   Setter set;
 };
 
-const Option kOptions[] = {
+const ReadingKeyword kReadingKeywords[] = {
     {"dataset", [](auto& o, const auto& v) { o.dataset = dataset_named(word(v)); }},
     {"topic", [](auto& o, const auto& v) { o.topic = word(v); }},
     {"format", [](auto& o, const auto& v) { o.format = word(v); }},
@@ -113,7 +113,7 @@ io::StampAt stamp_at_named(const std::string& name) {
 
 bool set_reading_option(io::OpenOptions& options, const std::string& name,
                         const py::handle& value) {
-  for (const Option& option : kOptions) {
+  for (const ReadingKeyword& option : kReadingKeywords) {
     if (name != option.name) continue;
     try {
       option.set(options, value);
@@ -127,7 +127,7 @@ bool set_reading_option(io::OpenOptions& options, const std::string& name,
 
 std::vector<std::string> reading_option_names() {
   std::vector<std::string> names;
-  for (const Option& option : kOptions) names.emplace_back(option.name);
+  for (const ReadingKeyword& option : kReadingKeywords) names.emplace_back(option.name);
   return names;
 }
 

@@ -22,12 +22,12 @@ namespace {
 
 using runs::RunOptions;
 
-struct Option {
+struct RunKeyword {
   const char* name;
   void (*set)(RunOptions& options, const py::handle& value);
 };
 
-const Option kOptions[] = {
+const RunKeyword kRunKeywords[] = {
     {"extrinsic",
      [](auto& o, const auto& v) { o.extrinsic = v.template cast<std::vector<double>>(); }},
     {"level", [](auto& o, const auto& v) { o.level = py::str(v); }},
@@ -67,7 +67,7 @@ void record(RunOptions& options, std::string name, const py::handle& value) {
 
 bool set_option(RunOptions& options, const std::string& name, const py::handle& value) {
   if (set_reading_option(options.reader, name, value)) return true;
-  for (const Option& option : kOptions) {
+  for (const RunKeyword& option : kRunKeywords) {
     if (name != option.name) continue;
     try {
       option.set(options, value);
