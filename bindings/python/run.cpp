@@ -39,6 +39,7 @@ const RunKeyword kRunKeywords[] = {
     {"mcap", [](auto& o, const auto& v) { o.mcap = v.template cast<std::filesystem::path>(); }},
     {"rosbag2",
      [](auto& o, const auto& v) { o.rosbag2 = v.template cast<std::filesystem::path>(); }},
+    {"truth", [](auto& o, const auto& v) { o.truth = v.template cast<std::filesystem::path>(); }},
     {"pose_of", [](auto& o, const auto& v) { o.pose_of = py::str(v); }},
     {"map_voxel", [](auto& o, const auto& v) { o.map_voxel = v.template cast<double>(); }},
     {"pose_rate", [](auto& o, const auto& v) { o.pose_rate = v.template cast<double>(); }},
@@ -49,7 +50,8 @@ const RunKeyword kRunKeywords[] = {
 
 /// Not repeated by a run.yaml: recorded as parameters, or nothing to do with the results.
 bool is_recorded(const std::string& name) {
-  for (const char* other : {"extrinsic", "level", "threads", "overwrite", "mcap", "rosbag2"}) {
+  for (const char* other :
+       {"extrinsic", "level", "threads", "overwrite", "mcap", "rosbag2", "truth"}) {
     if (name == other) return false;
   }
   return true;

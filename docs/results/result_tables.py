@@ -368,10 +368,6 @@ def drawn():
                      "ok", "false ok"], lines) + f"\n\n{kept_by(kept)}"
 
 
-def drawn_sum(column):
-    return str(sum(int(row[column]) for row in Kept("drawn").rows[1:]))
-
-
 def drawn_clean():
     """Of the set-ups drawn, those without a false scan."""
     return str(sum(row[6] == "0" for row in Kept("drawn").rows[1:]))
@@ -678,8 +674,6 @@ TABLES = {
     "drawn-runs": lambda: str(len(Kept("drawn").rows) - 1),
     "drawn-clean": drawn_clean,
     "drawn-median": drawn_median,
-    "drawn-false": lambda: drawn_sum(6),
-    "drawn-ok": lambda: f"{int(drawn_sum(5)):,}",
     "changed-set": changed_set,
     "latest-set-in-motion": lambda: reporting(f"reporting-{LATEST_SET}-in-motion"),
     "earlier-sets": earlier_sets,

@@ -50,6 +50,21 @@ class RunTest(unittest.TestCase):
             )
 
     @needs_program
+    def test_its_picture_shows_the_truth_that_is_given(self):
+        truth = scratch("truth.tum")
+        rows = np.loadtxt(self.folder / "gt.tum")
+        rows[:, 3] += 0.3 * np.sin(np.arange(len(rows)))
+        np.savetxt(truth, rows, fmt="%.9f")
+        options = {"count": 10, "no_report": True}
+        beside = surefoot.run(self.folder, scratch("beside"), **options).folder
+        given = surefoot.run(self.folder, scratch("given"), truth=truth, **options).folder
+        out = scratch("out")
+        program("run", self.folder, "-o", out, "--truth", truth, "--count", 10, "--no-report", "-q")
+        drawn = (given / "picture.png").read_bytes()
+        self.assertTrue(drawn == (out / "picture.png").read_bytes())
+        self.assertFalse(drawn == (beside / "picture.png").read_bytes())
+
+    @needs_program
     def test_the_program_repeats_it(self):
         out = scratch("again")
         program("run", "--config", self.run_made.folder / "run.yaml", "-o", out, "-q")
