@@ -66,6 +66,14 @@ TEST(SweepAxis, MirroredOrBackwardsIsOpposite) {
   EXPECT_FALSE(are_opposite(axis, axis));
 }
 
+// Two that are 0.8 long and opposite are enough, and one that is short tells nothing.
+TEST(SweepAxis, OnlyWhatTurnsSteadilyIsOpposite) {
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  EXPECT_TRUE(are_opposite(0.81F * up, -0.81F * up));
+  EXPECT_FALSE(are_opposite(0.79F * up, -0.79F * up));
+  EXPECT_FALSE(are_opposite(up, -0.5F * up));
+}
+
 TEST(SweepAxis, WithoutTimesOrToAndFroNothingIsTold) {
   PreparedScan untimed = spinning();
   untimed.taus.clear();
