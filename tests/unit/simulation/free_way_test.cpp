@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Nobody walks through a wall: in no recording of the suite, on no layout of a scene. What is named
-// "Whole" takes five minutes and is labelled long.
+// "Whole" takes minutes: unit_simulation_whole, labelled long.
 #include <gtest/gtest.h>
 
 #include <cstdint>
