@@ -75,14 +75,20 @@ std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, Time
     reading = start(time_ns, base, arrival_ns);
   } else {
     const std::int64_t by_arrival = arrival_ns - last_arrival_ns_;
-    const std::int64_t by_sensor = time_ns - last_time_ns_;
-    std::int64_t step = past_hour ? nearest_by_hours(by_sensor, by_arrival) : by_sensor;
-    const bool set_back = step <= 0 && by_arrival > kSetBackNs;
-    reading.jumped = set_back || std::abs(step - by_arrival) > kAgreeNs;
-    step = reading.jumped ? by_arrival : step;
+    const bool receiver_set_back = by_arrival < -kSetBackNs;
+    const std::int64_t by_sensor =
+        past_hour ? nearest_by_hours(time_ns - last_time_ns_, receiver_set_back ? 0 : by_arrival)
+                  : time_ns - last_time_ns_;
+    // Whose next packet follows shortly was not set, whatever the receiver's clock says.
+    const bool goes_on = by_sensor > 0 && by_sensor <= kAgreeNs;
+    const bool set_back = by_sensor <= 0 && (receiver_set_back || by_arrival > kSetBackNs);
+    reading.jumped = set_back || (!goes_on && std::abs(by_sensor - by_arrival) > kAgreeNs);
+    std::int64_t step = by_sensor;
+    if (reading.jumped) step = receiver_set_back ? last_step_ns_ : by_arrival;
     if (step <= 0 || last_stamp_ns_ + step > kGreatestNs) {
       return std::nullopt;
     }
+    last_step_ns_ = step;
     last_stamp_ns_ += step;
     reading.stamp_ns = last_stamp_ns_;
     reading.since_last_ns = step;

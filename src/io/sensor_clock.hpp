@@ -15,13 +15,16 @@ namespace surefoot::io {
 /// The sensor's clock says how packets follow each other; the clock of whoever received them (the
 /// arrival) says no more than which hour it is, of sensors that count within the hour, and where to
 /// begin, of sensors that count from their own start or disagree with it by more than 2 s. A time
-/// since the epoch (GPS or PTP) is taken as it is.
+/// since the epoch (GPS or PTP) is taken as it is. Either clock may be set: where the sensor's goes
+/// on by less than 2 s, it is believed.
 class SensorClock {
  public:
   struct Reading {
     std::int64_t stamp_ns = 0;
     std::int64_t since_last_ns = 0;  ///< 0 for the first packet
-    bool jumped = false;  ///< the sensor's clock was set; the arrival's clock bridges the jump
+    /// The sensor's clock was set; the arrival's clock bridges the jump, or, if that was set back
+    /// as well, as much as passed between the two packets before.
+    bool jumped = false;
   };
 
   /// Stamp of a packet, or nothing for one that is not later than the one before (repeated or out
@@ -46,6 +49,7 @@ class SensorClock {
   std::int64_t last_time_ns_ = 0;
   std::int64_t last_arrival_ns_ = 0;
   std::int64_t last_stamp_ns_ = 0;
+  std::int64_t last_step_ns_ = 1'000'000;  // [ns] about a packet, until it is known
   std::string note_;
   std::string source_;
 };
