@@ -11,6 +11,10 @@ using Bytes = std::span<const std::byte>;
 
 constexpr std::uint16_t kEtherIpv4 = 0x0800;
 
+// So many parts after its last one a datagram is not completed any more: later ones have its number
+// again.
+constexpr std::uint64_t kMostParts = 256;
+
 std::uint8_t u8(Bytes bytes, std::size_t at) { return std::to_integer<std::uint8_t>(bytes[at]); }
 
 // Network byte order.
@@ -116,7 +120,8 @@ UdpDatagram find_udp(LinkLayer link, std::span<const std::byte> frame, IpFragmen
 FragmentBuffer::Pending& FragmentBuffer::pending_for(const IpFragment& fragment) {
   Pending* oldest = &pending_.front();
   for (Pending& one : pending_) {
-    if (one.used > 0 && one.id == fragment.id && one.source_address == fragment.source_address &&
+    const bool known = one.used > 0 && clock_ - one.used <= kMostParts;
+    if (known && one.id == fragment.id && one.source_address == fragment.source_address &&
         one.destination_address == fragment.destination_address) {
       return one;
     }

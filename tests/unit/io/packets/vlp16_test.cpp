@@ -263,6 +263,39 @@ TEST(SensorClock, AClockThatIsSetBackIsBridged) {
   EXPECT_FALSE(clock.read(521'000'000, kPastHour, kCapture + 111'000'000)->jumped);
 }
 
+// NTP sets the receiver's clock while the sensor's goes on.
+TEST(SensorClock, AReceiversClockThatIsSetMovesNoStamp) {
+  constexpr auto kAbsolute = sensors::TimeBase::absolute;
+  for (const std::int64_t set : {-kHour, -kHour / 1200, kHour / 1200}) {
+    for (const auto base : {kPastHour, kAbsolute}) {
+      SensorClock clock;
+      const std::int64_t begin = base == kAbsolute ? kCapture : kCapture % kHour;
+      ASSERT_TRUE(clock.read(begin, base, kCapture));
+      std::int64_t arrival = kCapture + set;
+      for (int packet = 1; packet <= 3; ++packet) {
+        const auto next = clock.read(begin + packet * 1'327'000, base, arrival += 1'327'000);
+        ASSERT_TRUE(next) << set;
+        EXPECT_FALSE(next->jumped);
+        EXPECT_EQ(next->stamp_ns, kCapture + packet * 1'327'000);
+      }
+    }
+  }
+}
+
+// A sensor that takes its time from the receiver is set back with it.
+TEST(SensorClock, BothClocksSetBackLoseNoPacket) {
+  SensorClock clock;
+  constexpr auto kAbsolute = sensors::TimeBase::absolute;
+  ASSERT_TRUE(clock.read(kCapture, kAbsolute, kCapture));
+  ASSERT_TRUE(clock.read(kCapture + 1'327'000, kAbsolute, kCapture + 1'327'000));
+  const std::int64_t back = kCapture - kHour;
+  const auto jump = clock.read(back, kAbsolute, back);
+  ASSERT_TRUE(jump);
+  EXPECT_TRUE(jump->jumped);
+  EXPECT_EQ(jump->since_last_ns, 1'327'000);
+  EXPECT_FALSE(clock.read(back + 1'327'000, kAbsolute, back + 1'327'000)->jumped);
+}
+
 TEST(Udp, LinkLayersTagsAndOptions) {
   const std::string ip = test::ip_packet("payload", 2368);
   const auto payload_in = [](LinkLayer link, const std::string& frame) {
@@ -336,6 +369,25 @@ TEST(Udp, FragmentsAreJoinedInAnyOrder) {
       }
     }
   } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// Numbers come again after 65,536 datagrams.
+TEST(Udp, WhatStaysIncompleteIsNotJoinedToALaterDatagram) {
+  const std::string ip = test::ip_packet(std::string(152, 'x'), 7502);  // 160 bytes with its header
+  FragmentBuffer buffer;
+  const auto add = [&](std::uint16_t id, std::size_t offset, bool last) {
+    IpFragment fragment;
+    (void)find_udp(LinkLayer::raw_ip, bytes_of(part_of(ip, offset, 80, last)), &fragment);
+    fragment.id = id;
+    return buffer.add(fragment).content == FrameContent::udp;
+  };
+  EXPECT_FALSE(add(7, 0, false));  // its other half is lost
+  for (std::uint16_t i = 0; i < 200; ++i) {
+    const auto id = static_cast<std::uint16_t>(100 + i);
+    EXPECT_FALSE(add(id, 0, false));
+    EXPECT_TRUE(add(id, 80, true));
+  }
+  EXPECT_FALSE(add(7, 80, true));
 }
 
 TEST(Udp, FragmentsBeyondADatagramAreRefused) {
