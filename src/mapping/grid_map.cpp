@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "mapping/submap.hpp"
 
@@ -98,6 +99,15 @@ class Evidence {
   std::vector<std::uint16_t> hits_, passes_;
 };
 
+/// Between which shares of its way a beam from one height to another is within a robot's: outside
+/// of it, it says nothing about where that can go. None: the second is not greater.
+std::pair<double, double> shares_within(double from, double to, double low, double high) {
+  const double rise = to - from;
+  if (rise == 0.0) return {0.0, from > low && from < high ? 1.0 : 0.0};
+  const auto [first, second] = std::minmax({(low - from) / rise, (high - from) / rise});
+  return {std::clamp(first, 0.0, 1.0), std::clamp(second, 0.0, 1.0)};
+}
+
 }  // namespace
 
 OccupancyGrid draw_occupancy(const std::vector<Piece>& pieces, const GridOptions& options) {
@@ -120,16 +130,14 @@ OccupancyGrid draw_occupancy(const std::vector<Piece>& pieces, const GridOptions
       const Eigen::Vector3d to = piece.T_world_piece * seen.points[i].cast<double>();
       const bool stands = height > options.low && height < options.high;
       if (stands) evidence.hit(to.head<2>());
-      // A beam that leaves a robot's height on its way says nothing about what lies beyond.
-      const double eye_height = seen.eyes[i].z() - ground;
-      double share = 1.0;
-      if (height > options.high) share = (options.high - eye_height) / (height - eye_height);
-      if (height < options.low) share = (eye_height - options.low) / (eye_height - height);
-      share = std::clamp(share, 0.0, 1.0);
+      const auto [enters, leaves] =
+          shares_within(seen.eyes[i].z() - ground, height, options.low, options.high);
       const Eigen::Vector2d way = to.head<2>() - from.head<2>();
-      const double shorter = std::max(way.norm() * share - 2.0 * options.cell, 0.0);
-      if (way.norm() > 0.0) {
-        evidence.pass(from.head<2>(), from.head<2>() + way.normalized() * shorter);
+      const double begin = enters * way.norm();
+      const double end = std::max(leaves * way.norm() - 2.0 * options.cell, 0.0);
+      if (way.norm() > 0.0 && end >= begin) {
+        const Eigen::Vector2d ahead = way.normalized();
+        evidence.pass(from.head<2>() + begin * ahead, from.head<2>() + end * ahead);
       }
     }
   }

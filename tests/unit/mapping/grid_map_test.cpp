@@ -40,6 +40,31 @@ TEST(OccupancyGridTest, WallsAreOccupiedAndTheRoomIsFree) {
   EXPECT_EQ(cell_at(grid, 96.03, -50.97), OccupancyGrid::kOccupied);
 }
 
+// A LiDAR in a hand, 1.7 m above the floor, sees that behind a wall of 1 m, and a ceiling: beams
+// that go over what a robot is as high as go through nothing that stops it.
+TEST(OccupancyGridTest, AWallThatIsLookedOverStays) {
+  constexpr float kFloor = -1.7F, kWall = 3.0F, kSeenFrom = 10.3F;
+  Piece piece;
+  piece.eyes = {Eigen::Vector3f::Zero()};
+  for (int i = -40; i <= 40; ++i) {
+    const float slope = 0.02F * static_cast<float>(i);
+    for (int j = 2; j <= 10; ++j) {
+      piece.points.emplace_back(kWall, slope * kWall, kFloor + 0.1F * static_cast<float>(j));
+    }
+    for (float x = 1.0F; x < kWall; x += 0.1F) piece.points.emplace_back(x, slope * x, kFloor);
+    for (float x = kSeenFrom; x < 19.0F; x += 0.1F) {
+      piece.points.emplace_back(x, slope * x, kFloor);
+      piece.points.emplace_back(x, slope * x, 1.0F);
+    }
+  }
+  piece.seen_from.assign(piece.points.size(), 0);
+  piece.T_world_piece.translation = {0.03, 0.03, 0.0};
+  const OccupancyGrid grid = draw_occupancy({piece}, {});
+  EXPECT_EQ(cell_at(grid, 3.03, 0.53), OccupancyGrid::kOccupied);
+  EXPECT_EQ(cell_at(grid, 2.03, 0.03), OccupancyGrid::kFree);
+  EXPECT_EQ(cell_at(grid, 0.23, 0.03), OccupancyGrid::kUnknown) << "looked over, too";
+}
+
 TEST(OccupancyGridTest, ImageAndYamlAreThoseOfMapServer) {
   const OccupancyGrid grid = draw_occupancy({room()}, {});
   const std::string image = format_pgm(grid);
