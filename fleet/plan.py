@@ -127,12 +127,18 @@ def single_runs(settings):
                "folder": name, "recording": recording, "method": settings["command"]}
 
 
+def file_named_in(word):
+    """Of --config=walk.yaml the file; else the word, which may be one."""
+    name, _, value = word.partition("=")
+    return value if name.startswith("-") else word
+
+
 def make(settings, hashes):
     """Throws SettingsError."""
     comparison = settings["command"] in COMPARISONS
     program = hashes.of(settings["program"])
-    options = [[word, hashes.of(word) if os.path.isfile(word) else ""]
-               for word in settings["options"]]
+    options = [[word, hashes.of(file) if os.path.isfile(file) else ""]
+               for word in settings["options"] for file in [file_named_in(word)]]
     contents = {path: hashes.of_recording(path) for path in settings["recordings"]}
     runs = {}
     for run in comparison_runs(settings) if comparison else single_runs(settings):

@@ -35,6 +35,11 @@ def call(plan, arguments, lock=None):
     return child.returncode, output, errors
 
 
+def worse(code, other):
+    """Of two exit codes; less than zero: a signal ended it."""
+    return min(code, other) if min(code, other) < 0 else max(code, other)
+
+
 def last_words(plan, run, errors):
     """Why it failed: what it said itself, or, of a comparison's run, its log."""
     log = pathlib.Path(plan["output"], run["folder"], "run.log")
@@ -72,7 +77,7 @@ def do_run(plan, mark):
         code, _, errors = call(plan, [*plan["common"], *run["arguments"]], lock)
         if code in WORKED and run["then"]:
             further, _, more = call(plan, run["then"], lock)
-            code, errors = max(code, further), errors + more
+            code, errors = worse(code, further), errors + more
         sys.stderr.write(errors)
         write_whole(done, json.dumps({"outcome": outcome(plan, code), "exit_code": code,
                                       "words": last_words(plan, run, errors) if code else "",
@@ -112,7 +117,7 @@ def join_maps(plan, folders):
     text = output + errors
     if plan["tiles"] and (joint / "map.surefoot").exists():
         further, output, errors = call(plan, ["export", joint, "--tiles", joint / "tiles"])
-        code, text = max(code, further), text + output + errors
+        code, text = worse(code, further), text + output + errors
     return code, text
 
 

@@ -221,6 +221,13 @@ class FleetTest(unittest.TestCase):
                                         **given).count("rule run:"), 1)
             # What the folder held before is not there any more.
             self.assertEqual(self.fleet(**given).count("rule run:"), 1)
+            # So is a file that an option names.
+            (self.folder / "set.yaml").write_text("knots:\n  memory: 0.1\n")
+            told = {**given, "options": ["--config=set.yaml"]}
+            self.assertEqual(self.fleet(**told).count("rule run:"), 1)
+            (self.folder / "set.yaml").write_text("knots:\n  memory: 0.2\n")
+            self.assertEqual(self.fleet(**told).count("rule run:"), 1)
+            self.assertEqual(self.fleet(**given).count("rule run:"), 1)
             if command == "map":
                 shutil.rmtree(self.folder / "map/walk1")
                 self.assertEqual(self.fleet(**given).count("rule run:"), 1)
