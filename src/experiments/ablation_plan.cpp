@@ -72,10 +72,10 @@ const Change kPaperChanges[] = {
 };
 
 const Change kSurefootChanges[] = {
-    {kControl, "3900 points mapped", "", "knots.map_points=3900"},
-    {kControl, "3950 points mapped", "", "knots.map_points=3950"},
-    {kControl, "4050 points mapped", "", "knots.map_points=4050"},
-    {kControl, "4100 points mapped", "", "knots.map_points=4100"},
+    {kControl, "2900 points mapped", "", "knots.map_points=2900"},
+    {kControl, "2950 points mapped", "", "knots.map_points=2950"},
+    {kControl, "3050 points mapped", "", "knots.map_points=3050"},
+    {kControl, "3100 points mapped", "", "knots.map_points=3100"},
 
     {"Knots", "K = 1", "(9)-(11)", "knots.segments=1"},
     {"Knots", "K = 2", "(9)-(11)", "knots.segments=2"},

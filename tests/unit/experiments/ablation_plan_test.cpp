@@ -43,6 +43,21 @@ TEST_P(AblationPlans, BeginsWithTheMethodAsItIsAndFourControls) {
   }
 }
 
+// A control that is far from what it controls shows more than chance.
+TEST_P(AblationPlans, ControlsAreWithinATwentieth) {
+  const AblationPlan plan = ablation_plan(GetParam());
+  const Config usual = method_config(GetParam());
+  for (std::size_t i = 1; i < plan.references; ++i) {
+    const Config changed = variant_config(plan.variants[i], {});
+    for (const std::string& setting : plan.variants[i].settings) {
+      const std::string name = setting.substr(0, setting.find('='));
+      EXPECT_NEAR(std::stod(get_parameter(changed, name)) / std::stod(get_parameter(usual, name)),
+                  1.0, 0.05)
+          << name;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, AblationPlans, testing::ValuesIn(ablated_methods()));
 
 TEST(AblationPlan, OtherMethodsAreRefused) {
