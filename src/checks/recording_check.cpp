@@ -59,8 +59,9 @@ class Check {
   // Before the recording, which may be too short to ask it anything.
   void read_truth() {
     if (options_.truth.empty()) return;
-    truth_ = is_bag(options_.truth) ? io::read_pose_topic(options_.truth, options_.truth_topic)
-                                    : io::read_tum(options_.truth);
+    truth_ = is_bag(options_.truth)
+                 ? io::read_pose_topic(options_.truth, options_.truth_topic).poses
+                 : io::read_tum(options_.truth);
   }
 
   void look_at_all() {

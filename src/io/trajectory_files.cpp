@@ -71,21 +71,6 @@ StampedPose pose_of_tum_row(const std::vector<std::string_view>& words, std::siz
   return pose;
 }
 
-Pose pose_of_kitti_row(const std::vector<std::string_view>& words, std::size_t line) {
-  Eigen::Matrix<double, 3, 4> matrix;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      matrix(row, column) = finite_number(words[static_cast<std::size_t>(4 * row + column)], line);
-    }
-  }
-  const Eigen::Matrix3d given = matrix.leftCols<3>();
-  const Eigen::Matrix3d rotation = nearest_rotation(given);
-  if (!((given - rotation).norm() < 0.01)) {
-    fail_at_line(line, "the 3x3 part is no rotation");
-  }
-  return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
-}
-
 // Lets errors in a file name it.
 template <typename Read>
 auto naming(const std::filesystem::path& file, Read&& read) {
@@ -106,6 +91,21 @@ auto parse_file(const std::filesystem::path& file, Parse&& parse) {
 }
 
 }  // namespace
+
+Pose pose_of_kitti_row(std::span<const std::string_view> words, std::size_t line) {
+  Eigen::Matrix<double, 3, 4> matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      matrix(row, column) = finite_number(words[static_cast<std::size_t>(4 * row + column)], line);
+    }
+  }
+  const Eigen::Matrix3d given = matrix.leftCols<3>();
+  const Eigen::Matrix3d rotation = nearest_rotation(given);
+  if (!((given - rotation).norm() < 0.01)) {
+    fail_at_line(line, "the 3x3 part is no rotation");
+  }
+  return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
+}
 
 std::string format_tum(const Trajectory& trajectory) {
   std::string out;

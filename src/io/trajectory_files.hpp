@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ void write_kitti_poses(const std::filesystem::path& file, const Trajectory& traj
 /// The 3x3 parts are made rotations again, as they are written with few digits. Throws ReadError
 /// naming the line.
 [[nodiscard]] std::vector<Pose> parse_kitti_poses(std::string_view text);
+/// Of one such row: twelve words. Throws ReadError naming the line.
+[[nodiscard]] Pose pose_of_kitti_row(std::span<const std::string_view> words, std::size_t line);
 /// The same from files; the message of a ReadError names the file too.
 [[nodiscard]] Trajectory read_tum(const std::filesystem::path& file);
 [[nodiscard]] std::vector<Pose> read_kitti_poses(const std::filesystem::path& file);

@@ -80,22 +80,6 @@ std::optional<Eigen::Quaterniond> rotation_of(const Words& words, std::size_t fi
   return rotation.normalized();
 }
 
-Pose matrix_of(const Words& words, std::size_t first, std::size_t line) {
-  Eigen::Matrix<double, 3, 4> matrix;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      matrix(row, column) =
-          number_of(words[first + static_cast<std::size_t>(4 * row + column)], line);
-    }
-  }
-  const Eigen::Matrix3d given = matrix.leftCols<3>();
-  const Eigen::Matrix3d rotation = nearest_rotation(given);
-  if (!((given - rotation).norm() < 0.01)) {
-    fail_at_line(line, "the 3x3 part is no rotation");
-  }
-  return {Eigen::Quaterniond(rotation).normalized(), matrix.col(3)};
-}
-
 void add_pose(Truth& truth, const Words& words, std::size_t first, std::size_t line,
               std::int64_t stamp_ns) {
   StampedPose pose;
@@ -133,10 +117,11 @@ void add_row(Truth& truth, const Words& words, std::size_t line) {
     case 12:
       truth.has_stamps = false;
       truth.poses.push_back(
-          {static_cast<std::int64_t>(truth.poses.size()), matrix_of(words, 0, line)});
+          {static_cast<std::int64_t>(truth.poses.size()), pose_of_kitti_row(words, line)});
       return;
     case 13:
-      truth.poses.push_back({stamp_of(words[0], line), matrix_of(words, 1, line)});
+      truth.poses.push_back(
+          {stamp_of(words[0], line), pose_of_kitti_row(std::span(words).subspan(1), line)});
       return;
     case 17:
       return add_euroc_pose(truth, words, line);
@@ -315,8 +300,11 @@ Truth read_truth(const fs::path& path, const Dataset* set, const std::string& to
   if (set != nullptr && set->truth == TruthOf::kitti_camera) return read_kitti(path);
   if (holds_topics(path)) {
     const std::string name = topic.empty() && set != nullptr ? set->truth_topic : topic;
-    truth.poses = read_pose_topic(path, name);
-    truth.what = "topic " + (name.empty() ? std::string("of poses") : name);
+    PoseTopic told = read_pose_topic(path, name);
+    truth.poses = std::move(told.poses);
+    truth.has_rotations = told.has_rotations;
+    truth.what = "topic " + (name.empty() ? std::string("of poses") : name) +
+                 (truth.has_rotations ? "" : ", positions without rotations");
   } else {
     truth = read_table(path);
   }

@@ -186,7 +186,7 @@ void read_motion_bytes(Bytes bytes) {
   const io::Message message{&topic, 0, bytes.subspan(1)};
   try {
     if (io::is_pose_type(topic.type)) {
-      if (!io::read_pose(message).pose.translation.allFinite()) std::abort();
+      if (!io::read_pose(message).pose.pose.translation.allFinite()) std::abort();
     } else {
       (void)io::read_imu(message);
     }

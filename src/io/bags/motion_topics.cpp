@@ -53,11 +53,11 @@ void go_on(Trajectory& turning, const Turning& next) {
 
 }  // namespace
 
-Trajectory read_pose_topic(const std::filesystem::path& bag, const std::string& topic) {
+PoseTopic read_pose_topic(const std::filesystem::path& bag, const std::string& topic) {
   const std::string name = topic.empty() ? only_pose_topic(bag) : topic;
   const auto source = open_bag(bag);
   source->want(name);
-  Trajectory trajectory;
+  PoseTopic read;
   while (const std::optional<Message> message = source->next()) {
     if (message->topic->name != name) continue;
     if (!is_pose_type(message->topic->type)) {
@@ -65,15 +65,16 @@ Trajectory read_pose_topic(const std::filesystem::path& bag, const std::string& 
                       "; expected poses: Odometry, PoseStamped, TransformStamped or PointStamped");
     }
     try {
-      const StampedPose pose = read_pose(*message);
-      const bool later = trajectory.empty() || pose.stamp_ns > trajectory.back().stamp_ns;
-      if (later) trajectory.push_back(pose);
+      const auto [pose, has_rotation] = read_pose(*message);
+      if (!read.poses.empty() && pose.stamp_ns <= read.poses.back().stamp_ns) continue;
+      read.poses.push_back(pose);
+      read.has_rotations = read.has_rotations && has_rotation;
     } catch (const ReadError&) {
       continue;  // one bad message is no reason to lose the others
     }
   }
-  if (trajectory.empty()) throw ReadError(bag.string() + ": no pose on topic '" + name + "'");
-  return trajectory;
+  if (read.poses.empty()) throw ReadError(bag.string() + ": no pose on topic '" + name + "'");
+  return read;
 }
 
 Gyroscope read_gyroscope(const std::filesystem::path& bag, std::int64_t begin_ns,

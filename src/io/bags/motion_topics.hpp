@@ -12,11 +12,13 @@
 
 namespace surefoot::io {
 
+struct PoseTopic {
+  Trajectory poses;
+  bool has_rotations = true;  ///< else some are not known: these are the identity
+};
 /// Poses of a bag's topic (motion_message.hpp says of which types), or, without a name, of the only
-/// one that has any. Points have no rotation: theirs is the identity. Throws ReadError, also where
-/// there is no such topic or several.
-[[nodiscard]] Trajectory read_pose_topic(const std::filesystem::path& bag,
-                                         const std::string& topic);
+/// one that has any. Throws ReadError, also where there is no such topic or several.
+[[nodiscard]] PoseTopic read_pose_topic(const std::filesystem::path& bag, const std::string& topic);
 
 struct Gyroscope {
   std::string topic;   ///< empty: there is none in the bag

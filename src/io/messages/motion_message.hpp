@@ -16,9 +16,15 @@ namespace surefoot::io {
 /// nav_msgs/Odometry, and what geometry_msgs has with a header and a position.
 [[nodiscard]] bool is_pose_type(const std::string& type);
 
+/// Where something was. Of a point, or by four zeros, the rotation is not known: the identity.
+struct PoseMessage {
+  StampedPose pose;
+  bool has_rotation = true;
+};
+
 /// Of a message whose type is_pose_type(). Throws ReadError where it is not what its type asks for,
 /// or holds no pose.
-[[nodiscard]] StampedPose read_pose(const Message& message);
+[[nodiscard]] PoseMessage read_pose(const Message& message);
 
 /// What a gyroscope tells.
 struct Turning {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "io/bags/bag_writer.hpp"
+#include "io/messages/motion_message.hpp"
 #include "io/recording.hpp"
+#include "io/truth_files.hpp"
 #include "unit/io/support.hpp"
 
 namespace surefoot::io {
@@ -73,11 +75,16 @@ TEST(PoseTopic, PosesAndPointsAreRead) {
              pose(kFirstStamp + kStep, {9, 9, 9}, true));  // out of order
   bag->finish();
   const auto file = folder.path() / "a.mcap";
-  const Trajectory path = read_pose_topic(file, "/poses");
+  const auto [path, has_rotations] = read_pose_topic(file, "/poses");
   ASSERT_EQ(path.size(), 3U);
+  EXPECT_TRUE(has_rotations);
   EXPECT_EQ(path[2].pose.translation, Eigen::Vector3d(2, 2, 3));
   EXPECT_NEAR(path[2].pose.rotation.z(), 0.6, 1e-12);
-  EXPECT_EQ(read_pose_topic(file, "/prism")[1].pose.translation, Eigen::Vector3d(4, 1, 6));
+  const PoseTopic points = read_pose_topic(file, "/prism");
+  EXPECT_EQ(points.poses[1].pose.translation, Eigen::Vector3d(4, 1, 6));
+  EXPECT_FALSE(points.has_rotations);
+  EXPECT_FALSE(read_truth(file, nullptr, "/prism").has_rotations);
+  EXPECT_TRUE(read_truth(file, nullptr, "/poses").has_rotations);
   try {
     (void)read_pose_topic(file, "");
     ADD_FAILURE() << "one of two was taken";
@@ -85,6 +92,40 @@ TEST(PoseTopic, PosesAndPointsAreRead) {
     EXPECT_NE(std::string(error.what()).find("/prism"), std::string::npos);
   }
   EXPECT_THROW((void)read_pose_topic(file, "/nothing"), ReadError);
+}
+
+// "Delimited" CDR 2 has a size before every structure, and aligns to 4 bytes at most.
+TEST(PoseTopic, StructuresMayHaveTheirSizesBeforeThem) {
+  using test::little;
+  const std::string size = little(std::uint32_t{0});
+  const auto numbers = [](std::initializer_list<double> values) {
+    std::string bytes;
+    for (const double value : values) bytes += little(value);
+    return bytes;
+  };
+  const std::string header = std::string("\0\x09\0\0", 4) + size + size + size +
+                             little(std::int32_t{100}) + little(std::uint32_t{5}) +
+                             little(std::uint32_t{4}) + std::string("map\0", 4);
+  const std::string child = little(std::uint32_t{4}) + std::string("odo\0", 4);
+  const std::string pose = size + numbers({1, 2, 3}) + size + numbers({0, 0, 0.6, 0.8});
+  const std::pair<const char*, std::string> messages[] = {
+      {"nav_msgs/Odometry", header + child + size + size + pose},
+      {"geometry_msgs/PoseWithCovarianceStamped", header + size + size + pose},
+      {"geometry_msgs/PoseStamped", header + size + pose},
+      {"geometry_msgs/TransformStamped", header + child + size + pose},
+      {"geometry_msgs/PointStamped", header + size + numbers({1, 2, 3})}};
+  for (const auto& [type, bytes] : messages) {
+    const Topic topic{"/t", type, MessageEncoding::cdr};
+    const PoseMessage read = read_pose({&topic, 0, test::bytes_of(bytes)});
+    EXPECT_EQ(read.pose.stamp_ns, 100'000'000'005) << type;
+    EXPECT_EQ(read.pose.pose.translation, Eigen::Vector3d(1, 2, 3)) << type;
+    EXPECT_EQ(read.has_rotation, std::string_view(type) != "geometry_msgs/PointStamped");
+    EXPECT_NEAR(read.pose.pose.rotation.z(), read.has_rotation ? 0.6 : 0.0, 1e-12) << type;
+  }
+  const Topic topic{"/imu", "sensor_msgs/Imu", MessageEncoding::cdr};
+  const std::string imu = header + size + numbers({0, 0, 0, 1}) +
+                          numbers({0, 0, 0, 0, 0, 0, 0, 0, 0}) + size + numbers({4, 5, 6});
+  EXPECT_EQ(read_imu({&topic, 0, test::bytes_of(imu)}).rate, Eigen::Vector3d(4, 5, 6));
 }
 
 }  // namespace
