@@ -6,6 +6,8 @@
 #include <fstream>
 #include <map>
 
+#include "io/files/folder_listing.hpp"
+
 namespace surefoot::experiments {
 
 namespace fs = std::filesystem;
@@ -43,8 +45,11 @@ FilesMark mark_of(const fs::path& path) {
   FilesMark mark;
   if (fs::is_directory(path)) {
     std::map<std::string, fs::path> files;  // in an order that is the same everywhere
-    for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-      if (entry.is_regular_file()) files.emplace(entry.path().filename().string(), entry.path());
+    for (const fs::path& folder : io::folders_of_recording(path)) {
+      for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        files.emplace(entry.path().lexically_relative(path).generic_string(), entry.path());
+      }
     }
     for (const auto& [name, file] : files) add_file(file, name, fingerprint, mark.bytes);
   } else {

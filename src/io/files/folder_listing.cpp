@@ -77,6 +77,19 @@ ScanFileKind kind_of_format(const std::string& format) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> folders_of_recording(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> folders = {folder};
+  for (const std::filesystem::path below : kBelow) {
+    for (const std::filesystem::path& one : {below.parent_path(), below}) {
+      std::error_code ignored;
+      if (!one.empty() && std::filesystem::is_directory(folder / one, ignored)) {
+        folders.push_back(folder / one);
+      }
+    }
+  }
+  return folders;
+}
+
 FolderCounts count_folder(const std::filesystem::path& folder) {
   const Sorted sorted = sort_folder(folder);
   FolderCounts counts{0, sorted.captures.size()};

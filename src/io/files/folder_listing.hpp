@@ -24,6 +24,10 @@ struct FolderListing {
 [[nodiscard]] FolderListing list_folder(const std::filesystem::path& path,
                                         const std::string& format);
 
+/// A folder and, of those below it, where scans and their stamps may lie.
+[[nodiscard]] std::vector<std::filesystem::path> folders_of_recording(
+    const std::filesystem::path& folder);
+
 /// Files in the folder itself.
 struct FolderCounts {
   std::size_t scans = 0;

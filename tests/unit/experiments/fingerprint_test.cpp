@@ -44,6 +44,18 @@ TEST_F(FilesMarkTest, ChangesWithNamesSizesAndTimes) {
   EXPECT_NE(mark_of(folder_ / "in").fingerprint, longer.fingerprint);
 }
 
+// KITTI's scans and stamps lie below the folder that is named; results beside them do not count.
+TEST_F(FilesMarkTest, ChangesWithScansBelow) {
+  write("in/velodyne_points/timestamps.txt", "0\n");
+  write("in/velodyne_points/data/000.bin", "12345");
+  const FilesMark before = mark_of(folder_ / "in");
+  EXPECT_EQ(before.bytes, 7U);
+  write("in/results/map.ply", "12345");
+  EXPECT_EQ(mark_of(folder_ / "in").fingerprint, before.fingerprint);
+  write("in/velodyne_points/data/001.bin", "12345");
+  EXPECT_NE(mark_of(folder_ / "in").fingerprint, before.fingerprint);
+}
+
 TEST_F(FilesMarkTest, OfOneFile) {
   const fs::path file = write("drive.pcap", "packets");
   EXPECT_EQ(mark_of(file).bytes, 7U);
