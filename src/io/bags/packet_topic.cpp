@@ -72,6 +72,7 @@ class PacketTopic final : public Recording {
   }
 
   void add(const MessagePacket& packet, const Message& message) {
+    logged_ns_ = message.logged_ns;
     const std::uint64_t number = counts_.packets++;
     const std::int64_t stamp_ns = packet.stamp_ns == 0 ? message.logged_ns : packet.stamp_ns;
     switch (scans_.add(stamp_ns, packet.bytes)) {
@@ -93,6 +94,7 @@ class PacketTopic final : public Recording {
   void take_scans() {
     while (std::optional<ScanItem> item = scans_.take()) {
       item->packets = numbers_.take(ended_ || scans_.shared_packet());
+      item->logged_ns = logged_ns_;
       items_.push_back(std::move(*item));
     }
   }
@@ -122,6 +124,7 @@ class PacketTopic final : public Recording {
   CaptureCounts counts_;
   PacketNumbers numbers_;
   std::size_t messages_ = 0;
+  std::int64_t logged_ns_ = 0;  // of the last one with packets
   std::size_t scan_notes_ = 0;
   std::size_t bag_notes_ = 0;
   bool ended_ = false;

@@ -404,11 +404,17 @@ TEST(BagRecording, PacketsOfRealSensors) {
     EXPECT_NE(recording->description().find(real.sensor), std::string::npos)
         << recording->description();
     std::size_t whole = 0;
+    std::int64_t last_late_ns = 0;
     while (const auto item = recording->next()) {
       ASSERT_TRUE(item->scan.has_value()) << item->error;
       if (!item->remark.empty()) continue;
       ++whole;
       EXPECT_GT(item->scan->points.size(), real.least_points);
+      // It came when its last packets did, by a clock of another year.
+      const std::int64_t late_ns = item->logged_ns - item->scan->stamp_ns;
+      const double later = static_cast<double>(late_ns - last_late_ns);
+      EXPECT_LT(whole > 1 ? std::abs(later) : 0.0, 5e7) << item->name;
+      last_late_ns = late_ns;
     }
     EXPECT_GE(whole, real.whole_scans) << real.sensor;
     EXPECT_EQ(recording->capture_counts().lost, 0U) << real.sensor;
