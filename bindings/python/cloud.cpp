@@ -70,6 +70,12 @@ bool is_plain(const io::Column* column, io::ScalarType type) {
   return column != nullptr && column->type == type && !column->swapped;
 }
 
+/// Rings that numpy converts as build_scan() does.
+bool are_ring_numbers(const io::Column* column) {
+  return column == nullptr || column->type == io::ScalarType::u8 ||
+         column->type == io::ScalarType::u16;
+}
+
 bool are_beside(const io::ScanColumns& columns) {
   const auto follows = [](const io::Column* a, const io::Column* b) {
     return b->first - a->first == static_cast<std::ptrdiff_t>(sizeof(float));
@@ -87,10 +93,12 @@ py::array look_into(const py::array& cloud, const io::Column* column) {
   return py::array_t<Number, py::array::forcecast>::ensure(field);
 }
 
+/// `stray`: how many of them are none, whose points build_scan() drops.
 bool holds_nanoseconds(const io::ScanColumns& columns, const std::optional<io::PointTimeRule>& rule,
-                       io::StampAt stamp_at) {
+                       std::size_t stray, io::StampAt stamp_at) {
   if (columns.time == nullptr) return true;
-  return is_plain(columns.time, io::ScalarType::i32) && rule->unit == io::TimeUnit::nanoseconds &&
+  return stray == 0 && is_plain(columns.time, io::ScalarType::i32) &&
+         rule->unit == io::TimeUnit::nanoseconds &&
          rule->reference == io::TimeReference::relative && stamp_at == io::StampAt::start;
 }
 
@@ -123,11 +131,14 @@ ArrayScan scan_of_cloud(const py::array& cloud, std::optional<std::int64_t> stam
   const io::PointTable table = table_of(cloud);
   const io::ScanColumns columns = io::find_scan_columns(table, options);
   std::optional<io::PointTimeRule> rule;
+  std::size_t stray = 0;
   if (columns.time != nullptr && table.size > 0) {
-    rule = io::decide_point_time(io::time_extents(table, columns), columns.time->type, stamp_ns,
-                                 options);
+    const io::TimeExtents extents = io::time_extents(table, columns);
+    stray = extents.stray;
+    rule = io::decide_point_time(extents, columns.time->type, stamp_ns, options);
   }
-  if (are_beside(columns) && holds_nanoseconds(columns, rule, options.stamp_at)) {
+  if (are_beside(columns) && are_ring_numbers(columns.ring) &&
+      holds_nanoseconds(columns, rule, stray, options.stamp_at)) {
     return looking_into(cloud, columns, stamp_ns.value_or(0));
   }
   return array_scan(io::build_scan(table, columns, rule, stamp_ns, options.stamp_at).scan);

@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -45,7 +46,13 @@ class ScanIterator {
     const std::lock_guard lock(mutex_);
     recording_->skip(scans);
   }
-  [[nodiscard]] const io::Recording& recording() const { return *recording_; }
+  /// What the recording knows of itself, while no other thread reads it.
+  template <typename Question>
+  auto ask(const Question& question) const {
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(mutex_);
+    return question(std::as_const(*recording_));
+  }
   [[nodiscard]] const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
@@ -74,7 +81,7 @@ class ScanIterator {
   std::unique_ptr<io::Recording> recording_;
   bool keep_partial_;
   bool begun_ = false;
-  std::mutex mutex_;  // of recording_, for threads of Python that share it
+  mutable std::mutex mutex_;  // of recording_, for threads of Python that share it
   std::vector<std::string> left_out_;
 };
 
@@ -95,7 +102,7 @@ std::unique_ptr<ScanIterator> open(const std::filesystem::path& path, bool keep_
 }
 
 py::dict counts_of(const ScanIterator& self) {
-  const io::CaptureCounts counts = self.recording().capture_counts();
+  const io::CaptureCounts counts = self.ask(std::mem_fn(&io::Recording::capture_counts));
   py::dict result;
   result["packets"] = counts.packets;
   result["data_packets"] = counts.data_packets;
@@ -119,23 +126,29 @@ Iterate it once to get its scans. Scans that cannot be read are left out with a 
       .def("skip", &ScanIterator::skip, py::arg("scans"),
            "Passes over scans; cheap where they are separate files.")
       .def_property_readonly(
-          "size", [](const ScanIterator& self) { return self.recording().size(); },
+          "size",
+          [](const ScanIterator& self) { return self.ask(std::mem_fn(&io::Recording::size)); },
           "Number of scans, or None where that is not known without reading them.")
       .def_property_readonly(
-          "progress", [](const ScanIterator& self) { return self.recording().progress(); },
+          "progress",
+          [](const ScanIterator& self) { return self.ask(std::mem_fn(&io::Recording::progress)); },
           "Share that was read, 0..1.")
       .def_property_readonly(
-          "notes", [](const ScanIterator& self) { return self.recording().notes(); },
+          "notes",
+          [](const ScanIterator& self) { return self.ask(std::mem_fn(&io::Recording::notes)); },
           "What was found out from values or assumed; grows while reading.")
       .def_property_readonly(
-          "description", [](const ScanIterator& self) { return self.recording().description(); },
+          "description",
+          [](const ScanIterator& self) {
+            return self.ask(std::mem_fn(&io::Recording::description));
+          },
           "Such as 'folder of 90 PCD files'.")
       .def_property_readonly("left_out", &ScanIterator::left_out,
                              "What could not be used so far, and why.")
       .def_property_readonly("capture_counts", &counts_of,
                              "Packets of a capture so far, by what became of them.")
       .def("__repr__", [](const ScanIterator& self) {
-        return "<Recording: " + self.recording().description() + ">";
+        return "<Recording: " + self.ask(std::mem_fn(&io::Recording::description)) + ">";
       });
   module.def(
       "open", &open, py::arg("path"), py::kw_only(), py::arg("keep_partial") = false,

@@ -20,6 +20,7 @@ struct TimeExtents {
   double least = 0.0;
   double greatest = 0.0;
   std::size_t count = 0;
+  std::size_t stray = 0;  ///< values of points that are none
 };
 
 /// The meaning of a time field; never "auto".

@@ -284,7 +284,7 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   if (columns.x == nullptr || columns.y == nullptr || columns.z == nullptr) {
     throw ReadError("fields are '" + table.layout() + "'; expected x, y and z among them");
   }
-  check_coordinates(columns);
+  if (table.size > 0) check_coordinates(columns);  // no points may have no memory
   columns.intensity = find_one_of(table, kIntensityNames);
   columns.ring = find_one_of(table, kRingNames);
   if (options.time_field.empty()) {
@@ -321,7 +321,10 @@ TimeExtents time_extents(const PointTable& table, const ScanColumns& columns) {
   const UsualValues usual = usual_values(values, kMargins, 0.0);
   TimeExtents extents;
   for (const double value : values) {
-    if (!usual.holds(value)) continue;
+    if (!usual.holds(value)) {
+      ++extents.stray;
+      continue;
+    }
     extents.least = extents.count == 0 ? value : std::min(extents.least, value);
     extents.greatest = extents.count == 0 ? value : std::max(extents.greatest, value);
     ++extents.count;

@@ -95,6 +95,16 @@ class CloudTest(unittest.TestCase):
         every_other = Scan.from_cloud(cloud[::2], self.scan.stamp_ns)
         np.testing.assert_array_equal(every_other.points, self.scan.points[::2])
 
+    def test_what_the_program_reads_otherwise_is_not_looked_into(self):
+        cloud = cloud_of(self.scan)
+        wide = cloud.astype([(name, "<i4" if name == "ring" else kind)
+                             for name, kind in cloud.dtype.descr if name])
+        wide["ring"][0] = -1
+        scan = Scan.from_cloud(wide, self.scan.stamp_ns)
+        self.assertEqual(scan.rings[0], 0)
+        cloud["time"][0] = 2_000_000_000  # a stray one, whose point goes
+        self.assertEqual(len(Scan.from_cloud(cloud, self.scan.stamp_ns)), len(self.scan) - 1)
+
     def test_seconds_are_found_out(self):
         self.assert_same(Scan.from_cloud(cloud_of(self.scan, "<f8", 1e-9), self.scan.stamp_ns))
 

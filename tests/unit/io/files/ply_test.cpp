@@ -192,5 +192,16 @@ TEST(PlyWriter, LeavesNoPartialFileBehind) {
   EXPECT_EQ(files, 1U);
 }
 
+// All its columns begin at the same address.
+TEST(Ply, ABinaryFileOfNoPointsIsAnEmptyScan) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "a.ply";
+  write_ply(file, {}, std::vector<PlyColumn>{});
+  const auto item = open_recording(file)->next();
+  ASSERT_TRUE(item);
+  ASSERT_TRUE(item->scan) << item->error;
+  EXPECT_TRUE(item->scan->points.empty());
+}
+
 }  // namespace
 }  // namespace surefoot::io
