@@ -59,6 +59,15 @@ void complete_source(live::LiveSource& source, const std::string& robot) {
   }
 }
 
+/// A recording cannot be made again.
+void require_new_record(const std::filesystem::path& record, bool overwrite) {
+  std::error_code ignored;
+  if (!overwrite && std::filesystem::is_regular_file(record, ignored)) {
+    throw std::invalid_argument(
+        fmt::format("live: {} is there already; --overwrite writes over it", record.string()));
+  }
+}
+
 void print_end(const live_runs::LiveOutcome& outcome) {
   const live::LiveFigures& figures = outcome.figures;
   fmt::print("{}\n", live::state_text(figures));
@@ -90,6 +99,7 @@ std::unique_ptr<live::LiveViewer> show_page(live_page::PageSubject subject,
 int run_live(CLI::App& command, LiveArguments& arguments) {
   live_runs::LiveRequest& request = arguments.request;
   complete_source(request.source, request.run.reader.robot);
+  require_new_record(request.source.record, request.run.overwrite);
   const process::InterruptGuard interrupt;
   request.run.given = recorded_options(command);
   const bool quiet = request.run.quiet;

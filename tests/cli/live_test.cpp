@@ -376,6 +376,7 @@ TEST_F(LiveTest, BadUsageIsExplained) {
   expect({"live", "--follow", "hall.pcap", "--replay", "hall.pcap"}, "excludes");
   expect({"live", "--follow", "hall.pcap", "--record", "too.pcap"},
          "--follow reads would be the same");
+  expect({"live", "--udp", "2368", "--record", "hall.pcap"}, "hall.pcap is there already");
   write_content(scratch_.path() / "text.pcap", std::string(100, 'a'));
   expect({"live", "--follow", "text.pcap", "--silence", "1"},
          "text.pcap: no pcap or pcapng capture");
