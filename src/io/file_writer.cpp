@@ -78,7 +78,10 @@ UnfinishedOutput::UnfinishedOutput(std::filesystem::path output, bool is_folder)
   } else if (::ftruncate(lock_, 0) != 0) {
     error = {errno, std::generic_category()};
   }
-  if (error) throw WriteError(part_.string() + ": cannot be made: " + error.message());
+  if (error) {
+    ::close(lock_);
+    throw WriteError(part_.string() + ": cannot be made: " + error.message());
+  }
 }
 
 UnfinishedOutput::~UnfinishedOutput() {

@@ -155,34 +155,30 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
   };
   const Complaints complaints;
   const auto id = static_cast<dds_domainid_t>(options_.domain);
-  domain_ = dds_create_domain(id, configuration(options_).c_str());
+  domain_.id = dds_create_domain(id, configuration(options_).c_str());
   // Another participant of this process may have made it.
-  if (domain_ < 0 && domain_ != DDS_RETCODE_PRECONDITION_NOT_MET) fail(domain_, complaints.text());
+  const bool is_there = domain_.id == DDS_RETCODE_PRECONDITION_NOT_MET;
+  if (domain_.id < 0 && !is_there) fail(domain_.id, complaints.text());
   const Qos qos(dds_create_qos());
   constexpr std::string_view kEnclave = "enclave=/;";
   dds_qset_userdata(qos.get(), kEnclave.data(), kEnclave.size());
-  participant_ = dds_create_participant(id, qos.get(), nullptr);
-  if (participant_ < 0) {
-    const int error = participant_;
-    if (domain_ > 0) (void)dds_delete(domain_);
-    fail(error, complaints.text());
-  }
+  participant_.id = dds_create_participant(id, qos.get(), nullptr);
+  if (participant_.id < 0) fail(participant_.id, complaints.text());
   publications_ =
-      dds_create_reader(participant_, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr);
+      dds_create_reader(participant_.id, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr);
   discovery_ = add({kDiscoveryTopic, wire_type(kDiscoveryType), type_hash_data(kDiscoveryType)},
                    Direction::out, kDiscoveryQos);
   introduce();
 }
 
-Participant::~Participant() {
-  (void)dds_delete(participant_);
-  if (domain_ > 0) (void)dds_delete(domain_);
+Participant::Entity::~Entity() {
+  if (id > 0) (void)dds_delete(id);
 }
 
 std::vector<SeenTopic> Participant::seen_topics() const {
   std::map<std::string, SeenTopic> topics;
   for_each_publication(
-      publications_, guid_of(participant_), [&](const dds_builtintopic_endpoint_t& endpoint) {
+      publications_, guid_of(participant_.id), [&](const dds_builtintopic_endpoint_t& endpoint) {
         SeenTopic topic{topic_of(endpoint.topic_name), io::plain_type_name(endpoint.type_name)};
         if (topic.name.empty()) return;
         dds_reliability_kind_t kind = DDS_RELIABILITY_BEST_EFFORT;
@@ -204,14 +200,14 @@ Participant::Endpoint Participant::add(const WireTopic& wire, Direction directio
   };
   Endpoint endpoint;
   endpoint.type = make_raw_type(wire.type);
-  const dds_entity_t topic = dds_create_topic_sertype(participant_, wire.name.c_str(),
+  const dds_entity_t topic = dds_create_topic_sertype(participant_.id, wire.name.c_str(),
                                                       &endpoint.type, nullptr, nullptr, nullptr);
   if (topic < 0) ddsi_sertype_unref(endpoint.type);
   check(topic);
   const Qos settings = qos_of(qos, wire.user_data);
   endpoint.entity = direction == Direction::in
-                        ? dds_create_reader(participant_, topic, settings.get(), nullptr)
-                        : dds_create_writer(participant_, topic, settings.get(), nullptr);
+                        ? dds_create_reader(participant_.id, topic, settings.get(), nullptr)
+                        : dds_create_writer(participant_.id, topic, settings.get(), nullptr);
   (void)dds_delete(topic);  // lives as long as its endpoint
   check(endpoint.entity);
   return endpoint;
@@ -248,7 +244,7 @@ bool Participant::write(const Endpoint& writer, std::string_view cdr) {
 std::size_t Participant::gid_bytes() const {
   constexpr std::size_t kNew = 16, kOld = 24;
   std::size_t bytes = kNew;
-  for_each_publication(publications_, guid_of(participant_),
+  for_each_publication(publications_, guid_of(participant_.id),
                        [&](const dds_builtintopic_endpoint_t& endpoint) {
                          if (std::string_view(endpoint.topic_name) != kDiscoveryTopic) return;
                          void* data = nullptr;
@@ -269,7 +265,7 @@ void Participant::introduce() {
     guid.resize(gid_bytes_, '\0');
     message.raw(guid);
   };
-  gid(guid_of(participant_));
+  gid(guid_of(participant_.id));
   message.count(1).string("/").string(options_.node);
   for (const std::vector<std::string>* guids : {&readers_, &writers_}) {
     message.count(guids->size());

@@ -41,9 +41,6 @@ class Participant {
  public:
   /// Throws std::runtime_error that names domain and interface.
   explicit Participant(const ParticipantOptions& options);
-  ~Participant();
-  Participant(const Participant&) = delete;
-  Participant& operator=(const Participant&) = delete;
 
   /// Of others, by name; those that are no ROS 2 topics are left out.
   [[nodiscard]] std::vector<SeenTopic> seen_topics() const;
@@ -71,10 +68,18 @@ class Participant {
   void introduce();
   [[nodiscard]] std::size_t gid_bytes() const;
 
+  /// A dds_entity_t, deleted with all that was made of it.
+  struct Entity {
+    int id = 0;
+    Entity() = default;
+    ~Entity();
+    Entity(const Entity&) = delete;
+    Entity& operator=(const Entity&) = delete;
+  };
+
   ParticipantOptions options_;
-  int domain_ = 0;  ///< all entities are dds_entity_t
-  int participant_ = 0;
-  int publications_ = 0;                        ///< reads what others write
+  Entity domain_, participant_;
+  int publications_ = 0;                        ///< a dds_entity_t: reads what others write
   Endpoint discovery_;                          ///< writes what `ros2 node list` shows
   std::mutex mutex_;                            ///< of what follows
   std::vector<std::string> readers_, writers_;  ///< their GUIDs

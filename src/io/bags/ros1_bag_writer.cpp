@@ -64,6 +64,15 @@ class Ros1Bag final : public BagWriter {
     put(std::string(kRos1BagMagic) + file_header(0));
   }
 
+  ~Ros1Bag() override {
+    try {
+      finish();
+    } catch (const WriteError&) {  // finish() by hand tells it
+    }
+  }
+  Ros1Bag(const Ros1Bag&) = delete;
+  Ros1Bag& operator=(const Ros1Bag&) = delete;
+
   std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
     const auto id = static_cast<std::uint32_t>(connections_.size());
     Fields data;

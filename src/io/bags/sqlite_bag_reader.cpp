@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/bags/sqlite_bag_reader.hpp"
 
-#include <sqlite3.h>
-
 #include <unistd.h>
 #include <algorithm>
 #include <array>
@@ -12,6 +10,7 @@
 #include <map>
 
 #include "io/bags/compression.hpp"
+#include "io/bags/sqlite_handles.hpp"
 #include "io/file_reader.hpp"
 #include "io/recording.hpp"
 
@@ -19,15 +18,6 @@ namespace surefoot::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseDatabase {
-  void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
-};
-struct EndStatement {
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Database = std::unique_ptr<sqlite3, CloseDatabase>;
-using Statement = std::unique_ptr<sqlite3_stmt, EndStatement>;
 
 /// A file of our own that goes with the object.
 class TemporaryFile {

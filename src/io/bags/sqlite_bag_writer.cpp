@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "io/bags/bag_writer.hpp"
+#include "io/bags/sqlite_handles.hpp"
 #include "io/file_writer.hpp"
 
 namespace surefoot::io {
@@ -59,43 +58,41 @@ class SqliteBag final : public BagWriter {
     file_name_ = name.string() + "_0.db3";
     const fs::path file = folder_ / file_name_;
     fs::remove(file, error);
-    sqlite3_open(file.c_str(), &database_);
+    sqlite3* database = nullptr;
+    sqlite3_open(file.c_str(), &database);
+    database_.reset(database);
     run("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;");
     run(kTables);
     run("BEGIN;");
-    prepare("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)", insert_);
+    insert_ = prepare("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)");
   }
 
   ~SqliteBag() override {
-    sqlite3_finalize(insert_);
-    if (database_ != nullptr && !finished_) {
-      sqlite3_exec(database_, "COMMIT;", nullptr, nullptr, nullptr);
-    }
-    sqlite3_close(database_);
+    if (finished_) return;
+    sqlite3_exec(database_.get(), "COMMIT;", nullptr, nullptr, nullptr);  // of none: does nothing
   }
   SqliteBag(const SqliteBag&) = delete;
   SqliteBag& operator=(const SqliteBag&) = delete;
 
   std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
     topics_.push_back({name, definition.ros2_type(), definition.qos, 0});
-    sqlite3_stmt* row = nullptr;
-    prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', ?)", row);
+    const Statement statement = prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', ?)");
+    sqlite3_stmt* const row = statement.get();
     sqlite3_bind_int64(row, 1, static_cast<sqlite3_int64>(topics_.size()));
     sqlite3_bind_text(row, 2, name.c_str(), -1, SQLITE_TRANSIENT);
     sqlite3_bind_text(row, 3, topics_.back().type.c_str(), -1, SQLITE_TRANSIENT);
     sqlite3_bind_text(row, 4, definition.qos.c_str(), -1, SQLITE_TRANSIENT);
-    const bool done = sqlite3_step(row) == SQLITE_DONE;
-    sqlite3_finalize(row);
-    if (!done) fail();
+    if (sqlite3_step(row) != SQLITE_DONE) fail();
     return topics_.size();
   }
 
   void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) override {
-    sqlite3_bind_int64(insert_, 1, static_cast<sqlite3_int64>(topic));
-    sqlite3_bind_int64(insert_, 2, stamp_ns);
-    sqlite3_bind_blob64(insert_, 3, message.data(), message.size(), SQLITE_STATIC);
-    if (sqlite3_step(insert_) != SQLITE_DONE) fail();
-    sqlite3_reset(insert_);
+    sqlite3_stmt* const row = insert_.get();
+    sqlite3_bind_int64(row, 1, static_cast<sqlite3_int64>(topic));
+    sqlite3_bind_int64(row, 2, stamp_ns);
+    sqlite3_bind_blob64(row, 3, message.data(), message.size(), SQLITE_STATIC);
+    if (sqlite3_step(row) != SQLITE_DONE) fail();
+    sqlite3_reset(row);
     first_ns_ = messages_ == 0 ? stamp_ns : std::min(first_ns_, stamp_ns);
     last_ns_ = messages_ == 0 ? stamp_ns : std::max(last_ns_, stamp_ns);
     ++messages_;
@@ -119,13 +116,15 @@ class SqliteBag final : public BagWriter {
 
   [[noreturn]] void fail() const {
     throw WriteError((folder_ / file_name_).string() + ": cannot be written: " +
-                     (database_ != nullptr ? sqlite3_errmsg(database_) : "no memory"));
+                     (database_ != nullptr ? sqlite3_errmsg(database_.get()) : "no memory"));
   }
   void run(const char* commands) {
-    if (sqlite3_exec(database_, commands, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+    if (sqlite3_exec(database_.get(), commands, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
   }
-  void prepare(const char* command, sqlite3_stmt*& statement) {
-    if (sqlite3_prepare_v2(database_, command, -1, &statement, nullptr) != SQLITE_OK) fail();
+  Statement prepare(const char* command) {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v2(database_.get(), command, -1, &statement, nullptr) != SQLITE_OK) fail();
+    return Statement(statement);
   }
 
   [[nodiscard]] std::string metadata() const {
@@ -152,8 +151,8 @@ class SqliteBag final : public BagWriter {
 
   fs::path folder_;
   std::string file_name_;
-  sqlite3* database_ = nullptr;
-  sqlite3_stmt* insert_ = nullptr;
+  Database database_;
+  Statement insert_;
   std::vector<TopicCount> topics_;
   std::int64_t first_ns_ = 0;
   std::int64_t last_ns_ = 0;

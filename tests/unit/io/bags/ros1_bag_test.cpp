@@ -194,5 +194,17 @@ TEST(Ros1Bag, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(outcome.notes, "");
 }
 
+// As when what is recorded ends by an error.
+TEST(Ros1Bag, WhatIsNotFinishedByHandIsWholeToo) {
+  const test::TemporaryFolder folder;
+  {
+    const auto bag = make_ros1_bag(folder.path() / "a.bag");
+    bag->write(bag->add_topic("/points", point_cloud2_definition()), 1'500'000'000, "few");
+  }
+  const Ros1Outcome outcome = read_ros1(test::content_of(folder.path() / "a.bag"));
+  ASSERT_EQ(outcome.messages.size(), 1U);
+  EXPECT_EQ(outcome.notes, "");
+}
+
 }  // namespace
 }  // namespace surefoot::io
