@@ -60,19 +60,16 @@ MapBuilder MapBuilder::corrected(const std::function<Pose(double seconds)>& corr
   return moved;
 }
 
-void MapBuilder::drop_forgotten() {
-  std::size_t kept = 0;
+MapBuilder MapBuilder::without_forgotten() const {
+  MapBuilder left(voxel_);
+  left.has_intensities_ = has_intensities_;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (forgotten(i)) continue;
-    points_[kept] = points_[i];
-    first_seen_[kept] = first_seen_[i];
-    if (has_intensities_) intensities_[kept] = intensities_[i];
-    ++kept;
+    left.points_.push_back(points_[i]);
+    left.first_seen_.push_back(first_seen_[i]);
+    if (has_intensities_) left.intensities_.push_back(intensities_[i]);
   }
-  points_.resize(kept);
-  first_seen_.resize(kept);
-  if (has_intensities_) intensities_.resize(kept);
-  taken_ = {};
+  return left;
 }
 
 }  // namespace surefoot::mapping

@@ -25,8 +25,8 @@ class MapBuilder {
 
   /// What was seen in these cubes before has moved away.
   void forget(const Cubes& cubes, double seconds);
-  /// Drops the points that were forgotten.
-  void drop_forgotten();
+  /// The points that are left of it, to be written: nothing can be added to them.
+  [[nodiscard]] MapBuilder without_forgotten() const;
 
   /// With every point moved by the correction of the time when it was first seen [s], and one kept
   /// a cube: what was seen on two visits comes together.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "io/decimal_time.hpp"
@@ -62,7 +63,7 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
   mapping::SavedMap joint = read.front();
   std::vector<std::size_t> map_of(joint.pieces.size(), 1);  // of each of its pieces
   for (std::size_t i = 1; i < maps.size(); ++i) outcome.maps.push_back({.path = maps[i]});
-  std::string csv = join_csv_header();
+  std::vector<std::string> loops(maps.size());  // of each map's last attempt
   // What joins none of the first may join what is joined to it later.
   for (bool more = true; more;) {
     more = false;
@@ -70,7 +71,7 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
       MergedMap& map = outcome.maps[i];
       if (map.joined) continue;
       mapping::MapJoin join = mapping::join_maps(joint, read[i + 1], options);
-      csv += join_csv(join, i + 2);
+      loops[i + 1] = join_csv(join, i + 2);
       map = {map.path,    join.joint.has_value(), join.loops.size(),
              join.taken,  join.comparison.near,   join.message,
              join.begin()};
@@ -81,7 +82,8 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
     }
     more = more && !outcome.joined();
   }
-  io::write_whole_file(folder / kLoopsFile, csv);
+  io::write_whole_file(folder / kLoopsFile,
+                       std::accumulate(loops.begin(), loops.end(), std::string(join_csv_header())));
   outcome.pieces = joint.pieces.size();
   const bool any = std::any_of(outcome.maps.begin(), outcome.maps.end(),
                                [](const MergedMap& map) { return map.joined; });

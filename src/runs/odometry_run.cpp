@@ -145,7 +145,7 @@ RunOutcome OdometryRun::execute() {
   begin_map();
   for_all(std::move(item), [&](const io::ScanItem& one) { use(one, output); });
   say_new_notes();
-  map_.drop_forgotten();
+  map_ = map_.without_forgotten();
   if (map_run_) finish_map();
   const RunDescription run = description(output);
   if (localization_) outcome_.localization = localization_->finish();
@@ -262,7 +262,7 @@ void OdometryRun::reset() {
 }
 
 std::filesystem::path OdometryRun::save_map() {
-  write_map(outcome_.folder, map_);
+  write_map(outcome_.folder, map_.without_forgotten());
   return outcome_.folder / kMapFile;
 }
 
