@@ -205,7 +205,6 @@ HesaiModel xt_model(const char* name, std::vector<HesaiChannel> channels, std::s
   model.tail.return_mode = 10;
   model.tail.date = 13;
   model.tail.microseconds = 19;
-  model.tail.least_size = 24;
   model.tail.sequence = 24;
   model.sizes = {model.tail.begin + 28};
   model.block_ns = 50'000.0;
@@ -222,7 +221,6 @@ HesaiModel qt64_model() {
   model.tail.microseconds = 12;
   model.tail.return_mode = 16;
   model.tail.date = 18;
-  model.tail.least_size = 24;
   model.tail.sequence = 24;
   model.sizes = {model.tail.begin + 24, model.tail.begin + 28};
   model.block_ns = 500'000.0 / 3.0;
@@ -245,7 +243,6 @@ HesaiModel qt128_model() {
   model.tail.return_mode = 12;
   model.tail.date = 15;
   model.tail.microseconds = 21;
-  model.tail.least_size = 34;
   model.tail.sequence = 26;
   model.sizes = {model.tail.begin + 34, model.tail.begin + 66};
   model.block_ns = 111'110.0;
@@ -267,7 +264,6 @@ HesaiModel pandar_model(const char* name, std::vector<HesaiChannel> channels, st
   model.tail.microseconds = 10;
   model.tail.return_mode = 14;
   model.tail.date = 16;
-  model.tail.least_size = 22;
   model.tail.sequence = 22;
   model.sizes = {model.tail.begin + 22, model.tail.begin + 26};
   model.year_zero = 2000;

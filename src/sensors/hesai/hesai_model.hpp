@@ -26,7 +26,6 @@ struct HesaiTail {
   std::size_t return_mode = 0;
   std::size_t date = 0;  ///< year, month, day, hour, minute, second
   std::size_t microseconds = 0;
-  std::size_t least_size = 0;           ///< up to the last field that is needed
   std::optional<std::size_t> sequence;  ///< of the packet's number, where the packet is so long
   std::optional<std::size_t> mode_flag;
 };
