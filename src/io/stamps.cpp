@@ -67,8 +67,16 @@ std::optional<std::int64_t> stamp_of_two_numbers(const std::string& name) {
   return fits ? std::optional(stamp) : std::nullopt;
 }
 
-std::optional<std::int64_t> stamp_of_name(const std::string& name) {
-  if (const auto stamp = stamp_of_two_numbers(name)) return stamp;
+/// "n015-2018-07-24__LIDAR_TOP__1532402927647951.pcd", as nuScenes has them: the last part.
+std::string last_part(std::string name) {
+  if (name.ends_with(".pcd")) name.resize(name.size() - 4);
+  const std::size_t bar = name.rfind("__");
+  return bar == std::string::npos ? name : name.substr(bar + 2);
+}
+
+std::optional<std::int64_t> stamp_of_name(const std::string& whole_name) {
+  if (const auto stamp = stamp_of_two_numbers(whole_name)) return stamp;
+  const std::string name = last_part(whole_name);
   if (name.empty() || name.find_first_not_of("0123456789.") != std::string::npos) {
     return std::nullopt;
   }
@@ -80,9 +88,13 @@ std::optional<std::int64_t> stamp_of_name(const std::string& name) {
   }
   constexpr std::int64_t kEpochLeast = 1'000'000'000;
   constexpr std::int64_t kEpochGreatest = 4'200'000'000;
-  const std::optional<std::int64_t> seconds = parse_whole(name);
-  const bool is_epoch = seconds && *seconds >= kEpochLeast && *seconds <= kEpochGreatest;
-  return is_epoch ? std::optional(*seconds * 1'000'000'000) : std::nullopt;
+  const std::optional<std::int64_t> number = parse_whole(name);
+  if (!number) return std::nullopt;
+  constexpr std::int64_t kMicro = 1'000'000;
+  const bool micro = name.size() == 16;
+  const std::int64_t seconds = micro ? *number / kMicro : *number;
+  if (seconds < kEpochLeast || seconds > kEpochGreatest) return std::nullopt;
+  return *number * (micro ? 1'000 : 1'000'000'000);
 }
 
 }  // namespace

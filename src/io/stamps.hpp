@@ -23,10 +23,10 @@ namespace surefoot::io {
 [[nodiscard]] std::filesystem::path find_stamps_file(const std::filesystem::path& folder,
                                                      const std::string& preferred = {});
 
-/// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, numbers with a decimal
-/// point or of epoch size (1e9 .. 4.2e9) seconds; "cloud_1583836591_182590976" is seconds and
-/// nanoseconds, as Newer College has them. Nothing where one name is neither: then they are
-/// names or indices.
+/// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, 16 microseconds,
+/// numbers with a decimal point or of epoch size (1e9 .. 4.2e9) seconds;
+/// "cloud_1583836591_182590976" is seconds and nanoseconds, as Newer College has them; of nuScenes'
+/// what follows the last "__". Nothing where one name is neither: then they are names or indices.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_from_names(
     const std::vector<std::filesystem::path>& files);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/files/kitti_bin.hpp"
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,20 +12,64 @@
 
 namespace surefoot::io {
 
-PointTable parse_kitti_bin(std::span<const std::byte> file) {
-  constexpr std::size_t kPointBytes = 16;
-  if (file.size() % kPointBytes != 0) {
-    throw ReadError("KITTI .bin: " + std::to_string(file.size()) +
-                    " bytes; expected a multiple of 16 (float32 x y z intensity)");
-  }
+namespace {
+
+constexpr std::array<const char*, 5> kNames = {"x", "y", "z", "intensity", "ring"};
+constexpr std::size_t kKitti = 4, kNuScenes = 5;  // float32 a point
+
+PointTable table_of(std::span<const std::byte> file, std::size_t width) {
   PointTable table;
-  table.format = "KITTI .bin";
-  table.size = file.size() / kPointBytes;
+  table.format = width == kKitti ? "KITTI .bin" : "nuScenes .bin";
+  table.size = file.size() / (width * sizeof(float));
   const bool swapped = std::endian::native != std::endian::little;
-  std::size_t offset = 0;
-  for (const char* name : {"x", "y", "z", "intensity"}) {
-    table.columns.push_back({name, ScalarType::f32, file.data() + offset, kPointBytes, swapped});
-    offset += sizeof(float);
+  for (std::size_t i = 0; i < width; ++i) {
+    table.columns.push_back({kNames[i], ScalarType::f32, file.data() + i * sizeof(float),
+                             width * sizeof(float), swapped});
+  }
+  return table;
+}
+
+/// How many points' last value is no number of a laser, and how many of an intensity.
+struct Oddities {
+  std::size_t no_ring = 0;
+  std::size_t below_zero = 0;
+};
+
+Oddities oddities_of(const PointTable& table) {
+  constexpr double kMostRings = 255.0;
+  Oddities odd;
+  for_each_value(table.columns.back(), table.size, [&](std::size_t, auto value) {
+    const auto number = static_cast<double>(value);
+    if (!(number >= 0.0 && number <= kMostRings && number == std::floor(number))) ++odd.no_ring;
+    if (number < 0.0) ++odd.below_zero;
+  });
+  return odd;
+}
+
+/// Whether every point has a laser's number after its intensity. Points of four values, read as of
+/// five, have coordinates there.
+bool has_rings(std::span<const std::byte> file) {
+  if (file.empty() || file.size() % (kNuScenes * sizeof(float)) != 0) return false;
+  return oddities_of(table_of(file, kNuScenes)).no_ring == 0;
+}
+
+}  // namespace
+
+PointTable parse_kitti_bin(std::span<const std::byte> file) {
+  if (has_rings(file)) return table_of(file, kNuScenes);
+  constexpr const char* kExpected =
+      "; expected float32 x y z intensity a point (KITTI) or x y z intensity ring (nuScenes)";
+  if (file.size() % (kKitti * sizeof(float)) != 0) {
+    throw ReadError("KITTI .bin: " + std::to_string(file.size()) + " bytes, no multiple of 16" +
+                    kExpected);
+  }
+  PointTable table = table_of(file, kKitti);
+  // Of points of another number of values some fourth ones are coordinates, which have signs.
+  const std::size_t below_zero = oddities_of(table).below_zero;
+  if (50 * below_zero > table.size) {
+    throw ReadError("KITTI .bin: every fourth value would be an intensity, and " +
+                    std::to_string(below_zero) + " of " + std::to_string(table.size) +
+                    " are below zero" + kExpected);
   }
   return table;
 }

@@ -12,8 +12,9 @@
 
 namespace surefoot::io {
 
-/// KITTI's Velodyne scans: float32 x y z intensity a point, nothing else, no point times. The table
-/// looks into `file`. Throws ReadError where the size is no multiple of 16.
+/// KITTI's Velodyne scans: float32 x y z intensity a point, nothing else, no point times; or
+/// nuScenes', which have the laser's number, too: found out from the values. The table looks into
+/// `file`. Throws ReadError where it is neither.
 [[nodiscard]] PointTable parse_kitti_bin(std::span<const std::byte> file);
 
 /// Turns each point up by 0.205 deg about the sensor: the known error of KITTI's HDL-64E intrinsics

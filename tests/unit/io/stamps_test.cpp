@@ -86,6 +86,12 @@ TEST(Stamps, FromNames) {
             (Stamps{1673400472138016708, 1673400473138016708}));
   EXPECT_EQ(stamps_from_names({"1630577758.569489956.pcd"}), Stamps{1630577758569489956});
   EXPECT_EQ(stamps_from_names({"1630577758.pcd"}), Stamps{1630577758000000000});
+  EXPECT_EQ(stamps_from_names({"1547131046353776.bin"}), Stamps{1547131046353776000});
+  EXPECT_EQ(
+      stamps_from_names({"n015-2018-07-24-11-22-45+0800__LIDAR_TOP__1532402927647951.pcd.bin"}),
+      Stamps{1532402927647951000});
+  EXPECT_EQ(stamps_from_names({"scan__12.bin"}), std::nullopt);
+  EXPECT_EQ(stamps_from_names({"9547131046353776.bin"}), std::nullopt);
   for (const Paths& names : {Paths{"000000.pcd"}, Paths{"0000000010.bin"}, Paths{"scan1.pcd"},
                              Paths{"1630577758.5.pcd", "map.pcd"}, Paths{"1.2.3.pcd"}}) {
     EXPECT_EQ(stamps_from_names(names), std::nullopt) << names[0];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "io/recording.hpp"
 #include "unit/io/scan_folders.hpp"
@@ -83,7 +84,39 @@ TEST(FolderRecording, KittiSizeMustFit) {
   const TemporaryFolder folder;
   folder.write("0.bin", kitti_scan(2) + "x");
   const ScanItem item = read_all(folder.path())[0];
-  EXPECT_NE(item.error.find("33 bytes; expected a multiple of 16"), std::string::npos);
+  EXPECT_NE(item.error.find("33 bytes, no multiple of 16"), std::string::npos) << item.error;
+}
+
+/// Rows of float32.
+std::string rows(std::size_t count, const std::function<std::vector<float>(std::size_t)>& row) {
+  std::string bytes;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const float value : row(i)) bytes += little(value);
+  }
+  return bytes;
+}
+
+// nuScenes' points have a fifth number, the laser's; others' are not KITTI's either.
+TEST(FolderRecording, BinFilesOfOtherWidthsAreToldByTheirValues) {
+  const TemporaryFolder folder;
+  const auto angle = [](std::size_t i) { return 0.37F * static_cast<float>(i); };
+  folder.write("0.bin", rows(40, [&](std::size_t i) {
+                 const float ring = static_cast<float>(i % 32);
+                 return std::vector{5.0F * std::cos(angle(i)), 5.0F * std::sin(angle(i)),
+                                    0.1F * ring - 1.7F, 20.0F, ring};
+               }));
+  const ScanItem item = read_all(folder.path())[0];
+  ASSERT_TRUE(item.scan) << item.error;
+  ASSERT_EQ(item.scan->points.size(), 40U);
+  EXPECT_NEAR(item.scan->points[33].x(), 5.0F * std::cos(angle(33)), 1e-6);
+  EXPECT_EQ(item.scan->rings[33], 1U);
+  // Six: x y z red green blue.
+  const TemporaryFolder coloured;
+  coloured.write("0.bin", rows(40, [&](std::size_t i) {
+                   return std::vector{-5.0F * std::cos(angle(i)), -5.0F, -0.3F, 0.1F, 0.2F, 0.3F};
+                 }));
+  const ScanItem other = read_all(coloured.path())[0];
+  EXPECT_NE(other.error.find("are below zero; expected float32"), std::string::npos) << other.error;
 }
 
 TEST(FolderRecording, WrongStampsFiles) {
