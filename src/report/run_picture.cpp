@@ -61,7 +61,10 @@ std::string with_thousands(std::size_t number) {
 }
 
 std::string summary(const DrawnRun& run) {
-  std::string text = with_thousands(run.path.size()) + " poses";
+  const auto lost =
+      static_cast<std::size_t>(std::count(run.untrusted.begin(), run.untrusted.end(), true));
+  std::string text = with_thousands(run.path.size() - lost) + " poses";
+  if (lost > 0) text += "  \u00b7  " + with_thousands(lost) + " not trusted";
   if (!run.path.empty()) {
     const double seconds = 1e-9 * (static_cast<double>(run.path.back().stamp_ns) -
                                    static_cast<double>(run.path.front().stamp_ns));

@@ -66,10 +66,15 @@ std::string PacketIntake::traffic_seen() const {
   for (auto it = traffic_.begin(); it != traffic_.end(); ++it) {
     most = it->second > most->second ? it : most;
   }
-  std::string seen = most == traffic_.end()
-                         ? std::string("; no UDP at all")
-                         : "; most are of " + std::to_string(most->first.second) +
-                               " bytes to port " + std::to_string(most->first.first);
+  std::string seen;
+  if (most != traffic_.end()) {
+    seen = "; most are of " + std::to_string(most->first.second) + " bytes to port " +
+           std::to_string(most->first.first);
+  } else if (counts_.position_packets > 0) {
+    seen = "; " + std::to_string(counts_.position_packets) + " of a Velodyne's position, no data";
+  } else {
+    seen = "; no UDP at all";
+  }
   return scans_.reason().empty() ? seen : seen + ": " + scans_.reason();
 }
 
