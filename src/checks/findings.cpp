@@ -200,6 +200,7 @@ class Inspection {
                scan.seen_around < kPart * figures_.around.median) {
       found_.scan("scans with less than half of the usual points or directions", scan.name);
     }
+    if (scan.at_one_height) found_.scan("points at one height", scan.name);
     if (scan.not_finite > 0) found_.scan("points that are NaN or infinite", scan.name);
     if (scan.zero > 0) found_.scan("points that are zero", scan.name);
     if (scan.untimed > 0) {
@@ -281,6 +282,10 @@ class Inspection {
         finding.detail = "messages, packets or returns are missing";
       });
     }
+    found_.judge("points at one height", [&](Finding& finding) {
+      finding.suffers = share(finding) > kMost;
+      finding.detail = "as a LiDAR has them that scans one plane; a run needs one that sees height";
+    });
     found_.judge("points that are NaN or infinite", [&](Finding& finding) {
       finding.detail =
           text("%.1f %% of all points; a run passes them over", 100.0 * figures_.not_finite_share);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "checks/scan_facts.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -92,6 +93,7 @@ double turn_between(const std::vector<double>& before, const std::vector<double>
 
 void look_at_ranges(const Scan& scan, ScanFacts& facts) {
   std::vector<double> ranges;
+  Eigen::AlignedBox3f returns;
   for (const Eigen::Vector3f& point : scan.points) {
     const double range = point.cast<double>().norm();
     if (!std::isfinite(range)) {
@@ -100,10 +102,12 @@ void look_at_ranges(const Scan& scan, ScanFacts& facts) {
       ++facts.zero;
     } else {
       ranges.push_back(range);
+      returns.extend(point);
     }
   }
   facts.returns = ranges.size();
   if (ranges.empty()) return;
+  facts.at_one_height = ranges.size() > 1 && returns.sizes().z() == 0.0F;
   const auto [least, greatest] = std::minmax_element(ranges.begin(), ranges.end());
   facts.nearest = *least;
   facts.farthest = *greatest;

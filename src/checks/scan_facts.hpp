@@ -38,6 +38,7 @@ struct ScanFacts {
   double nearest = 0.0;  ///< ranges of the returns [m]
   double middle = 0.0;
   double farthest = 0.0;
+  bool at_one_height = false;        ///< its returns: z tells nothing
   std::vector<std::uint16_t> rings;  ///< that have returns, ascending
   double seen_around = 0.0;          ///< share of the directions around with returns
   std::optional<io::Spin> spin;

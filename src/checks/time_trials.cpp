@@ -81,7 +81,8 @@ TimeTrial run(const std::vector<Scan>& scans, TimeReading reading, std::int64_t 
   for (const Scan& scan : scans) {
     const Estimate estimate = odometry.add_scan(read_as(scan, reading, period_ns));
     trial.blur.push_back(std::numeric_limits<double>::quiet_NaN());
-    if (!estimate.trusted()) {
+    const bool anew = estimate.status == Status::first_scan && !trial.trajectory.empty();
+    if (!estimate.trusted() || anew) {
       ++trial.untrusted;
       continue;
     }

@@ -37,7 +37,7 @@ struct TimeTrial {
   std::size_t worse = 0;      ///< scans that are blurred more than with the first trial's reading
   std::size_t better = 0;     ///< and less
   double chance = 1.0;        ///< that so uneven a count comes of readings that are equally good
-  std::size_t untrusted = 0;  ///< scans that were not registered
+  std::size_t untrusted = 0;  ///< scans that were not registered, or with which a map began anew
   Trajectory trajectory;      ///< of those that were
 };
 

@@ -220,6 +220,23 @@ TEST(Findings, PointsWithoutTimesRingsOrReturns) {
   EXPECT_NE(found(all_of(scans), "points that are NaN").detail.find("50.0 %"), std::string::npos);
 }
 
+TEST(Findings, ALidarThatScansOnePlaneIsNone) {
+  ScanLooker looker;
+  io::ScanItem item;
+  item.scan.emplace();
+  for (int i = 0; i < 300; ++i) {
+    item.scan->points.emplace_back(5.0F + 0.01F * static_cast<float>(i), 2.0F, 0.1F);
+  }
+  EXPECT_TRUE(looker.look(item).at_one_height);
+  item.scan->points.back().z() = 0.2F;
+  EXPECT_FALSE(looker.look(item).at_one_height);
+  std::vector<ScanFacts> scans = sound(20);
+  for (std::size_t i = 0; i < 9; ++i) scans[i].at_one_height = true;
+  EXPECT_FALSE(found(all_of(scans), "points at one height").suffers);
+  for (ScanFacts& scan : scans) scan.at_one_height = true;
+  EXPECT_TRUE(found(all_of(scans), "points at one height").suffers);
+}
+
 // One scan's equal times do not mean that the recording is deskewed already.
 TEST(Findings, OfAFewScansWithoutTimesNothingIsConcluded) {
   std::vector<ScanFacts> scans = sound(30);

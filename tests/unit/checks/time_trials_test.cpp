@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/point_time_watch.hpp"
+#include "support/random.hpp"
 #include "support/synthetic_run.hpp"
 
 namespace surefoot::checks {
@@ -39,6 +40,19 @@ TEST(TimeTrials, TimesThatCountBackAreFoundOut) {
   EXPECT_TRUE(trials.decided);
   EXPECT_EQ(trials.trials[trials.preferred].reading, TimeReading::backward);
   EXPECT_LT(trials.trials[trials.preferred].chance, 0.001);
+}
+
+// Noise: a map begins anew and again anew, and each time nothing speaks against it.
+TEST(TimeTrials, ScansThatHaveNothingInCommonAreCounted) {
+  test::Random random(5);
+  std::vector<Scan> scans(12);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    scans[i].stamp_ns = kTrialPeriod * static_cast<std::int64_t>(i);
+    for (int p = 0; p < 3000; ++p) {
+      scans[i].points.push_back((30.0 * random.vector(1.0)).cast<float>());
+    }
+  }
+  EXPECT_GT(try_times(scans, kTrialPeriod, false, 1).trials[0].untrusted, 6U);
 }
 
 // Who stands has no motion that could tell: the noise of one reading is as good as the other's,
