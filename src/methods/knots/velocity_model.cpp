@@ -16,6 +16,10 @@ const Twist kFirstFluctuation = (Twist() << 0.3, 0.3, 0.3, 0.6, 0.6, 0.4).finish
 // However smoothly it rolls, a sensor's velocity may change; the model is never infinitely stiff.
 constexpr double kLeastFluctuation = 0.003;  // [m/s, rad/s]
 
+// A scan's mean velocity that is off by more standard deviations than this is another mean's: who
+// drives off leaves a fading one behind.
+constexpr double kAnother = 4.0;
+
 constexpr double kWalks = 0.2;  // [m/s] of who does not stand
 
 /// How the deviation e_k = (v_{k+1} - m) - phi (v_k - m) depends on knots k, k + 1 and k + 2: the
@@ -104,7 +108,10 @@ void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covarian
   ++learnt_;
   const Twist seen = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
   // [K16] The mean of all scans until they are more than the fading mean's memory.
-  mean_ += std::max(config_.mean_rate, 1.0 / learnt_) * (seen - mean_);
+  const double usual = std::max(config_.mean_rate, 1.0 / learnt_);
+  const Twist squares = alike((seen - mean_).cwiseAbs2()).cwiseQuotient(variance_);
+  const Twist another = Twist::Ones() - kAnother * kAnother * squares.cwiseMax(1e-9).cwiseInverse();
+  mean_ += another.cwiseMax(usual).cwiseProduct(seen - mean_);
 }
 
 }  // namespace surefoot

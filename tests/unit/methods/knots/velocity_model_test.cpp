@@ -91,6 +91,27 @@ TEST(VelocityModel, TheMeanIsTheSensors) {
   EXPECT_LT((model.mean(turn * start.rotation) - turned).norm(), 1e-12);
 }
 
+// [K16]: by a tenth, unless it is far off.
+TEST(VelocityModel, WhoDrivesOffLeavesNoMeanBehind) {
+  const Pose start;
+  Twist steady = Twist::Zero();
+  steady[0] = 1.0;
+  for (const double faster : {0.2, 0.6, 1.0, 3.0, 10.0}) {
+    VelocityModel model(Config().knots);
+    for (int i = 0; i < 30; ++i) {
+      model.learn(window_of(start, [&] { return steady; }), no_covariance(), start.rotation);
+    }
+    Twist next = steady;
+    next[0] += faster;
+    model.learn(window_of(start, [&] { return next; }), no_covariance(), start.rotation);
+    const double s = model.fluctuation()[0];
+    const double share = std::max(0.1, 1.0 - 16.0 * s * s / (0.5 * faster * faster));
+    EXPECT_NEAR(model.mean(start.rotation)[0], 1.0 + share * faster, 1e-9) << faster;
+    EXPECT_EQ(share > 0.1, faster >= 1.0) << share << " of " << faster;
+    EXPECT_NEAR(model.mean(start.rotation)[2], 0.0, 1e-12);
+  }
+}
+
 /// The model's terms, linearised numerically: rows W^1/2 e of all knots.
 struct Linearised {
   Eigen::MatrixXd J;
@@ -266,10 +287,10 @@ TEST(VelocityModel, TheMeanOfManyScansFades) {
                 Eigen::Quaterniond::Identity());
   };
   for (int scan = 0; scan < 100; ++scan) learn(Twist::Zero());
-  const Twist walk = (Twist() << 1.0, 0.0, 0.0, 0.0, 0.0, 0.0).finished();
+  const Twist walk = (Twist() << 0.005, 0.0, 0.0, 0.0, 0.0, 0.0).finished();
   for (int scan = 0; scan < 5; ++scan) learn(walk);
   const Eigen::Quaterniond ahead = Eigen::Quaterniond::Identity();
-  EXPECT_NEAR(model.mean(ahead).x(), 1.0 - std::pow(0.9, 5), 1e-9);
+  EXPECT_NEAR(model.mean(ahead).x(), 0.005 * (1.0 - std::pow(0.9, 5)), 1e-9);
 }
 
 TEST(VelocityModel, HorizontalAxesShareAndSoDoRollAndPitch) {
