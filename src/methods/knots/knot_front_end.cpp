@@ -20,6 +20,10 @@ namespace {
 
 // [m] of the cubes that choose the points to be registered: of the first scan, before anything is
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
+// A scan tells of another mean velocity unless so many times more speaks against it than leaves
+// doubt: a car that speeds up is a little doubtful until its mean is known, and who leaps is more.
+constexpr double kSpeedsUp = 3.0;
+
 constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
 
 constexpr double kNew = 0.02;  // share of the points, more than what is the same
@@ -162,7 +166,8 @@ void KnotFrontEnd::learn(const Registered& registered, double right) {
   errors_.learn(found, registered.trajectory, agreed_);
   usual_.learn(found, first_scan_ ? 1.0 : knots.usual_rate, knots);
   bend_.learn(registered.bent);
-  model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation);
+  model_.learn(found.window, found.covariance, registered.begin.prior.means[1].rotation,
+               !is_doubtful((1.0 - right) / kSpeedsUp));
   finish(found.window, found.last_two);
 }
 

@@ -99,7 +99,7 @@ Twist VelocityModel::squares_of(const KnotWindow& window,
 }
 
 void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
-                          const Eigen::Quaterniond& rotation) {
+                          const Eigen::Quaterniond& rotation, bool is_sure) {
   if (window.segments() > 1) {
     const Twist seen = alike(squares_of(window, covariance, rotation));
     variance_ += config_.learning_rate * (seen - variance_);  // [K15]
@@ -108,10 +108,13 @@ void VelocityModel::learn(const KnotWindow& window, const BandedSystem::Covarian
   ++learnt_;
   const Twist seen = rotated(window.knots.back().rotation.conjugate(), window.mean_velocity());
   // [K16] The mean of all scans until they are more than the fading mean's memory.
-  const double usual = std::max(config_.mean_rate, 1.0 / learnt_);
-  const Twist squares = alike((seen - mean_).cwiseAbs2()).cwiseQuotient(variance_);
-  const Twist another = Twist::Ones() - kAnother * kAnother * squares.cwiseMax(1e-9).cwiseInverse();
-  mean_ += another.cwiseMax(usual).cwiseProduct(seen - mean_);
+  const Twist off = seen - mean_;
+  Twist share = Twist::Constant(std::max(config_.mean_rate, 1.0 / learnt_));
+  if (is_sure) {
+    const Twist squares = alike(off.cwiseAbs2()).cwiseQuotient(variance_).cwiseMax(1e-9);
+    share = share.cwiseMax(Twist::Ones() - kAnother * kAnother * squares.cwiseInverse());
+  }
+  mean_ += share.cwiseProduct(off);
 }
 
 }  // namespace surefoot

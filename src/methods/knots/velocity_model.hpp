@@ -35,9 +35,9 @@ class VelocityModel {
   void add_to(BandedSystem& system, const KnotWindow& window,
               const Eigen::Quaterniond& rotation) const;
   /// Learns from a registered window: mean velocity and, by a step of expectation maximisation,
-  /// the fluctuation s.
+  /// the fluctuation s. What `is_sure` tells of another mean where it is far off.
   void learn(const KnotWindow& window, const BandedSystem::Covariance& covariance,
-             const Eigen::Quaterniond& rotation);
+             const Eigen::Quaterniond& rotation, bool is_sure = true);
 
   /// The same, but that the velocity may fluctuate `factor` times as much.
   [[nodiscard]] VelocityModel looser(double factor) const;

@@ -103,6 +103,9 @@ TEST(VelocityModel, WhoDrivesOffLeavesNoMeanBehind) {
     }
     Twist next = steady;
     next[0] += faster;
+    VelocityModel unsure = model;
+    unsure.learn(window_of(start, [&] { return next; }), no_covariance(), start.rotation, false);
+    EXPECT_NEAR(unsure.mean(start.rotation)[0], 1.0 + 0.1 * faster, 1e-9) << faster;
     model.learn(window_of(start, [&] { return next; }), no_covariance(), start.rotation);
     const double s = model.fluctuation()[0];
     const double share = std::max(0.1, 1.0 - 16.0 * s * s / (0.5 * faster * faster));
