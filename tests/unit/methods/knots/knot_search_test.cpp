@@ -122,6 +122,21 @@ TEST(KnotSearch, KeepsToItsStoreyIfItHasTo) {
   for (const PlaceFit& place : places) EXPECT_GT(place.pose.translation.z(), 1.5);
 }
 
+// Nor is he looked for higher and lower than that about the ground of the way.
+TEST(KnotSearch, KeepsToItsStoreyAboutTheWayToo) {
+  const SurfelMap map = map_of_the_hall();
+  Pose higher = kMapped;
+  higher.translation.z() += 0.6;
+  SearchRegion region{kMapped, 2.0, 0.2};
+  const auto points = thinned(points_from(higher));
+  const auto best = [&] {
+    return search_places(map, points, region, level_way(), 4, Workers(1)).front().pose.translation;
+  };
+  EXPECT_GT(best().z(), kMapped.translation.z() + 0.3);
+  region.below = region.above = 0.3;
+  EXPECT_TRUE(region.is_as_high(best()));
+}
+
 // Who climbs is not found where he came from, however near to half a storey.
 TEST(KnotSearch, ARegionMayEndNearerBelowThanAbove) {
   SearchRegion region{kMapped, 2.0, 0.2};
