@@ -79,6 +79,8 @@ std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, Time
     const std::int64_t by_sensor =
         past_hour ? nearest_by_hours(time_ns - last_time_ns_, receiver_set_back ? 0 : by_arrival)
                   : time_ns - last_time_ns_;
+    const bool is_late = by_sensor <= 0 && by_sensor >= -kSetBackNs && by_arrival <= kSetBackNs;
+    if (is_late) return std::nullopt;
     // Whose next packet follows shortly was not set, whatever the receiver's clock says.
     const bool goes_on = by_sensor > 0 && by_sensor <= kAgreeNs;
     const bool set_back = by_sensor <= 0 && (receiver_set_back || by_arrival > kSetBackNs);
