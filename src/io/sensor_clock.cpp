@@ -62,6 +62,29 @@ SensorClock::Reading SensorClock::start(std::int64_t time_ns, TimeBase base,
   return {last_stamp_ns_, 0, false};
 }
 
+/// From the last packet to the next; none where that is late, or came before.
+std::optional<SensorClock::Reading> SensorClock::go_on(std::int64_t time_ns, bool past_hour,
+                                                       std::int64_t arrival_ns) const {
+  const std::int64_t by_arrival = arrival_ns - last_arrival_ns_;
+  const bool receiver_set_back = by_arrival < -kSetBackNs;
+  std::int64_t by_sensor = time_ns - last_time_ns_;
+  if (past_hour) by_sensor = nearest_by_hours(by_sensor, receiver_set_back ? 0 : by_arrival);
+  const bool is_late = by_sensor <= 0 && by_sensor >= -kSetBackNs && by_arrival <= kSetBackNs;
+  if (is_late) return std::nullopt;
+  Reading reading;
+  // Whose next packet follows shortly was not set, whatever the receiver's clock says.
+  const bool follows = by_sensor > 0 && by_sensor <= kAgreeNs;
+  const bool set_back = by_sensor <= 0 && (receiver_set_back || by_arrival > kSetBackNs);
+  reading.jumped = set_back || (!follows && std::abs(by_sensor - by_arrival) > kAgreeNs);
+  reading.since_last_ns = !reading.jumped     ? by_sensor
+                          : receiver_set_back ? last_step_ns_
+                                              : by_arrival;
+  const std::int64_t most = kGreatestNs - last_stamp_ns_;
+  if (reading.since_last_ns <= 0 || reading.since_last_ns > most) return std::nullopt;
+  reading.stamp_ns = last_stamp_ns_ + reading.since_last_ns;
+  return reading;
+}
+
 std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, TimeBase base,
                                                       std::int64_t arrival_ns) {
   const auto is_time = [](std::int64_t ns) { return ns >= 0 && ns <= kGreatestNs; };
@@ -70,30 +93,14 @@ std::optional<SensorClock::Reading> SensorClock::read(std::int64_t time_ns, Time
   }
   const bool past_hour = base == TimeBase::hour;
   time_ns = past_hour ? time_ns % kHourNs : time_ns;
-  Reading reading;
+  std::optional<Reading> reading;
   if (!started_) {
     reading = start(time_ns, base, arrival_ns);
   } else {
-    const std::int64_t by_arrival = arrival_ns - last_arrival_ns_;
-    const bool receiver_set_back = by_arrival < -kSetBackNs;
-    const std::int64_t by_sensor =
-        past_hour ? nearest_by_hours(time_ns - last_time_ns_, receiver_set_back ? 0 : by_arrival)
-                  : time_ns - last_time_ns_;
-    const bool is_late = by_sensor <= 0 && by_sensor >= -kSetBackNs && by_arrival <= kSetBackNs;
-    if (is_late) return std::nullopt;
-    // Whose next packet follows shortly was not set, whatever the receiver's clock says.
-    const bool goes_on = by_sensor > 0 && by_sensor <= kAgreeNs;
-    const bool set_back = by_sensor <= 0 && (receiver_set_back || by_arrival > kSetBackNs);
-    reading.jumped = set_back || (!goes_on && std::abs(by_sensor - by_arrival) > kAgreeNs);
-    std::int64_t step = by_sensor;
-    if (reading.jumped) step = receiver_set_back ? last_step_ns_ : by_arrival;
-    if (step <= 0 || last_stamp_ns_ + step > kGreatestNs) {
-      return std::nullopt;
-    }
-    last_step_ns_ = step;
-    last_stamp_ns_ += step;
-    reading.stamp_ns = last_stamp_ns_;
-    reading.since_last_ns = step;
+    reading = go_on(time_ns, past_hour, arrival_ns);
+    if (!reading) return std::nullopt;
+    last_step_ns_ = reading->since_last_ns;
+    last_stamp_ns_ = reading->stamp_ns;
   }
   last_time_ns_ = time_ns;
   last_arrival_ns_ = arrival_ns;

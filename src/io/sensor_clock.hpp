@@ -44,6 +44,8 @@ class SensorClock {
 
  private:
   Reading start(std::int64_t time_ns, sensors::TimeBase base, std::int64_t arrival_ns);
+  [[nodiscard]] std::optional<Reading> go_on(std::int64_t time_ns, bool past_hour,
+                                             std::int64_t arrival_ns) const;
 
   bool started_ = false;
   std::int64_t last_time_ns_ = 0;
