@@ -94,6 +94,8 @@ class Odometry {
   friend class Reference;  // whose answers are known beforehand
   using MakeFrontEnd = std::function<std::unique_ptr<FrontEnd>(const Session& session)>;
   Odometry(const Config& config, int threads, const MakeFrontEnd& make_front_end);
+  /// What was added to the last scan's stamps where the clock was set back before it.
+  [[nodiscard]] std::int64_t ahead_ns() const;
 
   struct State;
   std::unique_ptr<State> state_;

@@ -124,6 +124,8 @@ Cubes Odometry::emptied_cubes() const {
   return cubes;
 }
 
+std::int64_t Odometry::ahead_ns() const { return state_->clock.ahead_ns(); }
+
 void Odometry::set_step_observer(StepObserver observer) {
   state_->session.begin_step = observer ? std::move(observer) : [](Step) {};
 }

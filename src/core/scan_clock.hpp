@@ -22,6 +22,8 @@ class ScanClock {
   std::int64_t follow(std::int64_t mid_ns);
   /// The middle of the last scan that was used, by the time that goes on.
   void used(std::int64_t mid_ns) { last_mid_ns_ = mid_ns; }
+  /// By which the time that goes on is ahead of the stamps of the last scan that was followed [ns].
+  [[nodiscard]] std::int64_t ahead_ns() const { return ahead_ns_; }
 
  private:
   [[nodiscard]] bool stays(std::int64_t mid_ns) const;

@@ -28,7 +28,7 @@ struct Reference::State {
         odometry(config, threads),
         choice(map_choice(config.knots)) {}
 
-  void keep(const Scan& scan, const Estimate& estimate);
+  void keep(const Scan& scan, Estimate estimate);
   [[nodiscard]] std::vector<Estimate> answers() const;
 
   Session session;
@@ -54,13 +54,16 @@ Estimate Reference::add_scan(const Scan& scan) {
   return estimate;
 }
 
-void Reference::State::keep(const Scan& scan, const Estimate& estimate) {
+/// By the time that goes on where the scans' clock was set back, as replay()'s odometry asks.
+void Reference::State::keep(const Scan& scan, Estimate estimate) {
+  const std::int64_t ahead_ns = odometry.ahead_ns();
+  estimate.trajectory = estimate.trajectory.delayed(ahead_ns);
   Added& now = added.emplace_back(Added{estimate, {}});
   if (!estimate.trusted()) return;
   const PreparedScan whole = preprocess(scan, session.config.preprocess);
   PreparedScan kept;
-  kept.start_ns = whole.start_ns;
-  kept.end_ns = whole.end_ns;
+  kept.start_ns = whole.start_ns + ahead_ns;
+  kept.end_ns = whole.end_ns + ahead_ns;
   for (const std::uint32_t i : choice.choose(whole, session.workers)) {
     kept.points.push_back(whole.points[i]);
     if (!whole.taus.empty()) kept.taus.push_back(whole.taus[i]);

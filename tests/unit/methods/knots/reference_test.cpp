@@ -102,6 +102,21 @@ TEST(Reference, LeavesOutWhatTheOdometryCouldNotUse) {
   EXPECT_TRUE(both.reference[21].trusted());
 }
 
+// Ten scans are refused, the rest is followed; the reference knows all that the odometry knew, and
+// moves it.
+TEST(Reference, GoesOnWhereTheClockWasSetBack) {
+  std::vector<Scan> scans = trot_through_the_hall();
+  for (std::size_t i = 15; i < scans.size(); ++i) scans[i].stamp_ns -= 100'000'000'000;
+  const BothAnswers both = both_of(scans);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    EXPECT_EQ(both.reference[i].status, both.online[i].status) << i;
+    EXPECT_EQ(both.reference[i].stamp_ns, both.online[i].stamp_ns) << i;
+    EXPECT_EQ(both.reference[i].trusted(), i < 15 || i >= 25) << i;
+    if (!both.reference[i].trusted()) continue;
+    EXPECT_NE(both.reference[i].covariance, both.online[i].covariance) << i;
+  }
+}
+
 TEST(Reference, IsMadeByOneMethodAlone) {
   EXPECT_THROW(Reference(method_config("paper")), ConfigError);
   Config wrong;
