@@ -104,6 +104,7 @@ Estimate PaperFrontEnd::begin_map(const std::vector<Eigen::Vector3f>& points,
   Estimate estimate;
   estimate.status = Status::first_scan;
   estimate.message = started_ ? "the map begins anew at the predicted pose" : level_.message;
+  if (started_) ++segment_;
   started_ = true;
   lost_in_a_row_ = 0;
   motion_ = {{trajectory.mid_ns(), T_map_lidar}, Twist::Zero()};
@@ -140,6 +141,7 @@ std::optional<StampedPose> PaperFrontEnd::last_pose() const {
 Estimate PaperFrontEnd::publish(const ScanTrajectory& trajectory, Estimate estimate) const {
   estimate.trajectory = trajectory;
   estimate.twist = motion_.velocity;
+  estimate.segment = segment_;
   return estimate;
 }
 

@@ -47,6 +47,7 @@ class PaperFrontEnd : public FrontEnd {
   LevelReport level_;
   DeskewedScan last_scan_;
   bool started_ = false;
+  int segment_ = 0;
   int lost_in_a_row_ = 0;
 };
 

@@ -31,6 +31,7 @@ Estimate BaselineFrontEnd::report_first(const ScanTrajectory& trajectory) {
   estimate.status = Status::first_scan;
   estimate.message =
       started_ ? "the map was empty: it begins anew at the predicted pose" : level_.message;
+  if (started_) ++segment_;
   motion_ = {{trajectory.mid_ns(), trajectory.at(0.5)}, Twist::Zero()};
   return publish(trajectory, std::move(estimate));
 }
@@ -90,6 +91,7 @@ Estimate BaselineFrontEnd::publish(const ScanTrajectory& trajectory, Estimate es
   started_ = true;
   estimate.trajectory = trajectory;
   estimate.twist = motion_.velocity;
+  estimate.segment = segment_;
   return estimate;
 }
 

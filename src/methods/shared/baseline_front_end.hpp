@@ -48,6 +48,7 @@ class BaselineFrontEnd : public FrontEnd {
   LevelReport level_;
   DeskewedScan last_scan_;
   bool started_ = false;
+  int segment_ = 0;
 };
 
 }  // namespace surefoot

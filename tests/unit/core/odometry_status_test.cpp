@@ -147,6 +147,10 @@ TEST_P(OdometryStatus, AKidnappedRobotIsToldAndTheMapBeginsAnew) {
   EXPECT_EQ(after[3].status, Status::first_scan) << statuses(after);
   EXPECT_NE(after[3].message.find("anew"), std::string::npos);
   for (std::size_t i = 4; i < after.size(); ++i) EXPECT_TRUE(after[i].trusted()) << statuses(after);
+  EXPECT_EQ(before.back().segment, 0);
+  EXPECT_EQ(after[2].segment, 0);
+  EXPECT_EQ(after[3].segment, 1);
+  EXPECT_EQ(after.back().segment, 1);
 }
 
 TEST_P(OdometryStatus, LostScansLeaveTheMapAndTheWayBackIn) {

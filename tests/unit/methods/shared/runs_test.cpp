@@ -9,6 +9,7 @@
 #include <string>
 
 #include "geometry/decompositions.hpp"
+#include "methods/shared/baseline_front_end.hpp"
 #include "support/synthetic_run.hpp"
 
 namespace surefoot {
@@ -142,6 +143,24 @@ TEST(Baselines, TheMountIsTheFirstPose) {
     const Pose expected = mount_pose(config.level);
     EXPECT_LT(angle_between_deg(estimates[0].T_world_lidar.rotation, expected.rotation), 1e-6);
     EXPECT_LT(angle_between_deg(estimates[1].T_world_lidar.rotation, expected.rotation), 2.0);
+  }
+}
+
+/// One whose map is always empty.
+class Forgetful final : public BaselineFrontEnd {
+ public:
+  using BaselineFrontEnd::BaselineFrontEnd;
+  Estimate add(const PreparedScan& scan) override {
+    return report_first(ScanTrajectory(Pose{}, scan.mid_ns()));
+  }
+  [[nodiscard]] std::vector<Eigen::Vector3d> local_map() const override { return {}; }
+};
+
+TEST(BaselineSegments, AMapThatBeginsAnewIsASegment) {
+  const Session session{config_of("kiss-icp"), Workers(1)};
+  Forgetful front_end(session);
+  for (int segment = 0; segment < 3; ++segment) {
+    EXPECT_EQ(front_end.add({}).segment, segment);
   }
 }
 
