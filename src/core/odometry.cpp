@@ -33,6 +33,7 @@ struct Odometry::State {
   Pose T_world_map;
   std::unique_ptr<FrontEnd> front_end;
   PreparedScan accepted;  // the last one, kept for the front-end
+  int segment = 0;        // of the last estimate
   ScanClock clock;
 
   Estimate answer(PreparedScan&& scan);
@@ -78,6 +79,7 @@ Estimate Odometry::State::accept(PreparedScan&& scan) {
   accepted.end_ns += ahead_ns;
   Estimate estimate = front_end->add(accepted);
   clock.used(estimate.trajectory.mid_ns());
+  segment = estimate.segment;
   estimate.trajectory = estimate.trajectory.delayed(-ahead_ns);
   return estimate;
 }
@@ -89,6 +91,7 @@ Estimate Odometry::State::reject(const PreparedScan& scan, std::string reason) c
   estimate.message = std::move(reason);
   estimate.covariance = unregistered_covariance(session.config.health);
   estimate.twist = front_end->velocity();
+  estimate.segment = segment;
   const StampedPose last = front_end->last_pose().value_or(StampedPose{});
   estimate.trajectory = ScanTrajectory(last.pose, scan.mid_ns());
   return estimate;

@@ -151,6 +151,9 @@ TEST_P(OdometryStatus, AKidnappedRobotIsToldAndTheMapBeginsAnew) {
   EXPECT_EQ(after[2].segment, 0);
   EXPECT_EQ(after[3].segment, 1);
   EXPECT_EQ(after.back().segment, 1);
+  const Estimate rejected = odometry.add_scan({});  // repeats the last pose, in its frame
+  EXPECT_EQ(rejected.status, Status::rejected);
+  EXPECT_EQ(rejected.segment, 1);
 }
 
 TEST_P(OdometryStatus, LostScansLeaveTheMapAndTheWayBackIn) {
