@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -19,6 +20,12 @@
 namespace surefoot::live {
 namespace {
 
+/// Packets and headers are asked for by a few bytes; each call of the system costs more than these.
+constexpr std::size_t kAhead = 256 << 10;
+/// What stands so far before a file's end is as it will stay: rosbag goes back to a chunk's head
+/// once the chunk is full, at 768 KiB and a message that may be large. What comes after it is read
+/// when it is asked for, no sooner.
+constexpr std::uint64_t kMayChange = 8 << 20;
 /// Of a file nobody tells that it has grown: looking this often costs nothing, and latency little.
 constexpr std::chrono::milliseconds kLookAgain(5);
 
@@ -44,12 +51,20 @@ FollowedFile::FollowedFile(const std::filesystem::path& file, std::function<bool
 FollowedFile::~FollowedFile() { ::close(file_); }
 
 std::size_t FollowedFile::read(std::span<std::byte> to) {
-  std::size_t done = 0;
+  std::size_t done = take_ahead(to);
   while (done < to.size()) {
-    const ssize_t got = ::read(file_, to.data() + done, to.size() - done);
+    const std::span<std::byte> rest = to.subspan(done);
+    const bool goes_ahead = rest.size() < kAhead && may_read_ahead();
+    if (goes_ahead) ahead_.resize(kAhead);
+    const std::span<std::byte> into = goes_ahead ? std::span(ahead_) : rest;
+    const ssize_t got = ::read(file_, into.data(), into.size());
+    if (goes_ahead) {
+      ahead_.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+      next_ = 0;
+    }
     if (got > 0) {
-      done += static_cast<std::size_t>(got);
       position_ += static_cast<std::uint64_t>(got);
+      done += goes_ahead ? take_ahead(rest) : static_cast<std::size_t>(got);
       continue;
     }
     if (got < 0 && errno != EAGAIN && errno != EINTR) throw failed(errno);
@@ -58,6 +73,21 @@ std::size_t FollowedFile::read(std::span<std::byte> to) {
     if (has_ended || !wait()) break;
   }
   return done;
+}
+
+std::size_t FollowedFile::take_ahead(std::span<std::byte> to) {
+  const std::size_t count = std::min(to.size(), ahead_.size() - next_);
+  std::memcpy(to.data(), ahead_.data() + next_, count);
+  next_ += count;
+  return count;
+}
+
+bool FollowedFile::may_read_ahead() {
+  if (is_pipe_) return true;
+  const auto has_enough = [this] { return size_ >= position_ + kAhead + kMayChange; };
+  struct stat now {};
+  if (!has_enough() && ::fstat(file_, &now) == 0) size_ = static_cast<std::uint64_t>(now.st_size);
+  return has_enough();
 }
 
 bool FollowedFile::wait() {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "io/bags/byte_stream.hpp"
 
@@ -27,11 +28,17 @@ class FollowedFile final : public io::ByteStream {
 
  private:
   [[nodiscard]] bool wait();
+  /// Of what was read ahead; returns how much.
+  std::size_t take_ahead(std::span<std::byte> to);
+  [[nodiscard]] bool may_read_ahead();
 
   std::function<bool()> goes_on_;
   int file_;
   bool is_pipe_ = false;
-  std::uint64_t position_ = 0;
+  std::uint64_t position_ = 0;  ///< of the file's next byte, behind what was read ahead
+  std::uint64_t size_ = 0;      ///< of a file, when last looked at
+  std::vector<std::byte> ahead_;
+  std::size_t next_ = 0;  ///< of those
 };
 
 }  // namespace surefoot::live

@@ -81,6 +81,44 @@ TEST_F(FollowedFileTest, AFileThatBecameShorterIsToldOf) {
   }
 }
 
+std::string long_text() {
+  std::string text;
+  for (int i = 0; text.size() < (12U << 20); ++i) text += std::to_string(i) + ' ';
+  return text;
+}
+
+/// How often this thread has asked the system to read.
+std::uint64_t calls_of_read() {
+  std::ifstream counts("/proc/thread-self/io");
+  std::uint64_t calls = 0;
+  for (std::string name; counts >> name >> calls && name != "syscr:";) {
+  }
+  return calls;
+}
+
+TEST_F(FollowedFileTest, ALongFileIsReadInLargePiecesHoweverFewBytesAreAskedFor) {
+  const std::string text = long_text();
+  append(file_, text);
+  FollowedFile followed(file_, goes_on());
+  const std::uint64_t before = calls_of_read();
+  for (std::size_t at = 0; at < (4U << 20); at += 16) {
+    ASSERT_EQ(read(followed, 16), text.substr(at, 16));
+  }
+  const std::uint64_t calls = calls_of_read() - before;
+  EXPECT_LT(calls, 100);  // and 262,144 one by one
+  patience_ = 0;
+  EXPECT_EQ(read(followed, text.size()), text.substr(4U << 20));
+}
+
+TEST_F(FollowedFileTest, WhatIsWrittenAgainNearTheEndIsReadAsItIsThen) {
+  append(file_, std::string(1000, 'a'));
+  FollowedFile followed(file_, goes_on());
+  EXPECT_EQ(read(followed, 10), std::string(10, 'a'));
+  std::fstream(file_, std::ios::binary | std::ios::in | std::ios::out).seekp(500).write("b", 1);
+  EXPECT_EQ(read(followed, 490), std::string(490, 'a'));
+  EXPECT_EQ(read(followed, 2), "ba");
+}
+
 TEST_F(FollowedFileTest, APipeEndsWhereItsWriterHasClosedItAndNotBeforeOneCame) {
   ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
   FollowedFile followed(file_, goes_on());  // does not wait for who writes
