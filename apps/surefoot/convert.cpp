@@ -38,8 +38,9 @@ int convert(const ConvertOptions& options) {
   const io::ConversionOutcome outcome = io::convert_recording(
       options.request, {[&](std::size_t scans, double share) { progress.update(scans, share); },
                         complain, [&] { return interrupt.interrupted(); }});
-  if (outcome.scans == 0) {
-    complain("interrupted before the first scan; nothing is written");
+  if (outcome.interrupted) {
+    complain(fmt::format("interrupted after {} scan{}: nothing is written", outcome.scans,
+                         outcome.scans == 1 ? "" : "s"));
     return process::kInterrupted;
   }
   progress.finish();
@@ -57,7 +58,6 @@ int convert(const ConvertOptions& options) {
     if (outcome.packets > 0) fmt::print("  {:5} packets, copied as they are\n", outcome.packets);
     if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
   }
-  if (outcome.interrupted) return process::kInterrupted;
   return outcome.unreadable > 0 ? process::kSomeFailed : process::kDone;
 }
 

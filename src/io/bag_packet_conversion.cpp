@@ -107,10 +107,11 @@ ConversionOutcome convert_bag_packets(const ConversionRequest& request,
   ConversionOutcome outcome;
   ConversionLane lane(open_recording(request.input, options), request);
   const PacketChoice choice = choose_packets(lane, request, listener, outcome);
-  if (outcome.scans == 0) return outcome;  // interrupted
+  if (outcome.interrupted) return outcome;
   UnfinishedOutput output(request.output, false);
   PacketCopy copy(output.path(), bag.topic, choice);
   copy_packets(request, bag.topic, listener, copy, outcome);
+  if (outcome.interrupted) return outcome;
   output.finish();
   outcome.packets = copy.written();
   outcome.points = lane.points();

@@ -286,13 +286,14 @@ void Conversion::finish() {
     }
     for (const std::string& loss : lane->losses()) outcome_.losses.push_back(topic + loss);
   }
-  output_->finish();
+  outcome_.interrupted = listener_.interrupted();
+  if (!outcome_.interrupted) output_->finish();
 }
 
 ConversionOutcome Conversion::execute() {
   while (ConversionLane* const lane = listener_.interrupted() ? nullptr : next_lane()) use(*lane);
   outcome_.interrupted = listener_.interrupted();
-  if (outcome_.scans == 0 && outcome_.interrupted) return std::move(outcome_);
+  if (outcome_.interrupted) return std::move(outcome_);
   if (outcome_.scans == 0) {
     throw ReadError(request_.input.string() + ": no scan in what is asked for");
   }

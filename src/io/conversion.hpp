@@ -42,7 +42,7 @@ struct ConversionRequest {
 struct ConversionListener {
   std::function<void(std::size_t scans, double share)> progress;
   std::function<void(const std::string& text)> complain;  ///< of a scan that is left out
-  std::function<bool()> interrupted;                      ///< true ends it in good order
+  std::function<bool()> interrupted;                      ///< true ends it, and nothing is kept
 };
 
 struct ConversionOutcome {
@@ -52,7 +52,7 @@ struct ConversionOutcome {
   std::size_t messages = 0;    ///< of other topics, copied as they are
   std::size_t topics = 0;      ///< of those
   std::size_t packets = 0;     ///< of a capture, copied as they are
-  bool interrupted = false;    ///< with no scan: nothing is written
+  bool interrupted = false;    ///< nothing is written, whatever was read
   std::vector<std::string> notes;
   std::vector<std::string> losses;  ///< what the source has and the output has not, a line each
 };

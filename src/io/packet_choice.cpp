@@ -26,8 +26,7 @@ PacketChoice choose_packets(ConversionLane& lane, const ConversionRequest& reque
   std::optional<std::int64_t> first_ns;
   while (const ScanItem* const item = lane.item()) {
     if ((outcome.interrupted = listener.interrupted())) {
-      outcome.scans = 0;  // nothing is written yet
-      return {};
+      return {};  // nothing is written yet
     }
     if (item->scan && item->packets) {
       const std::int64_t at_ns = item->scan->stamp_ns;

@@ -53,9 +53,10 @@ class PacketConversion {
 
   ConversionOutcome execute() {
     choice_ = choose_packets(lane_, request_, listener_, outcome_);
-    if (outcome_.scans == 0) return std::move(outcome_);  // interrupted
+    if (outcome_.interrupted) return std::move(outcome_);
     UnfinishedOutput output(request_.output, false);
     copy_frames(output.path());
+    if (outcome_.interrupted) return std::move(outcome_);
     output.finish();
     tell();
     return std::move(outcome_);

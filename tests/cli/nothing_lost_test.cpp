@@ -4,8 +4,10 @@
 // What was computed is not lost by the next command, and what is wrong is not taken for a result.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include "io/file_writer.hpp"
 #include "io/trajectory_files.hpp"
@@ -123,6 +125,22 @@ TEST_F(NothingLost, ABagThatWasCutShortIsNoSuccess) {
   EXPECT_NE(cut.errors.find("cut short"), std::string::npos) << cut;
 }
 
+TEST_F(NothingLost, ATruthOfAnotherTimeIsToldWithBoth) {
+  Trajectory truth = io::read_tum(path("in/gt.tum"));
+  for (StampedPose& pose : truth) pose.stamp_ns += 1'000'000'000'000;
+  io::write_tum(path("late.tum"), truth);
+  const ProcessResult late = surefoot({"run", "in", "-o", "late", "--truth", "late.tum", "-q"});
+  EXPECT_EQ(late.exit_code, 0) << late;
+  EXPECT_NE(late.errors.find("late.tum: tells of 1000.0"), std::string::npos) << late;
+  EXPECT_NE(late.errors.find("no time in common"), std::string::npos) << late;
+  EXPECT_NE(file_content(path("late/run.yaml")).find("no time in common"), std::string::npos);
+  for (StampedPose& pose : truth) pose.stamp_ns -= 2'000'000'000'000;
+  io::write_tum(path("early.tum"), truth);
+  expect_refused({"run", "in", "-o", "early", "--truth", "early.tum"},
+                 "expected a truth with the recording's stamps");
+  EXPECT_FALSE(fs::exists(path("early")));
+}
+
 /// Of what was not looked at nothing is known.
 TEST_F(NothingLost, AnInterruptedCheckHasNoVerdict) {
   write_long_recording(path("long"), 20'000);
@@ -133,6 +151,25 @@ TEST_F(NothingLost, AnInterruptedCheckHasNoVerdict) {
   EXPECT_EQ(result.exit_code, 130) << result;
   EXPECT_EQ(result.output.find("fit for a run"), std::string::npos) << result;
   EXPECT_FALSE(fs::exists(path("page.html")));
+}
+
+/// Half a recording under the name of a whole one is not to be told from it.
+TEST_F(NothingLost, AnInterruptedConversionKeepsNothing) {
+  write_long_recording(path("long"), 20'000);
+  for (const char* output : {"out.mcap", "out.bag", "folder"}) {
+    const Process process({"convert", "long", output}, path(""));
+    const fs::path part = path(std::string(output) + ".surefoot-part");
+    for (int waited = 0; !fs::exists(part) && waited < 20'000; ++waited) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    process.send(SIGINT);
+    const ProcessResult result = process.wait();
+    EXPECT_EQ(result.exit_code, 130) << result;
+    EXPECT_NE(result.errors.find("nothing is written"), std::string::npos) << result;
+    EXPECT_EQ(result.output, "");
+    EXPECT_FALSE(fs::exists(path(output)));
+    EXPECT_FALSE(fs::exists(part));
+  }
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ class PacketConversion : public testing::Test {
   ConversionOutcome convert(ConversionRequest request) {
     const ConversionListener listener = {[](std::size_t, double share) { EXPECT_LE(share, 1.0); },
                                          [](const std::string&) {},
-                                         [this] { return interrupted_; }};
+                                         [this] { return interrupted_ || asked_++ >= patience_; }};
     if (request.input.empty()) request.input = folder_.path() / "walk.pcap";
     request.output = folder_.path() / "out.pcap";
     std::error_code ignored;
@@ -113,6 +113,7 @@ class PacketConversion : public testing::Test {
   }
   const test::TemporaryFolder folder_;
   bool interrupted_ = false;
+  int asked_ = 0, patience_ = 1'000'000;  ///< how often it is asked for before it is interrupted
 };
 
 TEST_F(PacketConversion, AllIsTheSame) {
@@ -241,6 +242,17 @@ TEST_F(PacketConversion, InterruptedItWritesNothing) {
   EXPECT_TRUE(outcome.interrupted);
   EXPECT_EQ(outcome.scans, 0U);
   EXPECT_FALSE(fs::exists(folder_.path() / "out.pcap"));
+}
+
+TEST_F(PacketConversion, InterruptedWhileItWritesItKeepsNothing) {
+  folder_.write("walk.pcap", capture_of(frames()));
+  patience_ = kTurns + 20;  // asked once a scan, then once a frame
+  const ConversionOutcome outcome = convert({});
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_EQ(outcome.scans, kTurns);
+  EXPECT_GT(outcome.packets, 0U);
+  const fs::directory_iterator left(folder_.path());
+  EXPECT_EQ(std::distance(begin(left), end(left)), 1);  // the input
 }
 
 }  // namespace
