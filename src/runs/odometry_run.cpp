@@ -84,6 +84,8 @@ class OdometryRun final : public RunControl {
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
+  void refuse_past_truth(const std::optional<io::ScanItem>& item) const;
+  void check_truth(const RunOutput& output);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
   void use(const io::ScanItem& item, RunOutput& output);
   void tell(const io::ScanItem& item, const Estimate& estimate);
@@ -127,6 +129,7 @@ RunOutcome OdometryRun::execute() {
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
   check_first_scan(options_, item);
+  refuse_past_truth(item);
   std::optional<Reference> reference;
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
@@ -147,6 +150,7 @@ RunOutcome OdometryRun::execute() {
   say_new_notes();
   map_ = map_.without_forgotten();
   if (map_run_) finish_map();
+  check_truth(output);
   const RunDescription run = description(output);
   if (localization_) outcome_.localization = localization_->finish();
   output.finish(options_, run, map_, map_run_ ? map_run_->drawn() : report::DrawnLoops{});
@@ -174,6 +178,40 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   own_notes_.push_back(fmt::format("left out: {}: {}", io::printable(first->name), first->remark));
   listener_.say(own_notes_.back());
   return second;
+}
+
+/// A truth that ends before the first scan has nothing to tell of this recording.
+void OdometryRun::refuse_past_truth(const std::optional<io::ScanItem>& item) const {
+  if (options_.truth.empty() || !item || !item->scan) return;
+  constexpr std::int64_t kLongestScan = 1'000'000'000;  // whose stamp may be its end
+  const std::int64_t first_ns = item->scan->stamp_ns;
+  const Trajectory truth = read_truth_poses(options_.truth);
+  const bool is_past = std::all_of(truth.begin(), truth.end(), [&](const StampedPose& pose) {
+    return pose.stamp_ns < first_ns - kLongestScan;
+  });
+  if (!is_past || truth.empty()) return;
+  throw io::ReadError(fmt::format(
+      "{}: tells of {} to {} s, and the first scan is of {} s: expected a truth with the "
+      "recording's stamps",
+      options_.truth.string(), io::format_seconds(truth.front().stamp_ns),
+      io::format_seconds(truth.back().stamp_ns), io::format_seconds(first_ns)));
+}
+
+/// What is not compared is said here, whether or not anybody looks at the picture.
+void OdometryRun::check_truth(const RunOutput& output) {
+  const std::filesystem::path file = truth_file(options_);
+  const std::map<int, SegmentSpan>& measured = output.segments();
+  if (file.empty() || measured.empty() || (options_.no_picture && options_.no_report)) return;
+  std::string why;
+  try {
+    why = other_times(file, read_truth_poses(file), measured.begin()->second.first_ns,
+                      measured.rbegin()->second.last_ns);
+  } catch (const io::ReadError& error) {
+    why = error.what();
+  }
+  if (why.empty()) return;
+  own_notes_.push_back(why);
+  listener_.complain ? listener_.complain("note: " + why) : listener_.say("note: " + why);
 }
 
 void OdometryRun::for_all(std::optional<io::ScanItem> item,

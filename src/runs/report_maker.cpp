@@ -64,9 +64,10 @@ void move_run(const Pose& T_world_map, report::ReportRun& run) {
   }
 }
 
-/// The figures are those of `surefoot eval` with its defaults; what is drawn is laid on the truth.
+/// The figures are those of `surefoot eval --pair interpolate`; what is drawn is laid on the truth.
 void evaluate_run(const Trajectory& truth, const Trajectory& measured, report::ReportRun& run) {
-  const evaluation::EvaluationOptions options;
+  evaluation::EvaluationOptions options;
+  options.association = pairing_with(truth, measured);
   // Named as `surefoot eval` names it: by the file.
   const auto figures = evaluation::evaluate("trajectory", truth, measured, options);
   AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);

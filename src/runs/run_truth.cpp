@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "runs/run_truth.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <exception>
-#include <string>
+#include <stdexcept>
 #include <utility>
 
-#include "evaluation/evaluate.hpp"
+#include "io/decimal_time.hpp"
 #include "io/recording.hpp"
 #include "runs/trajectory_inputs.hpp"
 
@@ -38,6 +41,31 @@ Trajectory read_truth_poses(const fs::path& file) {
                       "; expected a truth with both, or surefoot eval, which can do without");
 }
 
+evaluation::AssociationOptions pairing_with(const Trajectory& truth, const Trajectory& measured) {
+  evaluation::AssociationOptions pairing;
+  pairing.method = evaluation::AssociationMethod::interpolate;
+  try {
+    (void)evaluation::associate(truth, measured, pairing);
+  } catch (const std::runtime_error&) {
+    pairing.method = evaluation::AssociationMethod::nearest;
+  }
+  return pairing;
+}
+
+std::string other_times(const fs::path& file, const Trajectory& truth, std::int64_t first_ns,
+                        std::int64_t last_ns) {
+  if (truth.empty()) return file.string() + ": holds no poses";
+  const auto [begin, end] = std::minmax_element(
+      truth.begin(), truth.end(),
+      [](const StampedPose& a, const StampedPose& b) { return a.stamp_ns < b.stamp_ns; });
+  if (begin->stamp_ns <= last_ns && end->stamp_ns >= first_ns) return {};
+  return fmt::format(
+      "{}: tells of {} to {} s, and the scans are of {} to {} s: they have no time in common, so "
+      "nothing is compared",
+      file.string(), io::format_seconds(begin->stamp_ns), io::format_seconds(end->stamp_ns),
+      io::format_seconds(first_ns), io::format_seconds(last_ns));
+}
+
 Pose laid_on_truth(const evaluation::AssociatedTrajectories& pairs) {
   return find_alignment(pairs, evaluation::AlignmentMethod::poses).pose;
 }
@@ -57,10 +85,9 @@ Trajectory truth_in_map(const Trajectory& truth, const Trajectory& measured,
                         const report::DrawnLoops& loops) {
   if (truth.empty() || measured.empty()) return {};
   try {
-    const evaluation::EvaluationOptions options;
     const Trajectory& way = loops.taken.empty() ? measured : loops.corrected;
     const Pose T_map_world =
-        laid_on_truth(evaluation::associate(truth, way, options.association)).inverse();
+        laid_on_truth(evaluation::associate(truth, way, pairing_with(truth, way))).inverse();
     Trajectory seen = truth_between(truth, measured.front().stamp_ns, measured.back().stamp_ns);
     for (StampedPose& pose : seen) pose.pose = T_map_world * pose.pose;
     return seen;

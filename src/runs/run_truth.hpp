@@ -4,9 +4,12 @@
 // The truth that lies beside a recording, where the run's path is to be seen with it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "evaluation/alignment.hpp"
+#include "evaluation/association.hpp"
 #include "report/run_picture.hpp"
 #include "runs/run_options.hpp"
 #include "surefoot/trajectory.hpp"
@@ -23,6 +26,16 @@ namespace surefoot::runs {
 /// The poses in whatever file eval takes as a reference. Throws io::ReadError, also where they have
 /// no stamps or no rotations.
 [[nodiscard]] Trajectory read_truth_poses(const std::filesystem::path& file);
+
+/// How a run is compared with its truth: the truth interpolated at the run's stamps; where its
+/// poses are too far apart for that, poses with the nearest stamps.
+[[nodiscard]] evaluation::AssociationOptions pairing_with(const Trajectory& truth,
+                                                          const Trajectory& measured);
+
+/// That the truth tells of other times than those from `first_ns` to `last_ns`, with both; empty
+/// where they have some in common.
+[[nodiscard]] std::string other_times(const std::filesystem::path& file, const Trajectory& truth,
+                                      std::int64_t first_ns, std::int64_t last_ns);
 
 /// T_world_map by which a run is laid on its truth to be looked at: by orientations, too. On a
 /// straight way positions leave the turn about it open, and the map would lie on its side. Throws

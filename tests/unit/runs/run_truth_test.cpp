@@ -72,6 +72,36 @@ TEST(RunTruth, OfAnotherTimeIsNone) {
   EXPECT_TRUE(truth_in_map(walk({}, 50), {}).empty());
 }
 
+/// As a truth of 100 Hz between whose stamps a scan's lies, or of 10 Hz: 50 ms off each.
+TEST(RunTruth, IsInterpolatedAtTheStampsOfTheRun) {
+  const Trajectory truth = walk(turned(), 80, -kStep / 2);
+  const Trajectory measured = walk({}, 50);
+  EXPECT_EQ(pairing_with(truth, measured).method, evaluation::AssociationMethod::interpolate);
+  const Trajectory shown = truth_in_map(truth, measured);
+  ASSERT_EQ(shown.size(), 49U);
+  EXPECT_NEAR(shown[0].pose.translation.x(), 0.05, 1e-9);
+}
+
+TEST(RunTruth, OfPosesFarApartIsPairedByTheNearestStamp) {
+  const Trajectory all = walk(turned(), 50);
+  const Trajectory truth = {all[0], all[20], all[40]};
+  EXPECT_EQ(pairing_with(truth, walk({}, 50)).method, evaluation::AssociationMethod::interpolate)
+      << "exact stamps need no interpolation";
+  Trajectory late = truth;
+  for (StampedPose& pose : late) pose.stamp_ns += 1'000'000;
+  EXPECT_EQ(pairing_with(late, walk({}, 50)).method, evaluation::AssociationMethod::nearest);
+}
+
+TEST(RunTruth, OfOtherTimesIsToldWithBoth) {
+  const Trajectory truth = walk({}, 11, 5'000'000'000);
+  EXPECT_EQ(other_times("gt.tum", truth, 0, 4'999'999'999),
+            "gt.tum: tells of 5.000000000 to 6.000000000 s, and the scans are of 0.000000000 to "
+            "4.999999999 s: they have no time in common, so nothing is compared");
+  EXPECT_NE(other_times("gt.tum", truth, 6'000'000'001, 7'000'000'000), "");
+  EXPECT_EQ(other_times("gt.tum", truth, 0, 5'000'000'000), "");
+  EXPECT_EQ(other_times("gt.tum", {}, 0, 1), "gt.tum: holds no poses");
+}
+
 TEST(RunTruth, OutOfOrderIsNone) {
   Trajectory truth = walk({}, 50);
   std::swap(truth[3], truth[30]);
