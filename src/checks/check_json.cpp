@@ -62,6 +62,19 @@ Json json_of(const MotionCheck& motion) {
   return json;
 }
 
+Json json_of(const std::vector<io::TopicSurvey>& topics) {
+  Json json = Json::array();
+  for (const io::TopicSurvey& survey : topics) {
+    json.push_back({{"name", survey.topic.name},
+                    {"type", survey.topic.type},
+                    {"scans", survey.usable},
+                    {"rate_hz", survey.rate_hz()},
+                    {"frame", survey.frame},
+                    {"content", survey.content}});
+  }
+  return json;
+}
+
 /// File names may hold any bytes.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -69,7 +82,12 @@ std::string text_of(const Json& json) {
 
 }  // namespace
 
-std::string to_json(const io::RecordingSummary& summary) {
+std::string to_json(const std::vector<io::TopicSurvey>& topics) {
+  return text_of({{"topics", json_of(topics)}});
+}
+
+std::string to_json(const io::RecordingSummary& summary,
+                    const std::vector<io::TopicSurvey>& topics) {
   Json json;
   json["description"] = summary.description;
   json["notes"] = summary.notes;
@@ -99,6 +117,7 @@ std::string to_json(const io::RecordingSummary& summary) {
                        {"reordered", counts.reordered},
                        {"lost", counts.lost}};
   }
+  if (!topics.empty()) json["topics"] = json_of(topics);
   json["odd"] = Json::array();
   for (const io::Oddity& oddity : summary.oddities) {
     json["odd"].push_back(

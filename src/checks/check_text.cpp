@@ -89,15 +89,36 @@ std::string finding_text(const Finding& finding) {
   return text;
 }
 
+void add_topics(Rows& rows, const std::vector<io::TopicSurvey>& topics) {
+  for (const io::TopicSurvey& survey : topics) {
+    std::string text = survey.topic.name + "  " + survey.topic.type;
+    if (survey.rate_hz() > 0.0) text += fmt::format("  {:.1f} Hz", survey.rate_hz());
+    if (!survey.frame.empty()) text += "  frame " + survey.frame;
+    if (!survey.content.empty()) text += "  " + survey.content;
+    rows.add("topic", text);
+  }
+}
+
 }  // namespace
 
-std::string to_text(const io::RecordingSummary& summary) {
+std::string to_text(const std::vector<io::TopicSurvey>& topics) {
+  Rows rows(14);
+  add_topics(rows, topics);
+  for (const io::TopicSurvey& survey : topics) {
+    if (survey.usable) rows.add("scans by", "--topic " + io::shell_word(survey.topic.name));
+  }
+  return rows.text();
+}
+
+std::string to_text(const io::RecordingSummary& summary,
+                    const std::vector<io::TopicSurvey>& topics) {
   Rows rows(14);
   rows.add("recording", summary.description);
   for (const std::string& layout : summary.layouts) rows.add("fields", layout);
   rows.add("scans", std::to_string(summary.scans));
   if (summary.scans > 0) add_scans(rows, summary);
   if (summary.capture.packets > 0) rows.add("packets", packets_text(summary.capture));
+  add_topics(rows, topics);
   for (const std::string& note : summary.notes) rows.add("found out", note);
   for (const io::Oddity& oddity : summary.oddities) {
     const bool of_scans = !oddity.first.empty();

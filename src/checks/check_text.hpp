@@ -5,13 +5,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "checks/recording_check.hpp"
+#include "io/bags/topic_survey.hpp"
 #include "io/recording_summary.hpp"
 
 namespace surefoot::checks {
 
-[[nodiscard]] std::string to_text(const io::RecordingSummary& summary);
+/// `topics`: of a bag, also those that no scans are made of.
+[[nodiscard]] std::string to_text(const io::RecordingSummary& summary,
+                                  const std::vector<io::TopicSurvey>& topics = {});
+/// Of a bag with several topics that scans can be made of: what there is to choose from.
+[[nodiscard]] std::string to_text(const std::vector<io::TopicSurvey>& topics);
 [[nodiscard]] std::string to_text(const RecordingCheck& check);
 
 }  // namespace surefoot::checks

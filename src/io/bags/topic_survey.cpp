@@ -89,6 +89,7 @@ void take_metadata(const Message& message, BagSurvey& found) {
   }
 }
 
+/// "  /points  sensor_msgs/PointCloud2  10.0 Hz  frame lidar  28800 points, x f32, ..."
 std::string line_of(const TopicSurvey& survey) {
   char rate[40];
   std::snprintf(rate, sizeof(rate), "%.1f Hz", survey.rate_hz());
@@ -193,9 +194,9 @@ const TopicSurvey& choose_topic(const std::vector<TopicSurvey>& topics, const st
   }
   if (usable.size() > 1) {
     std::string text = bag + ": " + std::to_string(usable.size()) +
-                       " topics that scans can be made of:" + list(usable) + "\ntake one:";
+                       " topics that scans can be made of:" + list(usable) + "\ntake one, by the same command with:";
     for (const TopicSurvey& survey : usable) {
-      text += "\n  surefoot run " + shell_word(bag) + " --topic " + shell_word(survey.topic.name);
+      text += "\n  --topic " + shell_word(survey.topic.name);
     }
     throw ReadError(text);
   }
