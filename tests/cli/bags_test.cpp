@@ -320,9 +320,22 @@ TEST(RunBag, HoldsScansMapOdometryPathTransformsAndDiagnostics) {
   const ProcessResult info =
       run_surefoot({"info", "run.mcap", "--topic", "/surefoot/scan"}, folder);
   EXPECT_EQ(info.exit_code, 0) << info;
+  EXPECT_NE(info.output.find("topic          /tf  tf2_msgs/TFMessage"), std::string::npos) << info;
+  // Of several topics all are listed; who has to take one is told how, by no other command's name.
   const ProcessResult several = run_surefoot({"info", "run.mcap"}, folder);
-  EXPECT_EQ(several.exit_code, 2) << several;
-  EXPECT_NE(several.errors.find("--topic /surefoot/local_map"), std::string::npos) << several;
+  EXPECT_EQ(several.exit_code, 0) << several;
+  for (const char* part : {"--topic /surefoot/local_map", "--topic /surefoot/scan",
+                           "/surefoot/odometry  nav_msgs/Odometry  10.0 Hz"}) {
+    EXPECT_NE(several.output.find(part), std::string::npos) << part << several;
+  }
+  const ProcessResult json = run_surefoot({"info", "run.mcap", "--json"}, folder);
+  EXPECT_NE(json.output.find("\"name\": \"/diagnostics\""), std::string::npos) << json;
+  const ProcessResult check = run_surefoot({"check", "run.mcap"}, folder);
+  EXPECT_EQ(check.exit_code, 2) << check;
+  EXPECT_NE(check.errors.find("by the same command with:\n  --topic /surefoot/local_map\n"),
+            std::string::npos)
+      << check;
+  EXPECT_EQ(check.errors.find("surefoot run"), std::string::npos) << check;
 }
 
 // What is there stays unless it may go, and the recording itself always does.

@@ -194,7 +194,8 @@ const TopicSurvey& choose_topic(const std::vector<TopicSurvey>& topics, const st
   }
   if (usable.size() > 1) {
     std::string text = bag + ": " + std::to_string(usable.size()) +
-                       " topics that scans can be made of:" + list(usable) + "\ntake one, by the same command with:";
+                       " topics that scans can be made of:" + list(usable) +
+                       "\ntake one, by the same command with:";
     for (const TopicSurvey& survey : usable) {
       text += "\n  --topic " + shell_word(survey.topic.name);
     }
