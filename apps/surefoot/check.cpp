@@ -35,6 +35,7 @@ struct CheckCommand {
 
 int execute(const CheckCommand& command) {
   checks::require_page_or_nothing(command.html);
+  io::require_ending(command.html, {".html", ".htm"});
   take_piped_recording(command.check.input, command.quiet || command.json);
   take_piped_text(command.check.truth);
   const process::InterruptGuard interrupt;

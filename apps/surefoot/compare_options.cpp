@@ -37,6 +37,8 @@ void add_work_options(CLI::App& command, experiments::CompareOptions& options) {
       ->check(CLI::Range(1, 1000));
   command.add_option("-j,--jobs", options.jobs, "Runs at the same time; they share the machine")
       ->check(CLI::Range(1, 64));
+  command.add_flag("--overwrite", options.overwrite,
+                   "Write also where tables or figures lie that no comparison has left");
   command.add_flag("--retry-failed", options.retry_failed, "Do again what failed before");
   command
       .add_option_function<std::string>(

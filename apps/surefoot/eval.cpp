@@ -96,6 +96,8 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       ->add_option("--figure", request.figures,
                    "Draw the aligned trajectories to this .svg, .pdf or .png file; may be repeated")
       ->allow_extra_args(false);
+  command->add_flag("--overwrite", request.overwrite,
+                    "Draw also where a file is that is no picture of ours");
   CLI::Option_group* output = command->add_option_group("output");
   const auto add_table = [&](const char* flag, TableFormat format, const char* help) {
     output->add_flag_callback(

@@ -13,6 +13,7 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
+#include "io/file_writer.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
@@ -20,6 +21,7 @@
 #ifdef SUREFOOT_HAS_PICTURES
 #include "recordings/animation.hpp"
 #include "recordings/scene_drawing.hpp"
+#include "report/picture_mark.hpp"
 #endif
 
 namespace surefoot::app {
@@ -49,6 +51,11 @@ void list_scenes() {
 bool draw([[maybe_unused]] const SimulateArguments& arguments) {
   if (arguments.picture.empty() && arguments.animation.empty()) return false;
 #ifdef SUREFOOT_HAS_PICTURES
+  io::require_ending(arguments.picture, {".png"});
+  io::require_ending(arguments.animation, {".png", ".apng"});
+  for (const std::string& file : {arguments.picture, arguments.animation}) {
+    if (!file.empty()) report::require_picture_or_nothing(file, arguments.request.overwrite);
+  }
   if (!arguments.picture.empty()) recordings::draw_scene(arguments.request, arguments.picture);
   if (!arguments.animation.empty()) {
     recordings::draw_animation(arguments.request, arguments.animation);
@@ -156,7 +163,7 @@ void add_output_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_flag("-q,--quiet", arguments.quiet, "Say nothing");
   command.add_option("-o,--output", arguments.output, "Folder to write to");
   command.add_flag("--overwrite", request.overwrite,
-                   "Write also where scans lie that no simulation has left");
+                   "Write also where scans or pictures lie that no simulation has left");
 }
 
 }  // namespace

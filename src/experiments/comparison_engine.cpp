@@ -11,6 +11,7 @@
 
 #include "experiments/compare_inputs.hpp"
 #include "experiments/compare_runs.hpp"
+#include "experiments/comparison_folder.hpp"
 #include "experiments/comparison_plan.hpp"
 #include "experiments/fingerprint.hpp"
 #include "process/exit_codes.hpp"
@@ -146,6 +147,7 @@ std::optional<CompareResults> compare_variants(const CompareOptions& options,
   const std::vector<PlannedRun> runs =
       share_of(plan_runs(inputs->size(), variants.size(), options.repeats),
                options.part.value_or(ComparePart{}));
+  if (!options.overwrite) refuse_foreign_results(options.output);
   // Before there is a folder: a recording without truth is told here.
   RunQueue queue(make_tasks(options, runs, *inputs, variants, build), options.jobs, options.quiet);
   fs::create_directories(options.output);

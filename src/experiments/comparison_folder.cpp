@@ -6,6 +6,9 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
 #include "io/recording.hpp"
 #include "runs/run_files.hpp"
@@ -19,6 +22,22 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kFileName = "compare.json";
+constexpr const char* kFormat = "surefoot-comparison";
+
+/// What comparisons, ablations and sweeps write besides it and the folders of their runs.
+constexpr const char* kResults[] = {kFileName,     "tables.md",    "tables.csv",    "tables.tex",
+                                    "ablation.md", "ablation.csv", "ablation.json", "sweep.md",
+                                    "sweep.csv",   "sweep.json"};
+constexpr const char* kFigures[] = {"trajectories_3d", "trajectories_side", "trajectories_top",
+                                    "errors_over_time", "ablation"};
+
+/// By its first entry: the whole of it may be long.
+bool is_ours(const fs::path& file) {
+  std::string begin(200, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), std::ssize(begin));
+  return begin.find(kFormat) != std::string::npos;
+}
 
 report::ReportTable table_of(const Json& json) {
   report::ReportTable table{json.at("title"), {"Sequence", "Figure"}, {}};
@@ -55,12 +74,28 @@ void add_result(const fs::path& folder, const Json& recording, const Json& resul
 
 bool is_comparison_folder(const fs::path& folder) { return fs::exists(folder / kFileName); }
 
+void refuse_foreign_results(const fs::path& folder) {
+  if (is_ours(folder / kFileName)) return;
+  const auto refuse = [](const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(file, ignored))) return;
+    throw std::runtime_error(file.string() +
+                             ": is there already, which no comparison has left; choose another "
+                             "folder, or --overwrite");
+  };
+  for (const char* name : kResults) refuse(folder / name);
+  for (const char* name : kFigures) {
+    for (const char* ending : {".svg", ".pdf", ".png"})
+      refuse(folder / "figures" / (std::string(name) + ending));
+  }
+}
+
 void add_comparison(const fs::path& folder, runs::ReportMaker& maker) {
   const fs::path file = folder / kFileName;
   try {
     std::ifstream stream(file);
     const Json json = Json::parse(stream);
-    if (json.at("format") != "surefoot-comparison" || json.at("format_version") != 1) {
+    if (json.at("format") != kFormat || json.at("format_version") != 1) {
       throw io::ReadError("expected format surefoot-comparison, version 1");
     }
     for (const Json& note : json.at("notes")) maker.add_note(note);

@@ -15,4 +15,8 @@ namespace surefoot::experiments {
 /// Throws io::ReadError.
 void add_comparison(const std::filesystem::path& folder, runs::ReportMaker& maker);
 
+/// Throws std::runtime_error where a file lies in the folder that has the name of a comparison's
+/// results and is none: no compare.json of ours is there.
+void refuse_foreign_results(const std::filesystem::path& folder);
+
 }  // namespace surefoot::experiments

@@ -41,6 +41,7 @@ struct CompareOptions {
   std::optional<ComparePart> part;  ///< of the runs, and no tables; none: whatever is left
   bool list_runs = false;           ///< and do none
   std::filesystem::path output = "results/comparison";
+  bool overwrite = false;  ///< also files of such names that no comparison has left
   bool figures = true;
   bool retry_failed = false;
   bool quiet = false;

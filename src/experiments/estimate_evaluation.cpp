@@ -11,6 +11,8 @@
 
 #ifdef SUREFOOT_HAS_PICTURES
 #include "experiments/compare_figures.hpp"
+#include "report/canvas.hpp"
+#include "report/picture_mark.hpp"
 #endif
 
 namespace surefoot::experiments {
@@ -31,6 +33,16 @@ void draw_figures([[maybe_unused]] const EvaluationRequest& request,
 #else
   if (!request.figures.empty()) {
     throw std::runtime_error("--figure: this program was built without pictures");
+  }
+#endif
+}
+
+/// Names that tell no format, and files of others, before all the work.
+void check_figures([[maybe_unused]] const EvaluationRequest& request) {
+#ifdef SUREFOOT_HAS_PICTURES
+  for (const std::filesystem::path& file : request.figures) {
+    (void)report::page_format_of(file);
+    report::require_picture_or_nothing(file, request.overwrite);
   }
 #endif
 }
@@ -57,6 +69,7 @@ std::string left_out_text(const Evaluation& evaluation, const evaluation::PairOp
 
 std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
                                            const EvaluationListener& listener) {
+  check_figures(request);
   const runs::ReferenceTrajectory reference = runs::read_reference(request.reference);
   if (reference.is_foreign) {
     listener.note(reference.file.string() + ": " + reference.truth.what);

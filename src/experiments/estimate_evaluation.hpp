@@ -19,6 +19,7 @@ struct EvaluationRequest {
   std::vector<std::filesystem::path> estimates;
   evaluation::EvaluationOptions evaluation;
   std::vector<std::filesystem::path> figures;  ///< of the aligned paths: .svg, .pdf or .png
+  bool overwrite = false;                      ///< whatever files have the figures' names
 };
 
 struct EvaluationListener {

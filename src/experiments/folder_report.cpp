@@ -40,6 +40,7 @@ ReportOutcome report_folders(const ReportRequest& request,
                              const std::function<void(const std::string& text)>& complain) {
   const fs::path file = page_of(request);
   require_page_or_nothing(file);
+  io::require_ending(file, {".html", ".htm"});
   runs::ReportMaker maker(request.truth);
   std::size_t added = 0;
   for (const fs::path& folder : request.folders) {

@@ -7,7 +7,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -21,6 +23,22 @@ bool is_file_beginning(const std::filesystem::path& file, std::string_view text)
   std::string begin(text.size(), '\0');
   std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin));
   return begin == text;
+}
+
+void require_ending(const std::filesystem::path& file,
+                    std::initializer_list<std::string_view> endings) {
+  const std::string given = file.extension().string();
+  std::string ending = given;
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  std::string expected;
+  std::size_t left = endings.size();
+  for (const std::string_view one : endings) {
+    expected += one;
+    if (--left > 0) expected += left == 1 ? " or " : ", ";
+  }
+  throw std::invalid_argument(file.string() + ": ends with '" + given + "', expected " + expected);
 }
 
 void write_whole_file(const std::filesystem::path& file, std::string_view content) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -41,6 +42,12 @@ class UnfinishedOutput {
 
 /// Whether this is a regular file, no link to one, that begins so: by a mark of ours it is ours.
 [[nodiscard]] bool is_file_beginning(const std::filesystem::path& file, std::string_view text);
+
+/// What is written goes by the file's name, which must not say something else: throws
+/// std::invalid_argument that names the endings where it has another one than these. A name without
+/// any says nothing.
+void require_ending(const std::filesystem::path& file,
+                    std::initializer_list<std::string_view> endings);
 
 /// Writes beside `file` and renames, so that there is the old file or the whole new one, never half
 /// of one. Throws WriteError.

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
+
+#include "report/picture_mark.hpp"
 
 namespace surefoot::report {
 
@@ -128,6 +131,7 @@ void AnimatedPng::save(const std::filesystem::path& path) const {
     }
   }
   append_chunk(bytes, "IEND", {});
+  bytes = with_mark(std::move(bytes), PageFormat::png);
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();

@@ -15,6 +15,9 @@
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
+
+#include "report/picture_mark.hpp"
 
 namespace surefoot::report {
 
@@ -108,9 +111,12 @@ struct Canvas::Page {
   std::string bytes;  // filled by cairo when an SVG or PDF page is finished
   cairo_surface_t* surface = nullptr;
   cairo_t* cairo = nullptr;
+  PageFormat format;
 
-  Page(int width, int height, PageFormat format, int scale)
-      : surface(make_surface(format, bytes, width, height, scale)), cairo(cairo_create(surface)) {
+  Page(int width, int height, PageFormat page_format, int scale)
+      : surface(make_surface(page_format, bytes, width, height, scale)),
+        cairo(cairo_create(surface)),
+        format(page_format) {
     if (format == PageFormat::png) cairo_scale(cairo, scale, scale);
   }
   Page(const Page&) = delete;
@@ -270,6 +276,7 @@ void Canvas::save(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() +
                              ": cannot draw the picture: " + cairo_status_to_string(status));
   }
+  bytes = with_mark(std::move(bytes), page_->format);
   // Beside it, then renamed: there is the old picture or the whole new one.
   std::filesystem::path part = path;
   part += ".part";

@@ -142,6 +142,16 @@ void check_replaced(const fs::path& file, const fs::path& map, bool overwrite) {
   }
 }
 
+/// A name that says something else than what would be in the file.
+void check_endings(const MapExport& wanted) {
+  if (!wanted.mesh.empty()) static_cast<void>(io::mesh_format(wanted.mesh));
+  io::require_ending(wanted.pcd, {".pcd"});
+  io::require_ending(wanted.ply, {".ply"});
+  io::require_ending(wanted.las, {".las"});
+  io::require_ending(wanted.grid, {".pgm", ".yaml"});
+  io::require_ending(wanted.elevation, {".asc", ".tif", ".tiff"});
+}
+
 /// What is somebody's already is not found after all the work, and not written over.
 void check_files(const fs::path& map, const MapExport& wanted) {
   std::vector<fs::path> files = {wanted.pcd, wanted.ply, wanted.las, wanted.mesh};
@@ -210,7 +220,7 @@ MapExported export_map(const fs::path& map, const MapExport& wanted,
     throw std::invalid_argument(
         "nothing to write: expected --pcd, --ply, --las, --tiles, --mesh, --grid or --elevation");
   }
-  if (!wanted.mesh.empty()) static_cast<void>(io::mesh_format(wanted.mesh));  // before all the work
+  check_endings(wanted);  // before all the work
   check_files(map, wanted);
   const mapping::SavedMap saved = read_saved_map(map);
   if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));

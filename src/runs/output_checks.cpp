@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "io/file_writer.hpp"
+
 namespace surefoot::runs {
 
 namespace {
@@ -26,6 +28,7 @@ void require_folder_of(const std::filesystem::path& file, const std::filesystem:
 
 /// What is there already stays, unless it may go; the recording itself always does.
 void check_bags(const RunOptions& options) {
+  io::require_ending(options.mcap, {".mcap"});
   if (!options.mcap.empty()) require_folder_of(options.mcap, options.output);
   for (const std::filesystem::path& path : {options.mcap, options.rosbag2}) {
     std::error_code ignored;

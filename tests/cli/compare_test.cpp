@@ -225,6 +225,28 @@ TEST_F(Compare, TheFiguresAreThoseOfEval) {
   EXPECT_FALSE(fs::exists(scratch_.path() / "out/figures"));
 }
 
+/// An earlier comparison's may go; what is somebody else's is told before all the work.
+TEST_F(Compare, WritesOverNothingThatNoComparisonHasLeft) {
+  const std::vector<std::string> command = {"left", "--methods", "icp",
+                                            "-o",   "out",       "--no-figures"};
+  fs::create_directories(scratch_.path() / "out/figures");
+  for (const char* name : {"out/tables.md", "out/compare.json", "out/figures/ablation.png"}) {
+    write_content(scratch_.path() / name, "{\"mine\": 1}");
+    const ProcessResult refused = compare(command);
+    EXPECT_EQ(refused.exit_code, 2) << refused;
+    EXPECT_NE(refused.errors.find("which no comparison has left"), std::string::npos) << refused;
+    EXPECT_EQ(content(name), "{\"mine\": 1}");
+    EXPECT_FALSE(fs::exists(scratch_.path() / "out/runs"));
+    fs::remove(scratch_.path() / name);
+  }
+  write_content(scratch_.path() / "out/tables.md", "mine");
+  std::vector<std::string> over = command;
+  over.emplace_back("--overwrite");
+  EXPECT_EQ(compare(over).exit_code, 0);
+  EXPECT_NE(content("out/tables.md"), "mine");
+  EXPECT_EQ(compare(command).exit_code, 0) << "its own";
+}
+
 TEST_F(Compare, WhatIsDoneIsNotDoneAgain) {
   const std::vector<std::string> command = {"left", "--methods", "paper",
                                             "-o",   "out",       "--no-figures"};

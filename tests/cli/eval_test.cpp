@@ -128,6 +128,22 @@ TEST_F(Eval, FiguresAreDrawn) {
   expect_refused({"truth.tum", "truth.tum", "--align", "none", "--figure", "a.gif"},
                  ".png, .svg or .pdf");
 }
+
+/// An earlier figure may go; what is somebody else's may not, whatever it is called.
+TEST_F(Eval, AFigureReplacesNothingButAPicture) {
+  for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
+    const std::vector<std::string> arguments = {"truth.tum", "zigzag.tum", "--figure", name};
+    EXPECT_EQ(eval(arguments).exit_code, 0);
+    EXPECT_EQ(eval(arguments).exit_code, 0) << "again";
+    const std::string other = file_content(scratch_.path() / name).substr(0, 300) + "mine";
+    write_content(scratch_.path() / name, other);
+    expect_refused(arguments, "is no picture of ours");
+    EXPECT_EQ(file_content(scratch_.path() / name), other);
+  }
+  EXPECT_EQ(eval({"truth.tum", "zigzag.tum", "--figure", "a.svg", "--overwrite"}).exit_code, 0);
+  std::filesystem::create_symlink("/dev/null", scratch_.path() / "null.png");
+  expect_refused({"truth.tum", "zigzag.tum", "--figure", "null.png", "--overwrite"}, "is no file");
+}
 #endif
 
 TEST_F(Eval, KittiFilesAreFoundOutAndPairedByRow) {

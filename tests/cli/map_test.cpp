@@ -73,6 +73,16 @@ TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   EXPECT_EQ(file_content(path("all.las")).substr(0, 4), "LASF");
   EXPECT_GT(fs::file_size(path("all.las")), 100'000U);
   expect_refused({"export", "map"}, "nothing to write");
+  const std::pair<const char*, const char*> lies[] = {
+      {"--pcd", "expected .pcd"},
+      {"--ply", "expected .ply"},
+      {"--las", "expected .las"},
+      {"--mesh", "expected .ply, .obj or .stl"},
+      {"--elevation", "expected .asc, .tif or .tiff"}};
+  for (const auto& [flag, why] : lies) {
+    expect_refused({"export", "map", flag, "map.laz"}, why);
+    EXPECT_FALSE(fs::exists(path("map.laz")));
+  }
 }
 
 TEST_F(MapCommand, IsNotWrittenOverWhatIsThere) {
@@ -82,6 +92,8 @@ TEST_F(MapCommand, IsNotWrittenOverWhatIsThere) {
                  "kept.pcd: is there already");
   expect_refused({"export", "map", "--elevation", "heights.asc"}, "heights_variance.asc");
   expect_refused({"export", "map", "--ply", "one", "--las", "./one"}, "twice");
+  write_content(path("kept.txt"), "mine");
+  expect_refused({"export", "map", "--grid", "kept.txt", "--overwrite"}, "expected .pgm or .yaml");
   EXPECT_FALSE(fs::exists(path("new.ply")));
   EXPECT_EQ(file_content(path("kept.pcd")), "mine");
   const ProcessResult result = surefoot({"export", "map", "--pcd", "kept.pcd", "--overwrite"});
@@ -94,7 +106,9 @@ TEST_F(MapCommand, IsNeverWrittenOverItselfNorWhatIsNoFile) {
   fs::create_directory(path("folder.ply"));
   // Not a real device: root's test of a program that is wrong would replace it.
   ASSERT_EQ(mkfifo(path("pipe.ply").c_str(), 0600), 0);
-  expect_refused({"export", "map", "--ply", "map/map.surefoot", "--overwrite"}, "the map itself");
+  fs::create_symlink(path("map/map.surefoot"), path("link.ply"));
+  expect_refused({"export", "map", "--ply", "link.ply", "--overwrite"}, "the map itself");
+  expect_refused({"export", "map", "--ply", "map/map.surefoot", "--overwrite"}, "expected .ply");
   expect_refused({"export", "map", "--ply", "pipe.ply", "--overwrite"}, "pipe.ply: is no file");
   expect_refused({"export", "map", "--ply", "folder.ply", "--overwrite"}, "is no file");
   EXPECT_TRUE(file_content(path("map/map.surefoot")) == map);

@@ -317,6 +317,31 @@ TEST(Sweep, HasARowForEachValue) {
   EXPECT_NE(file_content(folder / "sweep.json").find("\"ape_ratio\""), std::string::npos);
 }
 
+#ifdef SUREFOOT_HAS_PICTURES
+TEST(Simulation, APictureReplacesNothingButAPicture) {
+  const ScratchFolder scratch;
+  const auto draw = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"simulate", "corridor"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_surefoot(arguments, scratch.path());
+  };
+  EXPECT_EQ(draw({"--picture", "scene.png"}).exit_code, 0);
+  EXPECT_EQ(draw({"--picture", "scene.png"}).exit_code, 0) << "its own";
+  write_content(scratch.path() / "mine.png", "mine");
+  for (const char* flag : {"--picture", "--animation"}) {
+    const ProcessResult refused = draw({flag, "mine.png"});
+    EXPECT_EQ(refused.exit_code, 2) << refused;
+    EXPECT_NE(refused.errors.find("is no picture of ours"), std::string::npos) << refused;
+    const ProcessResult lie = draw({flag, "scene.jpg"});
+    EXPECT_EQ(lie.exit_code, 2) << lie;
+    EXPECT_NE(lie.errors.find("scene.jpg: ends with '.jpg', expected .png"), std::string::npos)
+        << lie;
+  }
+  EXPECT_EQ(file_content(scratch.path() / "mine.png"), "mine");
+  EXPECT_EQ(draw({"--picture", "mine.png", "--overwrite"}).exit_code, 0);
+}
+#endif
+
 TEST(Sweep, BadInputIsRefused) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(2));

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "report/picture_mark.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace surefoot::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kMark = "Surefoot's picture";
+/// Behind the mark stands no more than this: a comment's end, or a checksum and PNG's last chunk.
+constexpr std::size_t kBehind = 16;
+
+std::string big(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    bytes.push_back(static_cast<char>((value >> shift) & 0xffU));
+  }
+  return bytes;
+}
+
+/// Length, type, data, CRC of type and data.
+std::string text_chunk() {
+  using namespace std::string_literals;
+  const std::string body = "tEXtComment\0"s.append(kMark);
+  const uLong crc =
+      crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
+  constexpr std::size_t kType = 4;
+  return big(static_cast<std::uint32_t>(body.size() - kType)) + body +
+         big(static_cast<std::uint32_t>(crc));
+}
+
+bool has_mark(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(stream.tellg());
+  const auto looked_at =
+      std::min<std::streamoff>(size, static_cast<std::streamoff>(kMark.size() + kBehind));
+  if (looked_at <= 0) return false;
+  std::string end(static_cast<std::size_t>(looked_at), '\0');
+  stream.seekg(size - looked_at).read(end.data(), looked_at);
+  return stream && end.find(kMark) != std::string::npos;
+}
+
+}  // namespace
+
+std::string with_mark(std::string bytes, PageFormat format) {
+  constexpr std::size_t kLastChunk = 12;  // IEND, which is empty
+  switch (format) {
+    case PageFormat::svg:
+      return bytes.append("<!-- ").append(kMark).append(" -->\n");
+    case PageFormat::pdf:
+      return bytes.append("%").append(kMark).append("\n");
+    case PageFormat::png:
+      break;
+  }
+  return bytes.insert(bytes.size() - std::min(kLastChunk, bytes.size()), text_chunk());
+}
+
+void require_picture_or_nothing(const fs::path& file, bool overwrite) {
+  const fs::file_status status = fs::symlink_status(file);
+  if (!fs::exists(status)) return;
+  if (!fs::is_regular_file(status)) {
+    throw std::runtime_error(file.string() +
+                             ": is there already and is no file; choose another name");
+  }
+  if (overwrite || has_mark(file)) return;
+  throw std::runtime_error(file.string() +
+                           ": is there already and is no picture of ours; choose another name, or "
+                           "--overwrite");
+}
+
+}  // namespace surefoot::report
