@@ -85,8 +85,9 @@ void refuse_foreign_results(const fs::path& folder) {
   };
   for (const char* name : kResults) refuse(folder / name);
   for (const char* name : kFigures) {
-    for (const char* ending : {".svg", ".pdf", ".png"})
+    for (const char* ending : {".svg", ".pdf", ".png"}) {
       refuse(folder / "figures" / (std::string(name) + ending));
+    }
   }
 }
 
