@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// home_again: who was carried, or saw nothing while it went on, within what it has mapped: how soon
-// it is right again, and whether it ever takes another place for that. Places are drawn at random
-// from simulated walks. Without --keep it prints. Exit codes: 0, 2 for bad input.
+// home_again: who was carried, or saw nothing while it went on, or was somewhere else meanwhile,
+// within what it has mapped: how soon it is right again, and whether it ever takes another place
+// for that. Places are drawn at random from simulated walks. Without --keep it prints. Exit codes:
+// 0, 2 for bad input.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,7 @@
 #include "fault_runs.hpp"
 #include "geometry/so3.hpp"
 #include "kept_run.hpp"
+#include "simulation/scan_changes.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::benchmarks {
@@ -33,19 +35,27 @@ constexpr std::uint64_t kLatest = 600;              // where it has not come far
 constexpr std::uint64_t kAfter = 70;                // scans that it has to find itself
 constexpr double kPeriod = 0.1;                     // [s] of a scan
 
+/// What its scans show meanwhile: there are none, a hand on the sensor, or another scene of the
+/// same kind.
+enum class Meanwhile { no_scans, covered, elsewhere };
+
 /// What happens to it.
 struct Absence {
   std::string name;
   double distance;  ///< [m] that it is put down away; 0: it walks on meanwhile
-  double gap;       ///< [s] without a scan
+  double gap;       ///< [s] without a scan of the walk
   double limit;     ///< [s] after the first scan since, within which it should be right
+  Meanwhile meanwhile = Meanwhile::no_scans;
 };
 
 const std::vector<Absence>& absences() {
-  static const std::vector<Absence> all = {{"carried 5 m", 5.0, 0.0, 2.0},
-                                           {"hole of 3 s", 0.0, 3.0, 2.0},
-                                           {"carried 20 m", 20.0, 0.0, 5.0},
-                                           {"20 m away after 60 s", 20.0, 60.0, 5.0}};
+  static const std::vector<Absence> all = {
+      {"carried 5 m", 5.0, 0.0, 2.0},
+      {"hole of 3 s", 0.0, 3.0, 2.0},
+      {"carried 20 m", 20.0, 0.0, 5.0},
+      {"20 m away after 60 s", 20.0, 60.0, 5.0},
+      {"covered for 10 s", 5.0, 10.0, 2.0, Meanwhile::covered},
+      {"10 s elsewhere", 5.0, 10.0, 5.0, Meanwhile::elsewhere}};
   return all;
 }
 
@@ -112,6 +122,22 @@ simulation::Motion way_since(const simulation::Motion& walk, const Event& event)
   return {controls, mount()};
 }
 
+/// The scans between.
+void go_through(Meanwhile meanwhile, double gap, const FaultWalk& walk, std::int64_t last_ns,
+                Odometry& odometry) {
+  if (meanwhile == Meanwhile::no_scans) return;
+  const WalkSpec& spec = walk.spec();
+  const FaultWalk elsewhere({spec.scene, spec.seed + 5000, spec.robot});
+  const auto cover = simulation::covered(0.6F);
+  const auto scans = static_cast<std::uint64_t>(gap / kPeriod);
+  for (std::uint64_t n = 0; n < scans; ++n) {
+    Scan scan = elsewhere.source().scan(n);
+    scan.stamp_ns = last_ns + static_cast<std::int64_t>(1e9 * kPeriod * static_cast<double>(n + 1));
+    if (meanwhile == Meanwhile::covered) cover(scan, n);
+    odometry.add_scan(scan);
+  }
+}
+
 Outcome outcome_of(const FaultWalk& walk, const Absence& absence, const Event& event,
                    std::uint64_t seed) {
   Odometry odometry;
@@ -126,6 +152,7 @@ Outcome outcome_of(const FaultWalk& walk, const Absence& absence, const Event& e
     fix = before.T_map_lidar(estimate.stamp_ns) * estimate.T_world_lidar.inverse();
     last_ns = scan.stamp_ns;
   }
+  go_through(absence.meanwhile, absence.gap, walk, last_ns, odometry);
   simulation::Scanner since = walk.on_the_way(way_since(walk.motion(), event), seed);
   const std::int64_t first_ns = since.scan(0).scan.stamp_ns;
   const std::int64_t later_ns =

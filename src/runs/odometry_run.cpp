@@ -264,7 +264,7 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   times_.reset();
   Estimate estimate = odometry_.add_scan(*item.scan);
   estimate.segment += first_segment_;
-  last_segment_ = estimate.segment;
+  last_segment_ = std::max(last_segment_, estimate.segment);
   if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (!options_.no_report) output.add_sample(*item.scan, estimate);

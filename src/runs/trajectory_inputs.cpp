@@ -6,6 +6,7 @@
 #include <cctype>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "io/bags/bag_files.hpp"
@@ -131,11 +132,12 @@ Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& refere
 
 std::size_t segments_of(const fs::path& path) {
   std::ifstream stream(trajectory_file(path));
-  std::size_t count = 1;
+  std::set<std::string> numbers = {"0"};  // who comes home goes on in an earlier one
   for (std::string line; std::getline(stream, line);) {
-    count += line.starts_with(kSegmentBegins) ? 1 : 0;
+    if (!line.starts_with(kSegmentBegins)) continue;
+    numbers.insert(line.substr(kSegmentBegins.size(), line.find(':') - kSegmentBegins.size()));
   }
-  return count;
+  return numbers.size();
 }
 
 std::vector<std::string> estimate_names(const std::vector<fs::path>& files) {

@@ -58,6 +58,21 @@ KnotFrontEnd::KnotFrontEnd(const Session& session)
       choice_(config_.knots.points, {config_.knots.map_voxel, kFirstCube, kCoarsestCube}),
       errors_(config_.knots) {}
 
+KnotFrontEnd::KnotFrontEnd(const KnotFrontEnd& lost, int segments) : KnotFrontEnd(lost.session_) {
+  model_ = lost.model_;
+  map_choice_ = lost.map_choice_;
+  choice_ = lost.choice_;
+  end_ = lost.end_;
+  last_pose_ = lost.last_pose_;
+  last_told_ = lost.last_told_;
+  velocity_ = lost.velocity_;
+  errors_ = lost.errors_;
+  last_print_ = lost.last_print_;
+  level_ = lost.level_;
+  search_ = lost.search_;
+  segment_ = segments - 1;
+}
+
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
@@ -70,7 +85,6 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   map_.forget_emptied();
   session_.begin_step(Step::downsample);
   if (search_) return search(thinned);
-
   Registered registered = first_scan_ ? register_second(thinned) : register_next(thinned);
   if (reversed_) refuse_reversed(registered.estimate);
   if (!registered.estimate.trusted()) return lose(thinned, std::move(registered));
@@ -108,6 +122,7 @@ bool KnotFrontEnd::sees_more_new(double at_one, double at_other) {
 
 Whereabouts KnotFrontEnd::whereabouts() const {
   return {end_.prior.means[1],
+          mount_,
           last_pose_->stamp_ns,
           model_,
           way_,
@@ -133,9 +148,10 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   first_scan_.reset();
   integrate(std::move(view));
   let_drift(registered);
+  name_weakness_of_late(registered.estimate);
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
-  way_.add(last_pose_->pose);
+  way_.add(carrier_of(last_pose_->pose, mount_));
   to_deskew_.trajectory = registered.told.trajectory;
   return publish(registered.told.trajectory, std::move(registered.estimate));
 }

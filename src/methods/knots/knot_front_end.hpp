@@ -25,7 +25,24 @@ class KnotFrontEnd : public FrontEnd {
  public:
   explicit KnotFrontEnd(const Session& session);
 
+  /// One that is lost, and goes on in a map of its own: what was learnt that is not of a map, and
+  /// the last pose, are another one's. `segments`: that there were.
+  KnotFrontEnd(const KnotFrontEnd& lost, int segments);
+
   Estimate add(const PreparedScan& scan) override;
+
+  /// Whether it has searched for itself in vain by now, and a map should begin anew: the last scan
+  /// is lost, and so is the next one.
+  [[nodiscard]] bool is_in_vain() const { return in_vain_; }
+  /// Whether its map is worth to come back to: of scans enough to be believed, and none that is
+  /// left for the storey above.
+  [[nodiscard]] bool is_worth_keeping(std::int64_t instant_ns) const;
+  /// Trusted scans of its map.
+  [[nodiscard]] int agreed() const { return agreed_; }
+  /// From now on it is elsewhere: a scan is looked for along the whole way, or is lost.
+  void leave();
+  /// Whether the last scan was found, and the next one is to confirm that.
+  [[nodiscard]] bool is_confirming() const { return search_ && search_->found; }
 
   [[nodiscard]] std::optional<StampedPose> last_pose() const override { return last_told_; }
   [[nodiscard]] Twist velocity() const override { return velocity_; }
@@ -83,6 +100,7 @@ class KnotFrontEnd : public FrontEnd {
     bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
     bool after_hole = false;       // it may have walked on, unseen
+    bool left = false;             // it went on in another map
   };
 
   [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);
@@ -129,6 +147,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double rival_anywhere(const ScanPart& thinned, const Registered& registered) const;
   void learn(const Registered& registered, double right);
   void let_drift(Registered& registered);
+  void name_weakness_of_late(Estimate& estimate);
   [[nodiscard]] Twist first_velocity(const ScanPart& thinned);
   [[nodiscard]] Beginning beginning_at(const Twist& velocity) const;
   [[nodiscard]] Registered register_second(const ScanPart& thinned);
@@ -178,7 +197,10 @@ class KnotFrontEnd : public FrontEnd {
   int agreed_ = 0;            // trusted scans of this map
   int lost_in_a_row_ = 0;     // scans that could not be registered
   std::optional<PoseSearch> search_;
-  int segment_ = 0;  // how often the map began anew
+  bool in_vain_ = false;
+  Eigen::Quaterniond mount_ = Eigen::Quaterniond::Identity();  // R_lidar_carrier
+  std::vector<DegenerateDirection> weak_of_late_;              // of the last scan that had any
+  int segment_ = 0;                                            // how often the map began anew
 };
 
 }  // namespace surefoot

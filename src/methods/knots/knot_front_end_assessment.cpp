@@ -69,6 +69,21 @@ void KnotFrontEnd::let_drift(Registered& registered) {
       1.0 - (1.0 - estimate.wrong_probability) * (1.0 - drift.wrong_probability);
 }
 
+/// A pose that is wrong as probably as a lost one's, but was not lost since a direction was named
+/// that was not held, is no better than those of the scans that named it.
+void KnotFrontEnd::name_weakness_of_late(Estimate& estimate) {
+  if (!estimate.degenerate.empty()) {
+    weak_of_late_ = estimate.degenerate;
+    return;
+  }
+  if (estimate.wrong_probability <= config_.knots.lost_probability) weak_of_late_.clear();
+  if (weak_of_late_.empty()) return;
+  estimate.status = Status::degenerate;
+  estimate.degenerate = weak_of_late_;
+  estimate.message = "of late scans hardly constrained:";
+  for (const DegenerateDirection& weak : weak_of_late_) estimate.message += ' ' + weak.name;
+}
+
 /// What speaks against a registration.
 void KnotFrontEnd::judge(const PreparedScan& scan, const View& view, Registered& registered) const {
   const KnotRegistration& found = registered.found;

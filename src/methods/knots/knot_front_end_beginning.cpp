@@ -5,6 +5,7 @@
 // docs/method.md, "The second scan".
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/health.hpp"
@@ -40,6 +41,19 @@ constexpr double kAsGood = 1.1;
 constexpr int kTurnRounds = 3;  // the two scans' turns approach the truth step by step
 
 constexpr double kVague = 0.3;  // [s] the first scan's place is as vague as after walking so long
+
+// A LiDAR that is tilted less is taken to be upright: the ground where it begins may slope.
+constexpr double kUpright = 10.0 * std::numbers::pi / 180.0;
+
+/// R_lidar_carrier of who begins on level ground.
+Eigen::Quaterniond mount_of(const Pose& T_map_lidar) {
+  const Eigen::Quaterniond& R = T_map_lidar.rotation;
+  const Eigen::Quaterniond level(
+      Eigen::AngleAxisd(roll_pitch_yaw(R).z(), Eigen::Vector3d::UnitZ()));
+  const Eigen::Quaterniond mount = R.conjugate() * level;
+  const double tilt = mount.angularDistance(Eigen::Quaterniond::Identity());
+  return tilt < kUpright ? Eigen::Quaterniond::Identity() : mount;
+}
 
 double speed(const Twist& velocity) { return velocity.head<3>().norm(); }
 
@@ -84,8 +98,10 @@ Estimate KnotFrontEnd::begin_map(const ScanPart& thinned) {
   forget_verdicts();
   integrate(look(thinned, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
+  mount_ = mount_of(T_map_lidar);
+  weak_of_late_.clear();
   way_.clear();
-  way_.add(T_map_lidar);
+  way_.add(carrier_of(T_map_lidar, mount_));
   held_ns_ = trajectory.mid_ns();
   return publish(trajectory, std::move(estimate));
 }

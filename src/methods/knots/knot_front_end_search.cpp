@@ -34,6 +34,8 @@ constexpr double kStraightOn = 2.0;
 // sees nothing that speaks against any.
 constexpr double kBlind = 0.1;
 
+constexpr int kKept = 20;  // trusted scans of a map that is worth to come back to
+
 std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
                                      const std::vector<std::uint32_t>& chosen) {
   std::vector<Eigen::Vector3d> points;
@@ -60,7 +62,7 @@ double hazard_where_lost(bool far, Estimate& estimate) {
 /// goes on there, or as it climbed of late.
 std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_ahead(const ScanPart& thinned) {
   const PreparedScan& scan = thinned.scan;
-  const Pose level = whereabouts().straight_on(scan.start_ns).centre;
+  const Pose level = whereabouts().going_straight_on(scan.start_ns);
   const Pose climbing = whereabouts().climbing_on(scan.start_ns);
   const Twist going = model_.mean(level.rotation);
   const auto chosen = choose(thinned);
@@ -77,7 +79,11 @@ std::vector<PlaceFit> KnotFrontEnd::places_in(const PreparedScan& scan,
                                               const std::vector<std::uint32_t>& chosen,
                                               const SearchRegion& region, std::size_t most) const {
   session_.begin_step(Step::search);
-  return search_places(map_.surfels(), some_of(scan, chosen), region, way_, most, session_.workers);
+  std::vector<Eigen::Vector3d> points = some_of(scan, chosen);
+  for (Eigen::Vector3d& point : points) point = mount_.conjugate() * point;
+  auto places = search_places(map_.surfels(), points, region, way_, most, session_.workers);
+  for (PlaceFit& place : places) place.pose = lidar_on(place.pose, mount_);
+  return places;
 }
 
 /// A scan where it is thought to begin, from some motion; none if that is not solved. From far away
@@ -187,9 +193,12 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(const ScanPart&
 bool KnotFrontEnd::has_twin(const ScanPart& thinned, const Registered& registered) const {
   const PreparedScan& scan = thinned.scan;
   const Pose here = registered.trajectory.at(0.5);
-  if (same_place(here, whereabouts().straight_on(scan.start_ns).centre)) return false;
+  const Whereabouts about = whereabouts();
+  if (!search_->left && same_place(here, about.going_straight_on(scan.start_ns))) return false;
   const auto chosen = chosen_in_passing(thinned);
-  std::vector<PlaceFit> places = places_in(scan, chosen, whereabouts().anywhere(), kTwins);
+  const SearchRegion region =
+      search_->left ? about.anywhere_about(here.translation) : about.anywhere();
+  std::vector<PlaceFit> places = places_in(scan, chosen, region, kTwins);
   std::erase_if(places, [&](const PlaceFit& place) { return same_place(place.pose, here); });
   const KnotProblem problem_here = problem(registered.begin);
   const PlaceTrials trials(scan, chosen, problem_here);
@@ -223,7 +232,8 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_lost(const ScanPa
   if (search_->found) {
     return register_scan(thinned, beginning_of(scan, *search_->found, model_, config_));
   }
-  const auto region = whereabouts().of_turn(search_->scans, scan.end_ns);
+  const auto region = search_->left ? whereabouts().come_back(search_->scans)
+                                    : whereabouts().of_turn(search_->scans, scan.end_ns);
   if (!region || !can_be_placed()) return std::nullopt;
   search_->far = region->large();
   return find_place(thinned, *region);
@@ -232,7 +242,7 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::register_lost(const ScanPa
 /// A scan while it is lost: finds a place, or holds another scan against the one that was found.
 Estimate KnotFrontEnd::search(const ScanPart& thinned) {
   const bool confirms = search_->found.has_value();
-  if (!confirms) {
+  if (!confirms && !search_->left) {
     if (std::optional<Estimate> next = go_on(thinned)) return std::move(*next);
   }
   std::optional<Registered> best = register_lost(thinned);
@@ -248,9 +258,9 @@ Estimate KnotFrontEnd::search(const ScanPart& thinned) {
     const bool agreed = right && search_->agreed + 1 >= kAgree;
     right = right && !(agreed && has_twin(thinned, *best));
     if (right && agreed) {
+      best->estimate.message = search_->left ? "came home" : "found itself again";
       search_.reset();
       forget_verdicts();
-      best->estimate.message = "found itself again";
       return accept(hazard_now, std::move(view), std::move(*best));
     }
   }
@@ -260,14 +270,24 @@ Estimate KnotFrontEnd::search(const ScanPart& thinned) {
   return stay_lost(thinned);
 }
 
-/// The pose is the one predicted for the scan that went wrong; who has searched in vain for long
-/// begins anew.
+bool KnotFrontEnd::is_worth_keeping(std::int64_t instant_ns) const {
+  return agreed_ >= kKept && !whereabouts().may_be_a_storey_on(instant_ns);
+}
+
+void KnotFrontEnd::leave() {
+  search_ = PoseSearch{};
+  search_->left = true;
+  in_vain_ = false;
+}
+
+/// The pose is the one predicted for the scan that went wrong. Who has searched for long does so in
+/// vain.
 Estimate KnotFrontEnd::stay_lost(const ScanPart& thinned) {
   const PreparedScan& scan = thinned.scan;
   // A map of few scans is not worth many more of them.
   const int most = std::min(config_.knots.search_scans, kAgree * agreed_);
-  const bool in_vain = search_->scans > most || whereabouts().may_be_a_storey_on(scan.end_ns);
-  if (in_vain && !search_->found && !seen_again_) return begin_map(thinned);
+  const bool too_long = search_->scans > most || whereabouts().may_be_a_storey_on(scan.end_ns);
+  in_vain_ = too_long && !search_->left && !search_->found && !seen_again_;
   Estimate estimate;
   estimate.status = Status::lost;
   estimate.message = search_->found ? "a place was found, and is to be confirmed" : "searching";

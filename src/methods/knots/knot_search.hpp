@@ -19,7 +19,16 @@
 
 namespace surefoot {
 
-/// Where to look: about a pose, so far away in the plane [m] and turned by so much [rad].
+/// The pose of an upright carrier that a LiDAR is on, at the same place, and the other way round.
+/// `mount`: R_lidar_carrier.
+[[nodiscard]] inline Pose carrier_of(const Pose& T_map_lidar, const Eigen::Quaterniond& mount) {
+  return {T_map_lidar.rotation * mount, T_map_lidar.translation};
+}
+[[nodiscard]] inline Pose lidar_on(const Pose& T_map_carrier, const Eigen::Quaterniond& mount) {
+  return {T_map_carrier.rotation * mount.conjugate(), T_map_carrier.translation};
+}
+
+/// Where to look: about a carrier's pose, so far away in the plane [m] and turned by so much [rad].
 struct SearchRegion {
   Pose centre;
   double radius = 0.0;
@@ -62,8 +71,8 @@ template <typename Placed, typename Better>
   return best;
 }
 
-/// The poses of a region, on the ground of a way, where some of a scan's points [m, LiDAR frame],
-/// as one rigid body, fit best: best first, no two near each other, `most` at most.
+/// The poses of a region, on the ground of a way, where some of a scan's points [m, carrier's
+/// frame], as one rigid body, fit best: best first, no two near each other, `most` at most.
 [[nodiscard]] std::vector<PlaceFit> search_places(const SurfelMap& map,
                                                   const std::vector<Eigen::Vector3d>& points,
                                                   const SearchRegion& region, const WalkedWay& way,

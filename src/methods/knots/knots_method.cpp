@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "config/field_text.hpp"
 #include "config/method.hpp"
-#include "methods/knots/knot_front_end.hpp"
+#include "methods/knots/knot_segments.hpp"
 #include "methods/registry.hpp"
 
 namespace surefoot {
@@ -147,7 +147,7 @@ const Method& knots_method() {
           [] {
             return std::vector<Preset>{{"surefoot", Config()}};
           },
-      .make_front_end = make_front_end<KnotFrontEnd>,
+      .make_front_end = make_front_end<KnotSegments>,
   };
   return method;
 }

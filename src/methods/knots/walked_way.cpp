@@ -28,10 +28,10 @@ bool is_steep(const Eigen::Vector3d& way, double rise) {
 
 }  // namespace
 
-void WalkedWay::add(const Pose& T_map_lidar) {
-  const Eigen::Vector3d up = T_map_lidar.rotation * Eigen::Vector3d::UnitZ();
+void WalkedWay::add(const Pose& T_map_carrier) {
+  const Eigen::Vector3d up = T_map_carrier.rotation * Eigen::Vector3d::UnitZ();
   up_ = stands_.empty() ? up : Eigen::Vector3d(up_ + kRate * (up - up_));
-  const Eigen::Vector3d& position = T_map_lidar.translation;
+  const Eigen::Vector3d& position = T_map_carrier.translation;
   if (lately_.empty() || (position - lately_.back()).norm() >= kApart) lately_.push_back(position);
   if (lately_.size() > kLately) lately_.erase(lately_.begin());
   const bool known = std::any_of(stands_.begin(), stands_.end(), [&](const Stand& stand) {
@@ -88,6 +88,17 @@ Pose WalkedWay::stand_at(const Eigen::Vector3d& place, double yaw) const {
   };
   return *std::min_element(storeys.begin(), storeys.end(),
                            [&](const Pose& a, const Pose& b) { return apart(a) < apart(b); });
+}
+
+std::vector<Eigen::Vector3d> WalkedWay::places_apart(double distance) const {
+  std::vector<Eigen::Vector3d> places;
+  for (auto stand = stands_.rbegin(); stand != stands_.rend(); ++stand) {
+    const bool near = std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& place) {
+      return (stand->position - place).norm() < distance;
+    });
+    if (!near) places.push_back(stand->position);
+  }
+  return places;
 }
 
 double WalkedWay::climb_of_late() const {

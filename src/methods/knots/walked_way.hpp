@@ -10,10 +10,11 @@
 namespace surefoot {
 
 /// Where the sensor was within reach of the map: how high it stands at a place, and which way is up
-/// there. One who was carried stands on the same ground.
+/// there. One who was carried stands on the same ground. Its poses are an upright carrier's:
+/// however the LiDAR is mounted, their z axis is up where the ground is level.
 class WalkedWay {
  public:
-  void add(const Pose& T_map_lidar);
+  void add(const Pose& T_map_carrier);
   void remove_far(const Eigen::Vector3d& sensor, double reach);
   void clear();
 
@@ -23,6 +24,8 @@ class WalkedWay {
   [[nodiscard]] std::vector<Pose> stands_at(const Eigen::Vector2d& place, double yaw) const;
   /// That of them whose height is nearest to the place's.
   [[nodiscard]] Pose stand_at(const Eigen::Vector3d& place, double yaw) const;
+  /// Where it stood, the last place first, none nearer than so much to one before [m].
+  [[nodiscard]] std::vector<Eigen::Vector3d> places_apart(double distance) const;
   /// Whether it led over itself or up a flight of stairs so near to a place in the plane [m].
   [[nodiscard]] bool has_storeys(const Eigen::Vector3d& place, double within) const;
   /// How much higher it ends than it was some metres, a flight and its landing, before [m]: above

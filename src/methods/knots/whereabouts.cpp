@@ -53,16 +53,22 @@ bool Whereabouts::may_be_a_storey_on(std::int64_t instant_ns) const {
   return std::max(model.mean_speed(), kSlowest) * since(instant_ns) > kWayOfAStorey;
 }
 
+Pose Whereabouts::last_carrier() const { return carrier_of(last, mount); }
+
 SearchRegion Whereabouts::straight_on(std::int64_t instant_ns) const {
   const Eigen::Vector3d onwards = since(instant_ns) * model.mean(last.rotation).head<3>();
-  const double heading = roll_pitch_yaw(last.rotation).z();
+  const double heading = roll_pitch_yaw(last_carrier().rotation).z();
   SearchRegion ahead{way.stand_at(last.translation + onwards, heading), kAheadReach, kAheadTurn};
   ahead.keep_to_storey(0.0);
   return ahead;
 }
 
+Pose Whereabouts::going_straight_on(std::int64_t instant_ns) const {
+  return lidar_on(straight_on(instant_ns).centre, mount);
+}
+
 Pose Whereabouts::climbing_on(std::int64_t instant_ns) const {
-  Pose climbing = straight_on(instant_ns).centre;
+  Pose climbing = going_straight_on(instant_ns);
   const double climb = since(instant_ns) * model.mean(last.rotation).z();
   climbing.translation.z() = last.translation.z() + climb;
   return climbing;
@@ -83,6 +89,16 @@ SearchRegion Whereabouts::anywhere() const {
   return region;
 }
 
+SearchRegion Whereabouts::anywhere_about(const Eigen::Vector3d& place) const {
+  return {{last_carrier().rotation, place}, kMostReach, std::numbers::pi};
+}
+
+SearchRegion Whereabouts::come_back(int scans) const {
+  std::vector<Eigen::Vector3d> places = way.places_apart(kMostReach);
+  if (places.empty()) places.push_back(last.translation);
+  return anywhere_about(places[static_cast<std::size_t>(scans) % places.size()]);
+}
+
 std::optional<SearchRegion> Whereabouts::of_turn(int scans, std::int64_t instant_ns) const {
   const SearchRegion far = carried(instant_ns), near = walked(instant_ns);
   const int turn = scans % kSeldom;
@@ -97,7 +113,7 @@ std::optional<SearchRegion> Whereabouts::of_turn(int scans, std::int64_t instant
 SearchRegion Whereabouts::within(double speed, std::int64_t instant_ns) const {
   const double away = std::max(since(instant_ns), 0.0);
   // [K30]
-  SearchRegion region{last, std::min(kFirstReach + speed * away, kMostReach),
+  SearchRegion region{last_carrier(), std::min(kFirstReach + speed * away, kMostReach),
                       std::min(kFirstTurn + kTurnSpeed * away, std::numbers::pi)};
   if (walked_unseen) return region;
   const double climb = way.climb_of_late();

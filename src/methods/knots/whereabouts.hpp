@@ -15,11 +15,12 @@
 
 namespace surefoot {
 
-/// What is known of it. Instants are stamps [ns], poses T_map_lidar; what is referred to outlives
-/// it.
+/// What is known of it. Instants are stamps [ns]; what is referred to outlives it. Poses are
+/// T_map_lidar, but those of regions an upright carrier's, which is where the LiDAR is.
 struct Whereabouts {
-  const Pose& last;         ///< where it was last taken to be
-  std::int64_t trusted_ns;  ///< the last trusted pose's instant
+  const Pose& last;                 ///< where it was last taken to be
+  const Eigen::Quaterniond& mount;  ///< R_lidar_carrier
+  std::int64_t trusted_ns;          ///< the last trusted pose's instant
   const VelocityModel& model;
   const WalkedWay& way;
   double extrapolated;  ///< [s] after which the velocity no longer tells where it is
@@ -39,6 +40,8 @@ struct Whereabouts {
 
   /// About where it would be had it walked straight on, on the ground of its way.
   [[nodiscard]] SearchRegion straight_on(std::int64_t instant_ns) const;
+  /// The pose there.
+  [[nodiscard]] Pose going_straight_on(std::int64_t instant_ns) const;
   /// The same place, as high as if it climbed on as of late.
   [[nodiscard]] Pose climbing_on(std::int64_t instant_ns) const;
   /// Where it may be if it went on as it walked.
@@ -47,11 +50,17 @@ struct Whereabouts {
   [[nodiscard]] SearchRegion carried(std::int64_t instant_ns) const;
   /// As far as it is ever looked for, and turned anyhow.
   [[nodiscard]] SearchRegion anywhere() const;
+  /// Likewise about a place [m].
+  [[nodiscard]] SearchRegion anywhere_about(const Eigen::Vector3d& place) const;
+  /// Where it is looked for by the so-many-th scan that asks whether it came back to this map,
+  /// which it left for another one: about one place of its way after the other.
+  [[nodiscard]] SearchRegion come_back(int scans) const;
   /// Where it is looked for by the scan whose turn it is, after so many others; nowhere by some of
   /// those for which it would be far.
   [[nodiscard]] std::optional<SearchRegion> of_turn(int scans, std::int64_t instant_ns) const;
 
  private:
+  [[nodiscard]] Pose last_carrier() const;
   [[nodiscard]] SearchRegion within(double speed, std::int64_t instant_ns) const;
 };
 

@@ -141,6 +141,29 @@ TEST(KnotFaults, WhoWalksOnUnseenIsFoundAtOnce) {
   }
 }
 
+/// However it is mounted, the carrier stands on the ground: where it would be had it walked
+/// straight on is the first place that is looked at, for who stumbles, too.
+TEST(KnotFaults, WhoWalksOnUnseenIsFoundHoweverItIsMounted) {
+  const Eigen::Vector3d mounts_deg[] = {{180, 0, 0}, {0, 25, 0}};
+  for (const Eigen::Vector3d& mount_deg : mounts_deg) {
+    Config config;
+    config.level.mode = LevelMode::mount;
+    config.level.mount_roll_deg = mount_deg.x();
+    config.level.mount_pitch_deg = mount_deg.y();
+    const MotionFunction motion =
+        mounted(trotting(kFaultStart, 1.2, 2.0), mount_pose(config.level));
+    std::vector<Scan> scans = take_scans(furnished_hall(), motion, kEvent);
+    for (Scan& scan : take_scans(furnished_hall(), motion, 6, {}, kEvent + 20)) {
+      scans.push_back(std::move(scan));
+    }
+    Odometry odometry(config);
+    const auto all = add_scans(odometry, scans);
+    std::printf("%g %g: %s\n", mount_deg.x(), mount_deg.y(), statuses(all).c_str());
+    EXPECT_TRUE(all[kEvent].trusted()) << mount_deg.transpose();
+    EXPECT_LT(end_error(all, all.back(), motion), 0.1) << mount_deg.transpose();
+  }
+}
+
 TEST(KnotFaults, AGarbageFirstScanIsDropped) {
   std::vector<Scan> scans = walk_scans();
   make_garbage(scans.front());

@@ -58,6 +58,19 @@ TEST(WalkedWay, ForgetsWhatIsFar) {
   EXPECT_EQ(way.stand_at({100.0, 50.0, 0.0}, 0.0).translation, Eigen::Vector3d(100.0, 50.0, 7.0));
 }
 
+TEST(WalkedWay, PlacesApartAreTheLastOneAndThoseBefore) {
+  WalkedWay way;
+  for (int scan = 0; scan <= 200; ++scan) {
+    way.add({Eigen::Quaterniond::Identity(), {0.1 * scan, 0.0, 0.0}});
+  }
+  const auto places = way.places_apart(8.0);
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_NEAR(places[0].x(), 20.0, 1.0);
+  EXPECT_NEAR(places[1].x(), 12.0, 1.0);
+  EXPECT_NEAR(places[2].x(), 4.0, 1.0);
+  EXPECT_TRUE(WalkedWay().places_apart(8.0).empty());
+}
+
 TEST(WalkedWay, ItIsTheNearestInThePlaneHoweverHigh) {
   WalkedWay way;
   way.add({Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.4}});

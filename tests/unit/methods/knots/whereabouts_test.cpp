@@ -34,10 +34,11 @@ struct Walker {
     model.begin((Twist() << 1.0, 0.0, slope, 0.0, 0.0, 0.0).finished(), last.rotation);
   }
   [[nodiscard]] Whereabouts whereabouts(bool unseen = false) const {
-    return {last, kTrustedNs, model, way, 0.5, unseen};
+    return {last, mount, kTrustedNs, model, way, 0.5, unseen};
   }
 
   Pose last;
+  Eigen::Quaterniond mount = Eigen::Quaterniond::Identity();
   VelocityModel model{Config().knots};
   WalkedWay way;
 };
@@ -120,6 +121,34 @@ TEST(Whereabouts, ALargeRegionHasItsTurn) {
               scans % 5 == 4 ? about.carried(after(3.0)).radius : about.walked(after(3.0)).radius);
     EXPECT_EQ(about.of_turn(scans, after(10.0)).has_value(), scans % 5 == 4 || scans % 5 == 0);
   }
+}
+
+TEST(Whereabouts, WhoComesBackIsLookedForAlongTheWholeWay) {
+  Walker walker(kLevel);
+  for (int i = 0; i <= 400; ++i) {
+    walker.last.translation = {0.1 * i, 0.0, 0.0};
+    walker.way.add(walker.last);
+  }
+  const Whereabouts about = walker.whereabouts();
+  for (int scans = 0; scans < 4; ++scans) {
+    const SearchRegion region = about.come_back(scans);
+    EXPECT_EQ(region.radius, 25.0);
+    EXPECT_EQ(region.turn, std::numbers::pi);
+    EXPECT_NEAR(region.centre.translation.x(), 40.0 - 25.0 * (scans % 3), 1.0) << scans;
+  }
+}
+
+// It is the carrier that stands on the ground and turns about its own up.
+TEST(Whereabouts, ATiltedMountIsTakenOutOfRegionsAndPutBackIntoPoses) {
+  Walker walker(kLevel);
+  walker.mount = Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY());
+  walker.last.rotation = walker.mount.conjugate();
+  const Whereabouts about = walker.whereabouts();
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  EXPECT_LT((about.anywhere().centre.rotation * up - up).norm(), 1e-9);
+  EXPECT_LT((about.straight_on(after(1.0)).centre.rotation * up - up).norm(), 1e-9);
+  const Pose going = about.going_straight_on(after(1.0));
+  EXPECT_LT(going.rotation.angularDistance(walker.last.rotation), 1e-6);
 }
 
 }  // namespace
