@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "io/file_writer.hpp"
+#include "io/printable.hpp"
 #include "process/child_process.hpp"
 #include "process/interrupt.hpp"
 #include "simulation/standard_suite.hpp"
@@ -100,20 +101,34 @@ std::string folder_name(const std::string& text) {
   return name;
 }
 
-std::vector<std::string> folder_names(const std::vector<fs::path>& paths) {
+namespace {
+
+/// The last part of each path, as `spelt` has it, after its parent's where several end alike.
+std::vector<std::string> unique_names(const std::vector<fs::path>& paths,
+                                      std::string (*spelt)(const std::string& text)) {
   std::map<std::string, int> uses;
-  const auto last = [](const fs::path& path) { return folder_name(path.filename().string()); };
+  const auto last = [spelt](const fs::path& path) { return spelt(path.filename().string()); };
   for (const fs::path& path : paths) ++uses[last(path)];
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const fs::path& path : paths) {
     std::string name = last(path);
-    if (uses[name] > 1) name = folder_name(path.parent_path().filename().string()) + '-' + name;
+    if (uses[name] > 1) name = spelt(path.parent_path().filename().string()) + '-' + name;
     const std::string stem = name;
     for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}-{}", stem, i);
     names.push_back(name);
   }
   return names;
+}
+
+}  // namespace
+
+std::vector<std::string> folder_names(const std::vector<fs::path>& paths) {
+  return unique_names(paths, folder_name);
+}
+
+std::vector<std::string> shown_names(const std::vector<fs::path>& paths) {
+  return unique_names(paths, [](const std::string& text) { return io::printable(text); });
 }
 
 std::vector<CompareInput> find_inputs(const CompareOptions& options) {
@@ -130,14 +145,14 @@ std::vector<CompareInput> find_inputs(const CompareOptions& options) {
       truths.push_back(truth_of(path));
     }
   }
-  const std::vector<std::string> names = folder_names(paths);
+  const std::vector<std::string> names = folder_names(paths), titles = shown_names(paths);
   std::vector<CompareInput> inputs;
   std::set<std::string> known;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!known.insert(paths[i].string()).second) {
       throw std::runtime_error(paths[i].string() + ": is given twice");
     }
-    inputs.push_back({names[i], paths[i], truths[i], {}});
+    inputs.push_back({names[i], paths[i], truths[i], {}, titles[i]});
   }
   return inputs;
 }

@@ -16,13 +16,16 @@ struct CompareInput {
   std::string name;            ///< unique, fit for a folder's name
   std::filesystem::path path;  ///< absolute
   std::filesystem::path truth;
-  FilesMark mark;  ///< of what is run or evaluated: others' files are not looked for
+  FilesMark mark = {};     ///< of what is run or evaluated: others' files are not looked for
+  std::string title = {};  ///< what tables and figures call it: unique, as it was given
 };
 
 /// A name for each path, unique and of letters that every file system takes: the last part of the
 /// path, after its parent's where that is needed.
 [[nodiscard]] std::vector<std::string> folder_names(
     const std::vector<std::filesystem::path>& paths);
+/// The same with all letters that a line can show.
+[[nodiscard]] std::vector<std::string> shown_names(const std::vector<std::filesystem::path>& paths);
 /// The text with every letter replaced that not every file system takes.
 [[nodiscard]] std::string folder_name(const std::string& text);
 

@@ -148,7 +148,7 @@ MethodResult without_truth(const CompareOptions& options, const CompareInput& in
 ComparedRecording compare_recording(const CompareOptions& options, const CompareInput& input,
                                     const std::vector<MethodVariant>& variants,
                                     ComparedPaths& paths) {
-  ComparedRecording recording{.name = input.name,
+  ComparedRecording recording{.name = input.title,
                               .path = input.path.string(),
                               .truth = input.truth.string(),
                               .fingerprint = input.mark.fingerprint};

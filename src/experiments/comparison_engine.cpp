@@ -47,7 +47,7 @@ bool has_truth(const CompareOptions& options, const CompareInput& input) {
     return true;
   } catch (const std::exception& error) {
     if (options.needs_every_truth) throw;
-    fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.name, error.what());
+    fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.title, error.what());
     return false;
   }
 }
@@ -82,7 +82,7 @@ std::vector<RunTask> make_tasks(const CompareOptions& options, const std::vector
     const fs::path folder = options.output / run_folder(input, variant, run.repeat);
     const Config config = variant_config(variant, options.settings);
     const std::string again = run.repeat == 1 ? "" : fmt::format(", repeat {}", run.repeat);
-    tasks.push_back({fmt::format("{}, {}{}", input.name, variant.label, again), folder,
+    tasks.push_back({fmt::format("{}, {}{}", input.title, variant.label, again), folder,
                      task_arguments(options, input, variant, folder),
                      run_key(input, variant, config, run_arguments(options), build),
                      static_cast<double>(input.mark.bytes)});

@@ -17,6 +17,9 @@ TEST(FolderNames, AreUniqueAndFitForEveryFileSystem) {
   EXPECT_EQ(folder_names({"/a/hall", "/b/hall"}), (Names{"a-hall", "b-hall"}));
   EXPECT_EQ(folder_names({"/a/x/hall", "/b/x/hall"}), (Names{"x-hall", "x-hall-2"}));
   EXPECT_EQ(folder_names({"/a/big hall", "/a/..."}), (Names{"big_hall", "_..."}));
+  EXPECT_EQ(shown_names({"/a/big hall", "/a/Höhe (2).bag", "/b/x\ny"}),
+            (Names{"big hall", "Höhe (2).bag", "x?y"}));
+  EXPECT_EQ(shown_names({"/a 1/hall", "/b 2/hall"}), (Names{"a 1-hall", "b 2-hall"}));
   EXPECT_EQ(folder_name("paper+deskew.segments=8"), "paper+deskew.segments=8");
   EXPECT_EQ(folder_name("a/b\n"), "a_b_");
   EXPECT_EQ(folder_name(""), "_");
