@@ -37,9 +37,15 @@ std::vector<double> extrinsic_of(const RunOptions& options) {
 }  // namespace
 
 std::string method_of(const RunOptions& options) {
-  if (!options.method.empty()) return options.method;
   const std::string named = options.config_file.empty() ? "" : method_of_file(options.config_file);
-  return named.empty() ? kDefaultMethod : named;
+  if (options.method.empty()) return named.empty() ? kDefaultMethod : named;
+  if (!named.empty() && named != options.method) {
+    throw ConfigError(fmt::format(
+        "{}: its parameters are of method {}, and --method says {}; leave --method out, or the "
+        "line 'method: {}'",
+        options.config_file.string(), named, options.method, named));
+  }
+  return options.method;
 }
 
 Config config_of(const RunOptions& options) {

@@ -63,7 +63,7 @@ struct RunOptions {
 };
 
 /// options.method, else the method that the config file names, else the default. Throws
-/// ConfigError.
+/// ConfigError, also where the two contradict each other.
 [[nodiscard]] std::string method_of(const RunOptions& options);
 /// Method, then the file, then the flags; the later wins. Throws ConfigError.
 [[nodiscard]] Config config_of(const RunOptions& options);

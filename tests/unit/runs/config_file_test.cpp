@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runs/config_file.hpp"
 
+#include "runs/run_options.hpp"
 #include "support/scratch.hpp"
 
 namespace surefoot::runs {
@@ -44,6 +45,27 @@ TEST_F(ConfigFile, WhatIsWrongIsNamedWithItsFile) {
       EXPECT_NE(std::string(error.what()).find("bad.yaml"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST_F(ConfigFile, IsOfTheMethodThatIsAskedFor) {
+  RunOptions options;
+  options.config_file = write("run.yaml", "method: icp\nparameters: {map: {radius: 70}}\n");
+  EXPECT_EQ(method_of(options), "icp");
+  options.method = "icp";
+  EXPECT_EQ(get_parameter(config_of(options), "map.radius"), "70");
+  options.method = "paper";
+  try {
+    (void)config_of(options);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("run.yaml: its parameters are of method icp, and "
+                        "--method says paper"),
+              std::string::npos)
+        << error.what();
+  }
+  options.config_file = write("common.yaml", "map: {radius: 70}\n");  // of any method
+  EXPECT_EQ(method_of(options), "paper");
 }
 
 }  // namespace
