@@ -10,6 +10,7 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
+#include "counted.hpp"
 #include "io/conversion.hpp"
 #include "io/printable.hpp"
 #include "piped_input.hpp"
@@ -39,8 +40,8 @@ int convert(const ConvertOptions& options) {
       options.request, {[&](std::size_t scans, double share) { progress.update(scans, share); },
                         complain, [&] { return interrupt.interrupted(); }});
   if (outcome.interrupted) {
-    complain(fmt::format("interrupted after {} scan{}: nothing is written", outcome.scans,
-                         outcome.scans == 1 ? "" : "s"));
+    complain(
+        fmt::format("interrupted after {}: nothing is written", counted(outcome.scans, "scan")));
     return process::kInterrupted;
   }
   progress.finish();
@@ -49,8 +50,8 @@ int convert(const ConvertOptions& options) {
       fmt::print(stderr, "note: {}\n", io::printable(note));
     }
     for (const std::string& loss : outcome.losses) fmt::print(stderr, "{}\n", loss);
-    fmt::print("{} scan{}, {} points: {}\n", outcome.scans, outcome.scans == 1 ? "" : "s",
-               outcome.points, options.request.output.string());
+    fmt::print("{}, {}: {}\n", counted(outcome.scans, "scan"), counted(outcome.points, "point"),
+               options.request.output.string());
     if (outcome.messages > 0) {
       fmt::print("  {:5} messages of {} other topics, copied as they are\n", outcome.messages,
                  outcome.topics);

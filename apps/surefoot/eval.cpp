@@ -78,8 +78,10 @@ void add_eval_command(CLI::App& app, int& exit_code) {
                    "The true trajectory, or a recording with a gt.tum")
       ->required();
   command
-      ->add_option("estimates", request.estimates,
-                   "One trajectory or more, or folders that surefoot run has written")
+      ->add_option(
+          "estimates", request.estimates,
+          "One trajectory or more (TUM, KITTI, EuRoC, a bag), or folders that surefoot run "
+          "has written")
       ->required();
   add_format_option(*command, request.reference.format);
   command
@@ -90,6 +92,8 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       ->type_name("NAME");
   command->add_option("--truth-topic", request.reference.topic,
                       "Topic of the reference, where that is a bag");
+  command->add_option("--topic", request.estimate_topic,
+                      "Topic of the estimates, where those are bags");
   add_pairing_options(*command, request.evaluation.association);
   add_error_options(*command, request.evaluation);
   command

@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+#include "counted.hpp"
+
 namespace surefoot::app {
 
 std::string place_in_map(const Pose& begin) {
@@ -16,20 +18,20 @@ std::string place_in_map(const Pose& begin) {
 }
 
 void print_map_outcome(const runs::MapOutcome& outcome) {
-  fmt::print(
-      "loops: {} taken of {} places compared, {} pieces of way; poses moved by up to {:.2f} m\n",
-      outcome.taken, outcome.candidates, outcome.pieces, outcome.moved);
+  fmt::print("loops: {} taken of {} compared, {} of way; poses moved by up to {:.2f} m\n",
+             outcome.taken, counted(outcome.candidates, "place"), counted(outcome.pieces, "piece"),
+             outcome.moved);
   if (outcome.score) {
-    fmt::print("against the truth: {} of {} revisits found, {} of {} loops false\n",
-               outcome.score->found, outcome.score->revisits, outcome.score->taken_false,
-               outcome.taken);
+    fmt::print("against the truth: {} of {} found, {} of {} false\n", outcome.score->found,
+               counted(outcome.score->revisits, "revisit"), outcome.score->taken_false,
+               counted(outcome.taken, "loop"));
   }
   if (!outcome.join || !outcome.join->joined) return;
   fmt::print(
-      "the map is continued: {} loops to it of {} places compared, {} places seen by both; {}; "
-      "{} pieces of way in all\n",
-      outcome.join->taken, outcome.join->compared, outcome.join->near,
-      place_in_map(*outcome.join->begin), outcome.join->pieces);
+      "the map is continued: {} to it of {} compared, {} seen by both; {}; {} of way in all\n",
+      counted(outcome.join->taken, "loop"), counted(outcome.join->compared, "place"),
+      counted(outcome.join->near, "place"), place_in_map(*outcome.join->begin),
+      counted(outcome.join->pieces, "piece"));
 }
 
 bool say_if_apart(const runs::RunOutcome& outcome) {
@@ -46,8 +48,8 @@ void print_localization(const runs::LocalizationOutcome& outcome) {
     fmt::print("not found in the map: {}\n", outcome.message);
     return;
   }
-  fmt::print("found in the map after {:.1f} s; place known for {} of {} scans\n",
-             *outcome.first_found, outcome.found, outcome.scans);
+  fmt::print("found in the map after {:.1f} s; place known for {} of {}\n", *outcome.first_found,
+             outcome.found, counted(outcome.scans, "scan"));
 }
 
 }  // namespace surefoot::app

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "map_outcome.hpp"
 #include "process/exit_codes.hpp"
 #include "process/progress.hpp"
@@ -37,15 +38,17 @@ int merge(const MergeArguments& arguments) {
   progress.finish();
   for (const runs::MergedMap& map : outcome.maps) {
     if (map.joined) {
-      fmt::print("{}: joined by {} loops of {} places compared; {} places seen by both; {}\n",
-                 map.path.string(), map.taken, map.compared, map.near, place_in_map(*map.begin));
+      fmt::print("{}: joined by {} of {} compared; {} seen by both; {}\n", map.path.string(),
+                 counted(map.taken, "loop"), counted(map.compared, "place"),
+                 counted(map.near, "place"), place_in_map(*map.begin));
     } else {
-      fmt::print("{}: not joined, of {} places compared: {}\n", map.path.string(), map.compared,
-                 map.message);
+      fmt::print("{}: not joined, of {} compared: {}\n", map.path.string(),
+                 counted(map.compared, "place"), map.message);
     }
   }
   if (outcome.written) {
-    fmt::print("results: {}, {} pieces of way\n", arguments.output.string(), outcome.pieces);
+    fmt::print("results: {}, {} of way\n", arguments.output.string(),
+               counted(outcome.pieces, "piece"));
     return outcome.joined() ? process::kDone : process::kSomeFailed;
   }
   fmt::print(stderr, "surefoot: no joint map is written; loops.csv in {} says what was compared\n",
@@ -63,7 +66,7 @@ void add_merge_command(CLI::App& app, int& exit_code) {
       ->add_option("maps", arguments->maps,
                    "two or more: map.surefoot or its folder; the joint map is in the first's frame")
       ->required()
-      ->expected(2, 1000);
+      ->expected(-2);
   command->add_option("-o,--output", arguments->output, "folder for map.surefoot and loops.csv")
       ->required();
   command->add_flag("--overwrite", arguments->overwrite,

@@ -10,7 +10,18 @@
 
 namespace surefoot::app {
 
+namespace {
+
+/// What other programs call the standard input.
+void refuse_dash(const std::filesystem::path& input) {
+  if (input != "-" || std::filesystem::exists(input)) return;
+  throw io::ReadError("-: no such file or folder; what comes through a pipe is /dev/stdin here");
+}
+
+}  // namespace
+
 void take_piped_recording(const std::filesystem::path& input, bool quiet) {
+  refuse_dash(input);
   const auto bytes = process::make_file_of_pipe(input, [](std::span<const std::byte> begin) {
     if (io::is_recording_begin(begin)) return;
     throw io::ReadError(begin.empty()
@@ -29,6 +40,7 @@ void take_piped_recording(const std::filesystem::path& input, bool quiet) {
 }
 
 void take_piped_text(const std::filesystem::path& input) {
+  refuse_dash(input);
   (void)process::make_file_of_pipe(input, [](std::span<const std::byte> begin) {
     for (const std::byte byte : begin) {
       if (byte == std::byte{0}) {

@@ -13,6 +13,7 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
+#include "counted.hpp"
 #include "io/file_writer.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
@@ -80,7 +81,7 @@ void simulate(const SimulateArguments& arguments, int& exit_code) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!arguments.quiet) {
-    fmt::print(stderr, "{}: {} scans in {:.1f} s to {}\n", request.scene, done, seconds,
+    fmt::print(stderr, "{}: {} in {:.1f} s to {}\n", request.scene, counted(done, "scan"), seconds,
                arguments.output);
   }
   if (done < request.scans) exit_code = process::kInterrupted;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "evaluation/option_names.hpp"
+#include "io/recording.hpp"
 #include "runs/run_folder.hpp"
 
 #ifdef SUREFOOT_HAS_PICTURES
@@ -74,6 +75,10 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
   if (reference.is_foreign) {
     listener.note(reference.file.string() + ": " + reference.truth.what);
   }
+  if (!request.reference.topic.empty() && !io::is_bag_input(reference.file, {})) {
+    listener.note("--truth-topic counts for nothing here: " + reference.file.string() +
+                  " is no bag");
+  }
   evaluation::EvaluationOptions options = request.evaluation;
   adapt(options, reference);
   const std::vector<std::string> names = runs::estimate_names(request.estimates);
@@ -81,7 +86,8 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
   std::vector<Trajectory> paths;  // aligned
   for (std::size_t i = 0; i < request.estimates.size(); ++i) {
     try {
-      const Trajectory estimate = runs::read_estimate(request.estimates[i], reference);
+      const Trajectory estimate =
+          runs::read_estimate(request.estimates[i], reference, request.estimate_topic);
       if (const std::string text = runs::unfinished_text(request.estimates[i]); !text.empty()) {
         listener.note(names[i] + ": " + text);
       }

@@ -17,6 +17,7 @@ namespace surefoot::experiments {
 struct EvaluationRequest {
   runs::ReferenceRequest reference;
   std::vector<std::filesystem::path> estimates;
+  std::string estimate_topic;  ///< of those that are bags; empty: the only one with poses
   evaluation::EvaluationOptions evaluation;
   std::vector<std::filesystem::path> figures;  ///< of the aligned paths: .svg, .pdf or .png
   bool overwrite = false;                      ///< whatever files have the figures' names

@@ -3,11 +3,15 @@
 #include "runs/saved_map.hpp"
 
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 #include "io/file_reader.hpp"
 #include "io/file_writer.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 #include "mapping/map_on_disk.hpp"
+#include "runs/output_folder.hpp"
 #include "runs/run_files.hpp"
 
 namespace surefoot::runs {
@@ -24,7 +28,31 @@ std::filesystem::path saved_map_file(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path) ? path / kSavedMapFile : path;
 }
 
+namespace {
+
+/// A folder without a map: how one is had.
+void require_map_in(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored) ||
+      std::filesystem::exists(folder / kSavedMapFile, ignored)) {
+    return;
+  }
+  if (!is_run_folder(folder)) {
+    throw io::ReadError(folder.string() + ": holds no " + kSavedMapFile +
+                        "; expected a folder that surefoot map has written");
+  }
+  const std::string again = std::filesystem::exists(folder / kDescriptionFile, ignored)
+                                ? "--config " + io::shell_word((folder / kDescriptionFile).string())
+                                : "INPUT";
+  throw io::ReadError(folder.string() + ": holds a run without a " + kSavedMapFile +
+                      "; 'surefoot map' makes one of the same recording: surefoot map " + again +
+                      " -o FOLDER");
+}
+
+}  // namespace
+
 mapping::SavedMap read_saved_map(const std::filesystem::path& path) {
+  require_map_in(path);
   const std::filesystem::path file = saved_map_file(path);
   try {
     io::require_regular_file(file);

@@ -121,9 +121,31 @@ ReferenceTrajectory read_reference(const ReferenceRequest& request) {
   return reference;
 }
 
-Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& reference) {
+namespace {
+
+/// An estimate that is neither TUM's nor KITTI's.
+Trajectory read_table(const fs::path& file, const ReferenceTrajectory& reference,
+                      const std::string& topic) {
+  io::Truth read = io::read_truth(file, nullptr, topic);
+  const bool pairs_by_stamps = reference.format == TrajectoryFormat::tum;
+  if (pairs_by_stamps && !read.has_stamps) {
+    throw io::ReadError(file.string() + ": has no stamps to pair it by; " + read.what);
+  }
+  if (reference.truth.has_rotations && !read.has_rotations) {
+    throw io::ReadError(file.string() + ": has no rotations, which the reference has; " +
+                        read.what);
+  }
+  return std::move(read.poses);
+}
+
+}  // namespace
+
+Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& reference,
+                         const std::string& topic) {
   refuse_recording(path);
-  Trajectory estimate = read_trajectory(trajectory_file(path), reference.format);
+  const fs::path file = trajectory_file(path);
+  Trajectory estimate = is_table(file, true) ? read_table(file, reference, topic)
+                                             : read_trajectory(file, reference.format);
   if (reference.is_foreign) {
     for (StampedPose& pose : estimate) pose.pose = pose.pose * reference.truth.T_lidar_truth;
   }

@@ -88,6 +88,40 @@ TEST_F(Eval, ErrorsAreThoseThatWerePutIn) {
   EXPECT_NEAR(json[0]["errors"]["rpe_translation"]["rmse"].get<double>(), 0.2, 1e-8);
 }
 
+/// As EuRoC's and other programs' tables are: nanoseconds, commas.
+TEST_F(Eval, AnEstimateMayBeATableOfAnotherForm) {
+  std::string table = "#timestamp, p_x, p_y, p_z, q_w, q_x, q_y, q_z\n";
+  std::string positions;
+  for (const StampedPose& pose : zigzag(winding_walk())) {
+    const Eigen::Vector3d& t = pose.pose.translation;
+    const Eigen::Quaterniond& q = pose.pose.rotation;
+    std::string stamp = std::to_string(1'600'000'000'000'000'000 + pose.stamp_ns);
+    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+      stamp += "," + std::to_string(value);
+    }
+    table += stamp + "\n";
+    positions += std::to_string(1e-9 * static_cast<double>(pose.stamp_ns)) + " " +
+                 std::to_string(t.x()) + " " + std::to_string(t.y()) + " " + std::to_string(t.z()) +
+                 "\n";
+  }
+  write_content(scratch_.path() / "table.csv", table);
+  write_content(scratch_.path() / "positions.txt", positions);
+  Trajectory truth = winding_walk();
+  for (StampedPose& pose : truth) pose.stamp_ns += 1'600'000'000'000'000'000;
+  io::write_tum(scratch_.path() / "late.tum", truth);
+  const nlohmann::json json = eval_json({"late.tum", "table.csv", "--align", "none"});
+  EXPECT_EQ(json[0]["pairs"], kPoses);
+  EXPECT_NEAR(json[0]["errors"]["ape_translation"]["rmse"].get<double>(), 0.1, 1e-5);
+  expect_refused({"truth.tum", "positions.txt"}, "has no rotations, which the reference has");
+}
+
+TEST_F(Eval, WhatCountsForNothingIsSaid) {
+  const ProcessResult result = eval({"truth.tum", "truth.tum", "--truth-topic", "/gt"});
+  EXPECT_NE(result.errors.find("--truth-topic counts for nothing here"), std::string::npos)
+      << result;
+  expect_refused({"-", "truth.tum"}, "what comes through a pipe is /dev/stdin here");
+}
+
 TEST_F(Eval, TextHasABlockForEachEstimate) {
   const ProcessResult result = eval({"truth.tum", "truth.tum", "zigzag.tum"});
   EXPECT_EQ(result.exit_code, 0) << result;

@@ -134,6 +134,16 @@ TEST_F(MergeCommand, ARunGoesOnWithAMapInItsFrame) {
       surefoot({"run", "two", "--start", "30", "-o", "plain", "--no-report", "--no-picture", "-q"});
   ASSERT_EQ(plain.exit_code, 0) << plain;
   EXPECT_EQ(file_content(path("on/trajectory.tum")), file_content(path("plain/trajectory.tum")));
+  // Where a map is expected, a run without one is told how it is had.
+  const std::string how = "surefoot map --config plain/run.yaml -o FOLDER";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"merge", "one-map", "plain", "-o", "both"},
+        {"export", "plain", "--ply", "plain.ply"},
+        {"run", "two", "--localize", "plain", "-o", "none"}}) {
+    const ProcessResult told = surefoot(arguments);
+    EXPECT_EQ(told.exit_code, 2) << told;
+    EXPECT_NE(told.errors.find(how), std::string::npos) << told;
+  }
 }
 
 TEST_F(MergeCommand, TheMapIsWrittenOverOnlyWhenAsked) {

@@ -28,6 +28,9 @@ double number(const YAML::Node& laser, const char* key, bool required) {
 }
 
 void apply(const YAML::Node& root, VelodyneModel& model) {
+  if (!root.IsMap()) {
+    throw CalibrationError("no YAML calibration of a Velodyne: expected a list 'lasers' in it");
+  }
   const YAML::Node lasers = root["lasers"];
   if (!lasers || !lasers.IsSequence() || lasers.size() != model.lasers.size()) {
     throw CalibrationError("it has " + std::to_string(lasers ? lasers.size() : 0) +
