@@ -42,7 +42,11 @@ Json json_of(const MotionCheck& motion) {
   Json json;
   json["first_scan"] = motion.begin;
   json["scans"] = motion.count;
-  json["turned_deg"] = motion.turned_deg;
+  json["turned_deg"] = motion.moved ? motion.moved->turned_deg : motion.turned_deg;
+  if (motion.moved) {
+    json["moved_m"] = motion.moved->way_m;
+    json["stood_still"] = motion.moved->stood_still();
+  }
   json["decided"] = motion.trials.decided;
   json["preferred"] = name_of(motion.trials.trials[motion.trials.preferred].reading);
   for (const TimeTrial& trial : motion.trials.trials) {

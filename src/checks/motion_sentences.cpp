@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace surefoot::checks {
 namespace {
@@ -120,6 +121,20 @@ void add_lag(const MotionCheck& motion, const io::OpenOptions& reader, const Fig
        0, ""});
 }
 
+/// Which stretch it is, and how the sensor moved on it.
+std::string stretch_sentence(const MotionCheck& motion) {
+  const std::string scans = text("scans %zu to %zu", motion.begin, motion.begin + motion.count - 1);
+  const std::optional<StretchMotion>& moved = motion.moved;
+  if (!moved)
+    return scans + text(", where it turns most (about %.0f deg in all)", motion.turned_deg);
+  if (moved->stood_still()) return scans + ": the sensor stood still";
+  if (moved->on_the_spot() && moved->turned_deg > 0.0) {
+    return scans + text(", where it turns most: turned by %.0f deg on the spot", moved->turned_deg);
+  }
+  return scans +
+         text(", where it turns most: %.1f m, turned by %.0f deg", moved->way_m, moved->turned_deg);
+}
+
 }  // namespace
 
 std::vector<std::string> time_sentences(const Figures& figures) {
@@ -139,9 +154,10 @@ std::vector<std::string> time_sentences(const Figures& figures) {
 void conclude(const MotionCheck& motion, const io::OpenOptions& reader, const Figures& figures,
               std::vector<Finding>& findings, std::vector<std::string>& sentences) {
   const TimeTrials& trials = motion.trials;
-  sentences.push_back(text("scans %zu to %zu, where it turns most (about %.0f deg in all)",
-                           motion.begin, motion.begin + motion.count - 1, motion.turned_deg));
-  if (trials.trials.size() > 1) {
+  sentences.push_back(stretch_sentence(motion));
+  if (motion.moved && motion.moved->stood_still()) {
+    sentences.emplace_back("who stands still tells nothing of times: neither points' nor stamps'");
+  } else if (trials.trials.size() > 1) {
     sentences.push_back(all_trials(trials));
     sentences.push_back(trials.decided
                             ? std::string("the data prefer them ") +

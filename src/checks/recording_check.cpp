@@ -127,9 +127,28 @@ class Check {
     const auto period = static_cast<std::int64_t>(1e9 * result_.figures.usual_interval_s);
     motion.trials =
         try_times(scans, period, result_.figures.around.median > kLooksAround, options_.threads);
-    find_lag(motion);
+    look_at_motion(motion);
+    if (!motion.moved || !motion.moved->stood_still()) find_lag(motion);
     conclude(motion, options_.reader, result_.figures, result_.findings, result_.motion_sentences);
     result_.motion = std::move(motion);
+  }
+
+  /// Who stands has no times to be right or wrong: what noise prefers is no preference. That he
+  /// stands is told by any reading, since none makes a walk look so.
+  static void look_at_motion(MotionCheck& motion) {
+    TimeTrials& trials = motion.trials;
+    const bool stood =
+        std::any_of(trials.trials.begin(), trials.trials.end(), [](const TimeTrial& trial) {
+          const auto moved = motion_along(trial.trajectory);
+          return moved && 2 * trial.untrusted < trial.blur.size() && moved->stood_still();
+        });
+    if (stood) {
+      trials.preferred = 0;
+      trials.decided = false;
+      motion.moved = StretchMotion{};
+    } else {
+      motion.moved = motion_along(trials.trials[trials.preferred].trajectory);
+    }
   }
 
   void find_lag(MotionCheck& motion) const {

@@ -14,6 +14,7 @@
 
 #include "checks/findings.hpp"
 #include "checks/stamp_lag.hpp"
+#include "checks/stretch_motion.hpp"
 #include "checks/time_trials.hpp"
 
 namespace surefoot::checks {
@@ -38,9 +39,10 @@ struct CheckListener {
 struct MotionCheck {
   std::size_t begin = 0;  ///< place of its first scan in the recording
   std::size_t count = 0;
-  double turned_deg = 0.0;
+  double turned_deg = 0.0;  ///< by the scans' outlines, roughly: what it was chosen by
   TimeTrials trials;
-  std::string reference;  ///< what the stamps were compared with; empty: nothing
+  std::optional<StretchMotion> moved = {};  ///< nothing where it could not be followed
+  std::string reference;                    ///< what the stamps were compared with; empty: nothing
   StampLag lag;
 };
 

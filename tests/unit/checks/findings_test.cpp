@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "checks/mended_stamps.hpp"
 #include "checks/motion_sentences.hpp"
@@ -255,6 +256,50 @@ TEST(Findings, OfAFewScansWithoutTimesNothingIsConcluded) {
   EXPECT_EQ(concluded().find("deskewed already"), std::string::npos) << concluded();
   for (ScanFacts& scan : scans) scan.times = io::PointTimes::equal;
   EXPECT_NE(concluded().find("deskewed already"), std::string::npos) << concluded();
+}
+
+/// Noise moves the estimates of who stands: it is neither a way nor a turn.
+TEST(StretchMotion, IsToldFromNoise) {
+  EXPECT_FALSE(motion_along({{0, Pose()}}));
+  Trajectory path;
+  for (int i = 0; i < 100; ++i) {
+    Pose pose;
+    pose.translation.x() = i % 2 == 0 ? 0.02 : -0.02;
+    pose.rotation = Eigen::AngleAxisd(i % 2 == 0 ? 0.01 : -0.01, Eigen::Vector3d::UnitZ());
+    path.push_back({i, pose});
+  }
+  EXPECT_TRUE(motion_along(path)->stood_still());
+  for (int i = 0; i < 100; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    path[at].pose.rotation = Eigen::AngleAxisd(0.1 * i, Eigen::Vector3d::UnitZ());
+  }
+  EXPECT_FALSE(motion_along(path)->stood_still());
+  EXPECT_TRUE(motion_along(path)->on_the_spot());
+  EXPECT_NEAR(motion_along(path)->turned_deg, 9.9 * 180.0 / std::numbers::pi, 1e-6);
+  for (int i = 0; i < 100; ++i) path[static_cast<std::size_t>(i)].pose.translation.x() = 0.03 * i;
+  EXPECT_FALSE(motion_along(path)->on_the_spot());
+  EXPECT_NEAR(motion_along(path)->way_m, 2.97, 0.1);
+}
+
+TEST(StretchMotion, IsSaidAsItWas) {
+  MotionCheck motion;
+  motion.count = 50;
+  motion.trials.trials.resize(3);
+  const auto said = [&](double reach, double way, double turned) {
+    motion.moved = StretchMotion{reach, way, turned};
+    std::vector<Finding> findings;
+    std::vector<std::string> sentences;
+    conclude(motion, {}, figures_of(sound(50)), findings, sentences);
+    return sentences;
+  };
+  EXPECT_EQ(said(0.02, 0.0, 0.0),
+            (std::vector<std::string>{
+                "scans 0 to 49: the sensor stood still",
+                "who stands still tells nothing of times: neither points' nor stamps'"}));
+  EXPECT_EQ(said(0.1, 0.1, 359.6).front(),
+            "scans 0 to 49, where it turns most: turned by 360 deg on the spot");
+  EXPECT_EQ(said(4.0, 12.34, 90.0).front(),
+            "scans 0 to 49, where it turns most: 12.3 m, turned by 90 deg");
 }
 
 TEST(Findings, LostPacketsAreAShareOfAll) {
