@@ -104,6 +104,12 @@ std::vector<std::optional<Pose>> read_poses(const fs::path& file, const report::
     throw ReadError(fmt::format("{}: {} poses for the {} scans of scans.csv", file.string(),
                                 rows.size(), scans.size()));
   }
+  if (rows.size() > scans.size() + 1) {
+    throw ReadError(fmt::format(
+        "{}: ends after {} scans, of which {} has {}: it is cut short, or of another run",
+        (file.parent_path() / kScansFile).string(), scans.size(), file.filename().string(),
+        rows.size()));
+  }
   std::vector<std::optional<Pose>> poses;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const bool rejected = scans.statuses[i] == "rejected";

@@ -186,6 +186,9 @@ TEST_F(ReportCommand, BrokenTablesNameTheLine) {
   expect_refused({"report", "run"}, "line 2: 3 fields");
   write_content(path("run/scans.csv"), csv + csv.substr(second));
   expect_refused({"report", "run"}, "6 poses for the 12 scans");
+  const std::size_t fourth = csv.find('\n', csv.find('\n', csv.find('\n', second) + 1) + 1) + 1;
+  write_content(path("run/scans.csv"), csv.substr(0, fourth));
+  expect_refused({"report", "run"}, "scans.csv: ends after 3 scans, of which trajectory_kitti.txt");
   write_content(path("run/scans.csv"), csv + "6,\"half a li");
   EXPECT_EQ(surefoot({"report", "run"}).exit_code, 0) << "an unfinished last line is left out";
 }
