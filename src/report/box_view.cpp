@@ -37,8 +37,17 @@ Eigen::Vector3d corner(const BoxView& view, int x, int y, int z) {
   return point;
 }
 
+/// As many as have room along the edge as it is seen: a number is a line high, those beside a flat
+/// edge stand on each other.
 Ticks ticks_of(const BoxView& view, int axis) {
-  return nice_ticks(view.range(axis), axis == 2 ? 4 : 5);
+  constexpr double kLeastApart = 26.0;  // [px] of the page, in height
+  constexpr double kLeastBeside = 70.0;
+  Eigen::Vector3d end = corner(view, 0, 0, 0);
+  const Pixel from = view.at(end);
+  end[axis] = view.range(axis).high;
+  const Pixel edge = (view.at(end) - from).cwiseAbs();
+  const double room = std::max(edge.y() / kLeastApart, axis == 1 ? 0.0 : edge.x() / kLeastBeside);
+  return nice_ticks(view.range(axis), std::clamp(static_cast<int>(room), 2, axis == 2 ? 4 : 5));
 }
 
 void draw_segment(Canvas& canvas, const BoxView& view, const Eigen::Vector3d& from,

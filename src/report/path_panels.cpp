@@ -117,16 +117,6 @@ void draw_untrusted(Canvas& canvas, const std::vector<Pixel>& path,
   }
 }
 
-/// A line a segment: how they lie to each other is not known.
-void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<int>& segments,
-                   const Stroke& stroke) {
-  for (std::size_t first = 0, i = 1; i <= path.size(); ++i) {
-    if (i < path.size() && segments[i] == segments[first]) continue;
-    canvas.line(std::span(path).subspan(first, i - first), stroke);
-    first = i;
-  }
-}
-
 /// The path unrolled: height over the way, so that a ramp is a ramp in whichever direction it
 /// leads.
 void draw_height_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
@@ -155,6 +145,15 @@ void draw_height_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
 }
 
 }  // namespace
+
+void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<int>& segments,
+                   const Stroke& stroke) {
+  for (std::size_t first = 0, i = 1; i <= path.size(); ++i) {
+    if (i < path.size() && segments[i] == segments[first]) continue;
+    canvas.line(std::span(path).subspan(first, i - first), stroke);
+    first = i;
+  }
+}
 
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
                const DrawnRun& run) {

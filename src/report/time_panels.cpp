@@ -87,7 +87,7 @@ void draw_quantity(Canvas& canvas, const Rect& rect, const DrawnRun& run, const 
   canvas.clip(rect);
   shade_untrusted(canvas, area, path.times, run.untrusted);
   canvas.line(to_pixels(reference, area), {style::kReference, 0.7 * style::kReferenceWidth});
-  canvas.line(to_pixels(path, area), {style::kPath, 2.5});
+  draw_segments(canvas, to_pixels(path, area), run.segments, {style::kPath, 2.5});
   canvas.unclip();
   draw_axes(canvas, area, labels);
 }

@@ -52,9 +52,9 @@ function shade(plot, spans, axis) {
   context.restore();
 }
 
-function seriesOf({ label, stroke, width, fill, dash, dots = false }) {
+function seriesOf({ label, stroke, width, fill, dash, dots = false, gaps = dots }) {
   const points = { show: dots, size: 4, width: 0, fill: stroke };
-  return { label, stroke, width, fill, dash, points, spanGaps: !dots };
+  return { label, stroke, width, fill, dash, points, spanGaps: !gaps };
 }
 
 function axisStyle(more) {

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 //
 // What each chart shows of the run that is looked at and of its companions.
-import { interpolate } from "./data.js";
+import { brokenLine, interpolate } from "./data.js";
 import { color, runColor, stepColor } from "./theme.js";
 
 /** One line of a chart: values at times of its own. */
 function line(label, times, values, stroke, more = {}) {
   return { label, times, values, stroke, width: 1.5, ...more };
+}
+
+/** The same of a run, whose segments are not joined. */
+function runLine(run, label, times, values, stroke, more = {}) {
+  return line(label, ...brokenLine(times, values, run.scans), stroke, { gaps: true, ...more });
 }
 
 const strided = (values, offset) => values.filter((_, i) => i % 3 === offset);
@@ -16,7 +21,7 @@ const strided = (values, offset) => values.filter((_, i) => i % 3 === offset);
 function poseLines(context, part, offset) {
   const focus = context.run();
   const lines = context.companions().map((run, place) =>
-    line(run.name, run.scans.times, strided(run.path[part], offset), runColor(place), {
+    runLine(run, run.name, run.scans.times, strided(run.path[part], offset), runColor(place), {
       width: run === focus ? 1.8 : 1.1,
     }),
   );
@@ -29,10 +34,11 @@ function poseLines(context, part, offset) {
 }
 
 function errorLines(context, parts) {
-  const { errors } = context.run();
+  const run = context.run();
+  const { errors } = run;
   if (!errors) return [];
   return parts.map(([label, name], place) =>
-    line(label, errors.times, errors[name], stepColor(2 * place)),
+    runLine(run, label, errors.times, errors[name], stepColor(2 * place)),
   );
 }
 
@@ -49,7 +55,7 @@ function translationErrors(context) {
     .companions()
     .flatMap((run, place) =>
       run.errors
-        ? [line(run.name, run.errors.times, run.errors.translation_m, runColor(place))]
+        ? [runLine(run, run.name, run.errors.times, run.errors.translation_m, runColor(place))]
         : [],
     );
 }

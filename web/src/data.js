@@ -37,6 +37,30 @@ export function pathLengths(positions) {
   return lengths;
 }
 
+/** Whether a pose is of another segment than the one before: how they lie to each other is not
+ * known, and no line joins them. */
+export const isBreak = (segments, i) => Boolean(segments) && i > 0 && segments[i] !== segments[i - 1];
+
+/** Times and values as one line a segment: without values that are missing, with a missing one
+ * where a segment ends. Whose scan is none of the run's belongs to the nearest one. */
+export function brokenLine(times, values, scans) {
+  const segments = scans.columns.segment;
+  const [ats, kept] = [[], []];
+  let last = null;
+  times.forEach((time, i) => {
+    if (!Number.isFinite(values[i])) return;
+    const segment = segments ? segments[nearestIndex(scans.times, time)] : 0;
+    if (last !== null && segment !== last.segment) {
+      ats.push((last.time + time) / 2);
+      kept.push(NaN);
+    }
+    ats.push(time);
+    kept.push(values[i]);
+    last = { time, segment };
+  });
+  return [Float64Array.from(ats), Float32Array.from(kept)];
+}
+
 function decodeMap(map) {
   if (!map) return null;
   return {

@@ -24,7 +24,8 @@ export function grouped(value) {
 /** The value at this share of the ordered ones, as surefoot run prints it. */
 export function quantile(values, share) {
   const ordered = Float64Array.from(values.filter(Number.isFinite)).sort();
-  return ordered.length ? ordered[Math.floor(share * (ordered.length - 1))] : NaN;
+  // The nearest; of two equally near ones the lower (include/surefoot/quantile.hpp).
+  return ordered.length ? ordered[Math.ceil(share * (ordered.length - 1) - 0.5)] : NaN;
 }
 
 export function duration(seconds) {

@@ -7,20 +7,23 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
-/** Pairs of neighbours that both have a place, as indices: [0, 1, 1, 2, ...]. */
-function segmentsOf(positions) {
-  const segments = [];
+import { isBreak } from "./data.js";
+
+/** Pairs of neighbours that both have a place, in the same of the run's segments, as indices:
+ * [0, 1, 1, 2, ...]. */
+function neighboursOf(positions, segments) {
+  const pairs = [];
   for (let i = 1; 3 * i < positions.length; ++i) {
     if (Number.isNaN(positions[3 * i]) || Number.isNaN(positions[3 * i - 3])) continue;
-    segments.push(i - 1, i);
+    if (!isBreak(segments, i)) pairs.push(i - 1, i);
   }
-  return segments;
+  return pairs;
 }
 
 export class PathLine {
-  constructor(positions, { width, dashed = false, order }) {
+  constructor(positions, { width, dashed = false, order, segments = null }) {
     const geometry = new LineSegmentsGeometry();
-    this.places = segmentsOf(positions);
+    this.places = neighboursOf(positions, segments);
     this.empty = this.places.length === 0;
     const coordinates = this.places.flatMap((i) => Array.from(positions.subarray(3 * i, 3 * i + 3)));
     if (!this.empty) geometry.setPositions(coordinates);

@@ -3,7 +3,7 @@
 //
 // The paths on a plane: from above over the shadow that the map casts, or unrolled, as height along
 // the way.
-import { interpolate, nearestIndex } from "./data.js";
+import { interpolate, isBreak, nearestIndex } from "./data.js";
 import { onResize } from "./dom.js";
 import { isTaken } from "./loops.js";
 import { fixed, niceStep } from "./numbers.js";
@@ -213,21 +213,23 @@ export class PlanView {
     if (this.truth) this.#line(context, this.truth, color("truth-band"), 7);
     this.places.forEach(({ run: companion, at }, place) => {
       const here = companion === run;
-      if (here) this.#line(context, at, color("halo"), 4);
-      this.#line(context, at, runColor(place), here ? 2.2 : 1.4);
+      const { segment: segments } = companion.scans.columns;
+      if (here) this.#line(context, at, color("halo"), 4, segments);
+      this.#line(context, at, runColor(place), here ? 2.2 : 1.4, segments);
       if (here) this.#shade(context, at);
     });
     this.#drawLoops(context, run);
     this.#drawMarkers(context, run);
   }
 
-  #line(context, [h, v], style, width) {
+  #line(context, [h, v], style, width, segments = null) {
     context.strokeStyle = style;
     context.lineWidth = width;
     context.beginPath();
     let pen = false;
     for (let i = 0; i < h.length; ++i) {
       const missing = Number.isNaN(v[i]);
+      if (isBreak(segments, i)) pen = false;
       if (!missing) context[pen ? "lineTo" : "moveTo"](this.x(h[i]), this.y(v[i]));
       pen = !missing;
     }
@@ -261,12 +263,13 @@ export class PlanView {
 
   /** The path that is looked at, coloured by what was chosen. */
   #shade(context, [h, v]) {
+    const { segment: segments } = this.context.run().scans.columns;
     const shades = pathShades(this.context);
     if (!shades) return;
     const colors = shadeColors(shades, this.context.store.get("theme"));
     context.lineWidth = 3.2;
     for (let i = 1; i < h.length; ++i) {
-      if (Number.isNaN(v[i]) || Number.isNaN(v[i - 1])) continue;
+      if (Number.isNaN(v[i]) || Number.isNaN(v[i - 1]) || isBreak(segments, i)) continue;
       context.strokeStyle = colors[i];
       context.beginPath();
       context.moveTo(this.x(h[i - 1]), this.y(v[i - 1]));

@@ -79,8 +79,9 @@ export class Scene3d {
     if (truth) this.#addLine("truth", truth.positions, { width: 2, dashed: true, order: 3 });
     this.context.companions().forEach((companion, place) => {
       const here = companion === run;
-      if (here) this.#addLine("halo", companion.path.positions, { width: 6, order: 4 });
-      const style = { width: here ? 3 : 2, order: here ? 5 : 2 };
+      const { segment: segments } = companion.scans.columns;
+      if (here) this.#addLine("halo", companion.path.positions, { width: 6, order: 4, segments });
+      const style = { width: here ? 3 : 2, order: here ? 5 : 2, segments };
       this.#addLine(place, companion.path.positions, style).focus = here;
     });
     this.#setMap(run.map);

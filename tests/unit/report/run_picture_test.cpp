@@ -177,6 +177,30 @@ TEST_F(RunPicture, UntrustedPosesAreShadedAtTheirTime) {
   EXPECT_GT(image.count(kTop, kUntrustedOnWhite), 100);
 }
 
+/// The second segment begins 5 m higher: how the two lie to each other is not known.
+TEST_F(RunPicture, NoLineJoinsSegments) {
+  Trajectory trajectory = walk(100);
+  std::vector<int> segments(100, 0);
+  for (std::size_t i = 50; i < 100; ++i) {
+    trajectory[i].pose.translation.z() += 5.0;
+    segments[i] = 1;
+  }
+  const auto between = [&](const std::vector<int>& of) {
+    draw_run_picture({.title = "", .trajectory = trajectory, .segments = of}, folder_ / "run.png");
+    const Image image(folder_ / "run.png");
+    int found = 0;
+    for (const Area& panel : {kHeightPanel, kSide}) {
+      found += image.count({"", panel.x, panel.y + panel.height / 2 - 8, panel.width, 16},
+                           kPathColor) > 0
+                   ? 1
+                   : 0;
+    }
+    return found;
+  };
+  EXPECT_EQ(between({}), 2);
+  EXPECT_EQ(between(segments), 0);
+}
+
 TEST_F(RunPicture, ReferenceIsABandUnderThePath) {
   Trajectory reference = walk(100);
   for (StampedPose& stamped : reference) {

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What needs no browser: lines that end with a segment, numbers, ticks.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { brokenLine, isBreak } from "../src/data.js";
+import { fixed, niceStep, quantile } from "../src/numbers.js";
+
+test("no line joins two segments", () => {
+  const scans = { times: [0, 1, 2, 3, 4], columns: { segment: [0, 0, 0, 1, 1] } };
+  const [times, values] = brokenLine(scans.times, [5, NaN, 7, 8, 9], scans);
+  assert.deepEqual([...times], [0, 2, 2.5, 3, 4]); // over the missing one, not over the end
+  assert.deepEqual([...values], [5, 7, NaN, 8, 9]);
+  assert.ok(isBreak(scans.columns.segment, 3));
+  assert.ok(!isBreak(scans.columns.segment, 2));
+  assert.ok(!isBreak(undefined, 3)); // a run of before there were segments
+  const [all] = brokenLine(scans.times, [1, 2, 3, 4, 5], { times: scans.times, columns: {} });
+  assert.deepEqual([...all], scans.times);
+});
+
+test("quantiles are the nearest values, as surefoot run prints them", () => {
+  const fifty = Array.from({ length: 50 }, (_, i) => i);
+  assert.equal(quantile(fifty, 0.99), 49); // at 48.51
+  assert.equal(quantile(fifty, 0.5), 24); // at 24.5: the lower
+  assert.equal(quantile([3, NaN, 1], 1), 3);
+  assert.ok(Number.isNaN(quantile([], 0.5)));
+});
+
+test("ticks are round", () => {
+  assert.equal(niceStep(8.9, 10), 1);
+  assert.equal(niceStep(0.43, 4), 0.2);
+  assert.equal(fixed(-0.5, 1), "−0.5");
+});
