@@ -100,8 +100,10 @@ void add_eval_command(CLI::App& app, int& exit_code) {
       ->add_option("--figure", request.figures,
                    "Draw the aligned trajectories to this .svg, .pdf or .png file; may be repeated")
       ->allow_extra_args(false);
+  command->add_option("--pose-errors", request.pose_errors,
+                      "Write every pose's errors after alignment to this .csv file");
   command->add_flag("--overwrite", request.overwrite,
-                    "Draw also where a file is that is no picture of ours");
+                    "Write also where a file is that no eval has made");
   CLI::Option_group* output = command->add_option_group("output");
   const auto add_table = [&](const char* flag, TableFormat format, const char* help) {
     output->add_flag_callback(

@@ -6,7 +6,11 @@
 
 #include <stdexcept>
 
+#include "evaluation/ape.hpp"
+#include "evaluation/marked_table.hpp"
 #include "evaluation/option_names.hpp"
+#include "io/decimal_time.hpp"
+#include "io/file_writer.hpp"
 #include "io/recording.hpp"
 #include "runs/run_folder.hpp"
 
@@ -38,8 +42,51 @@ void draw_figures([[maybe_unused]] const EvaluationRequest& request,
 #endif
 }
 
-/// Names that tell no format, and files of others, before all the work.
-void check_figures([[maybe_unused]] const EvaluationRequest& request) {
+constexpr const char* kPoseErrors =
+    "estimate,stamp,translation_m,horizontal_m,vertical_m,rotation_deg,tilt_deg,yaw_deg";
+
+/// A line for each pose that has a partner. `paths` are aligned. Of a reference without rotations
+/// those errors are left empty; without stamps the poses are numbered.
+std::string pose_errors_csv(const runs::ReferenceTrajectory& reference,
+                            const std::vector<Evaluation>& evaluations,
+                            const std::vector<Trajectory>& paths,
+                            const evaluation::AssociationOptions& association) {
+  std::string text = std::string(kPoseErrors) + '\n';
+  const bool numbered = reference.format == runs::TrajectoryFormat::kitti;
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const auto pairs = evaluation::associate(reference.truth.poses, paths[k], association);
+    const auto lengths = absolute_errors(pairs, evaluation::Relation::translation);
+    const auto angles = absolute_errors(pairs, evaluation::Relation::rotation_angle);
+    const auto split = absolute_split_errors(pairs);
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const StampedPose& pose = pairs.estimate[i];
+      const double up = pose.pose.translation.z() - pairs.reference[i].pose.translation.z();
+      text += fmt::format("{},{},{:.6f},{:.6f},{:.6f},", evaluation::csv_field(evaluations[k].name),
+                          numbered ? std::to_string(i) : io::format_seconds(pose.stamp_ns),
+                          lengths[i], split[i].horizontal, up);
+      text += reference.truth.has_rotations
+                  ? fmt::format("{:.6f},{:.6f},{:.6f}\n", angles[i], split[i].tilt, split[i].yaw)
+                  : ",,\n";
+    }
+  }
+  return text;
+}
+
+/// Names that tell another format, and files of others, before all the work.
+void check_files([[maybe_unused]] const EvaluationRequest& request) {
+  const std::filesystem::path& table = request.pose_errors;
+  if (!table.empty()) {
+    io::require_ending(table, {".csv"});
+    const auto status = std::filesystem::symlink_status(table);
+    const bool is_ours = request.overwrite ? std::filesystem::is_regular_file(status)
+                                           : io::is_file_beginning(table, kPoseErrors);
+    if (std::filesystem::exists(status) && !is_ours) {
+      throw std::runtime_error(
+          table.string() +
+          ": is there already and is no table of poses' errors; choose another "
+          "name, or --overwrite");
+    }
+  }
 #ifdef SUREFOOT_HAS_PICTURES
   for (const std::filesystem::path& file : request.figures) {
     (void)report::page_format_of(file);
@@ -70,7 +117,7 @@ std::string left_out_text(const Evaluation& evaluation, const evaluation::PairOp
 
 std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
                                            const EvaluationListener& listener) {
-  check_figures(request);
+  check_files(request);
   const runs::ReferenceTrajectory reference = runs::read_reference(request.reference);
   if (reference.is_foreign) {
     listener.note(reference.file.string() + ": " + reference.truth.what);
@@ -105,6 +152,10 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
     } catch (const std::exception& error) {
       listener.complain(names[i] + ": " + error.what());
     }
+  }
+  if (!evaluations.empty() && !request.pose_errors.empty()) {
+    io::write_whole_file(request.pose_errors,
+                         pose_errors_csv(reference, evaluations, paths, options.association));
   }
   if (!evaluations.empty()) draw_figures(request, reference.truth.poses, evaluations, paths);
   return evaluations;

@@ -20,6 +20,7 @@ struct EvaluationRequest {
   std::string estimate_topic;  ///< of those that are bags; empty: the only one with poses
   evaluation::EvaluationOptions evaluation;
   std::vector<std::filesystem::path> figures;  ///< of the aligned paths: .svg, .pdf or .png
+  std::filesystem::path pose_errors;           ///< a CSV of every pose's errors; empty: none
   bool overwrite = false;                      ///< whatever files have the figures' names
 };
 

@@ -115,6 +115,22 @@ TEST_F(Eval, AnEstimateMayBeATableOfAnotherForm) {
   expect_refused({"truth.tum", "positions.txt"}, "has no rotations, which the reference has");
 }
 
+TEST_F(Eval, EveryPosesErrorsAreATable) {
+  const std::vector<std::string> arguments = {"truth.tum", "truth.tum",     "zigzag.tum", "--align",
+                                              "none",      "--pose-errors", "poses.csv"};
+  ASSERT_EQ(eval(arguments).exit_code, 0);
+  const std::string table = file_content(scratch_.path() / "poses.csv");
+  EXPECT_TRUE(table.starts_with("estimate,stamp,translation_m,horizontal_m,vertical_m,"));
+  EXPECT_EQ(lines_of(scratch_.path() / "poses.csv"), 1U + 2U * kPoses);
+  const std::string second = "\nzigzag,0.100000000,0.100000,0.100000,0.000000,0.000000,";
+  EXPECT_NE(table.find(second), std::string::npos) << table.substr(table.find("\nzigzag"), 200);
+  EXPECT_EQ(eval(arguments).exit_code, 0) << "its own";
+  write_content(scratch_.path() / "poses.csv", "mine");
+  expect_refused(arguments, "is no table of poses' errors");
+  EXPECT_EQ(file_content(scratch_.path() / "poses.csv"), "mine");
+  expect_refused({"truth.tum", "zigzag.tum", "--pose-errors", "poses.txt"}, "expected .csv");
+}
+
 TEST_F(Eval, WhatCountsForNothingIsSaid) {
   const ProcessResult result = eval({"truth.tum", "truth.tum", "--truth-topic", "/gt"});
   EXPECT_NE(result.errors.find("--truth-topic counts for nothing here"), std::string::npos)
