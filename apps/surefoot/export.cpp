@@ -97,8 +97,9 @@ void print_exported(const runs::MapExport& files, const runs::MapExported& done)
           files.tiles.string());
     }
   }
-  if (!files.mesh.empty())
+  if (!files.mesh.empty()) {
     fmt::print("{}: {}\n", files.mesh.string(), counted(done.triangles, "triangle"));
+  }
   for (const runs::ExportedGrid& grid : done.grids) {
     fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,
                grid.cell);

@@ -125,8 +125,9 @@ void add_lag(const MotionCheck& motion, const io::OpenOptions& reader, const Fig
 std::string stretch_sentence(const MotionCheck& motion) {
   const std::string scans = text("scans %zu to %zu", motion.begin, motion.begin + motion.count - 1);
   const std::optional<StretchMotion>& moved = motion.moved;
-  if (!moved)
+  if (!moved) {
     return scans + text(", where it turns most (about %.0f deg in all)", motion.turned_deg);
+  }
   if (moved->stood_still()) return scans + ": the sensor stood still";
   if (moved->on_the_spot() && moved->turned_deg > 0.0) {
     return scans + text(", where it turns most: turned by %.0f deg on the spot", moved->turned_deg);

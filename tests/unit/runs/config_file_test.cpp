@@ -49,10 +49,11 @@ TEST_F(ConfigFile, WhatIsWrongIsNamedWithItsFile) {
 
 TEST_F(ConfigFile, IsOfTheMethodThatIsAskedFor) {
   RunOptions options;
-  options.config_file = write("run.yaml", "method: icp\nparameters: {map: {radius: 70}}\n");
+  options.config_file =
+      write("run.yaml", "method: icp\nparameters: {preprocess: {max_range: 70}}\n");
   EXPECT_EQ(method_of(options), "icp");
   options.method = "icp";
-  EXPECT_EQ(get_parameter(config_of(options), "map.radius"), "70");
+  EXPECT_EQ(get_parameter(config_of(options), "preprocess.max_range"), "70");
   options.method = "paper";
   try {
     (void)config_of(options);
@@ -64,7 +65,7 @@ TEST_F(ConfigFile, IsOfTheMethodThatIsAskedFor) {
               std::string::npos)
         << error.what();
   }
-  options.config_file = write("common.yaml", "map: {radius: 70}\n");  // of any method
+  options.config_file = write("common.yaml", "preprocess: {max_range: 70}\n");  // of any method
   EXPECT_EQ(method_of(options), "paper");
 }
 
