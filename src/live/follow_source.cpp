@@ -23,6 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// rosbag goes back to a chunk's head once the chunk is full, at 768 KiB and a message that may be
+/// large.
+constexpr std::uint64_t kChunkBeingWritten = 8 << 20;
+
 /// Runs `open`, of whose errors the reader should know the file.
 template <typename Open>
 auto opened(const fs::path& file, const Open& open) {
@@ -112,7 +116,8 @@ class FollowedBag final : public TopicSource {
   }
 
   [[nodiscard]] std::unique_ptr<FollowedFile> bytes() const {
-    return std::make_unique<FollowedFile>(name_, [this] { return waits_ && (*go_on_)(); });
+    return std::make_unique<FollowedFile>(
+        name_, [this] { return waits_ && (*go_on_)(); }, kChunkBeingWritten);
   }
   [[nodiscard]] std::unique_ptr<io::MessageSource> messages() const {
     return opened(name_, [this] {

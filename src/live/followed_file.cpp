@@ -20,12 +20,8 @@
 namespace surefoot::live {
 namespace {
 
-/// Packets and headers are asked for by a few bytes; each call of the system costs more than these.
+/// A capture is asked for byte by byte; each call of the system costs more than these.
 constexpr std::size_t kAhead = 256 << 10;
-/// What stands so far before a file's end is as it will stay: rosbag goes back to a chunk's head
-/// once the chunk is full, at 768 KiB and a message that may be large. What comes after it is read
-/// when it is asked for, no sooner.
-constexpr std::uint64_t kMayChange = 8 << 20;
 /// Of a file nobody tells that it has grown: looking this often costs nothing, and latency little.
 constexpr std::chrono::milliseconds kLookAgain(5);
 
@@ -35,10 +31,12 @@ io::ReadError failed(int error) {
 
 }  // namespace
 
-FollowedFile::FollowedFile(const std::filesystem::path& file, std::function<bool()> goes_on)
+FollowedFile::FollowedFile(const std::filesystem::path& file, std::function<bool()> goes_on,
+                           std::uint64_t may_change)
     : goes_on_(std::move(goes_on)),
       // A named pipe is opened at once, whether or not somebody writes to it yet.
-      file_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+      file_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)),
+      may_change_(may_change) {
   if (file_ < 0) throw failed(errno);
   struct stat kind {};
   if (::fstat(file_, &kind) != 0 || !(S_ISREG(kind.st_mode) || S_ISFIFO(kind.st_mode))) {
@@ -83,8 +81,8 @@ std::size_t FollowedFile::take_ahead(std::span<std::byte> to) {
 }
 
 bool FollowedFile::may_read_ahead() {
-  if (is_pipe_) return true;
-  const auto has_enough = [this] { return size_ >= position_ + kAhead + kMayChange; };
+  if (is_pipe_ || may_change_ == 0) return true;
+  const auto has_enough = [this] { return size_ >= position_ + kAhead + may_change_; };
   struct stat now {};
   if (!has_enough() && ::fstat(file_, &now) == 0) size_ = static_cast<std::uint64_t>(now.st_size);
   return has_enough();

@@ -16,8 +16,11 @@ namespace surefoot::live {
 class FollowedFile final : public io::ByteStream {
  public:
   /// @param goes_on asked several times in a tenth of a second while nothing new is there; where it
-  /// says no, the file ends. Throws io::ReadError without the file's name.
-  FollowedFile(const std::filesystem::path& file, std::function<bool()> goes_on);
+  /// says no, the file ends.
+  /// @param may_change so many bytes before a file's end its writer may still write anew: they are
+  /// read when they are asked for, no sooner. Throws io::ReadError without the file's name.
+  FollowedFile(const std::filesystem::path& file, std::function<bool()> goes_on,
+               std::uint64_t may_change = 0);
   ~FollowedFile() override;
   FollowedFile(const FollowedFile&) = delete;
   FollowedFile& operator=(const FollowedFile&) = delete;
@@ -35,6 +38,7 @@ class FollowedFile final : public io::ByteStream {
   std::function<bool()> goes_on_;
   int file_;
   bool is_pipe_ = false;
+  std::uint64_t may_change_;
   std::uint64_t position_ = 0;  ///< of the file's next byte, behind what was read ahead
   std::uint64_t size_ = 0;      ///< of a file, when last looked at
   std::vector<std::byte> ahead_;

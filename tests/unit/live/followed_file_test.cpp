@@ -105,14 +105,14 @@ TEST_F(FollowedFileTest, ALongFileIsReadInLargePiecesHoweverFewBytesAreAskedFor)
     ASSERT_EQ(read(followed, 16), text.substr(at, 16));
   }
   const std::uint64_t calls = calls_of_read() - before;
-  EXPECT_LT(calls, 100);  // and 262,144 one by one
+  EXPECT_LT(calls, 100U);  // and 262,144 one by one
   patience_ = 0;
   EXPECT_EQ(read(followed, text.size()), text.substr(4U << 20));
 }
 
 TEST_F(FollowedFileTest, WhatIsWrittenAgainNearTheEndIsReadAsItIsThen) {
   append(file_, std::string(1000, 'a'));
-  FollowedFile followed(file_, goes_on());
+  FollowedFile followed(file_, goes_on(), 8U << 20);
   EXPECT_EQ(read(followed, 10), std::string(10, 'a'));
   std::fstream(file_, std::ios::binary | std::ios::in | std::ios::out).seekp(500).write("b", 1);
   EXPECT_EQ(read(followed, 490), std::string(490, 'a'));
