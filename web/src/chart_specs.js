@@ -70,7 +70,8 @@ export function columnLines(context, columns) {
     .map(([label, name, scale = 1], place) => {
       const values = scans.columns[name];
       const shown = scale === 1 ? values : values.map((value) => scale * value);
-      return line(label, scans.times, shown, stepColor(2 * place));
+      // Scans that were not registered have none: nothing leads over them.
+      return line(label, scans.times, shown, stepColor(2 * place), { gaps: true });
     });
 }
 
