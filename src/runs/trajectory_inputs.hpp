@@ -36,9 +36,9 @@ struct ReferenceTrajectory {
 /// Throws io::ReadError.
 [[nodiscard]] ReferenceTrajectory read_reference(const ReferenceRequest& request);
 
-/// An estimate (a file, a bag's topic, or a run's folder) as the reference has it: its poses are those of what the
-/// reference tells of. KITTI's poses have no stamps; they get their row's number, which is never
-/// compared. Throws io::ReadError.
+/// An estimate (a file, a bag's topic, or a run's folder) as the reference has it: its poses are
+/// those of what the reference tells of. KITTI's poses have no stamps; they get their row's number,
+/// which is never compared. Throws io::ReadError.
 [[nodiscard]] Trajectory read_estimate(const std::filesystem::path& path,
                                        const ReferenceTrajectory& reference,
                                        const std::string& topic = {});
