@@ -42,13 +42,20 @@ Trajectory read_truth_poses(const fs::path& file) {
 }
 
 evaluation::AssociationOptions pairing_with(const Trajectory& truth, const Trajectory& measured) {
+  using evaluation::AssociationMethod;
   evaluation::AssociationOptions pairing;
-  pairing.method = evaluation::AssociationMethod::interpolate;
-  try {
-    (void)evaluation::associate(truth, measured, pairing);
-  } catch (const std::runtime_error&) {
-    pairing.method = evaluation::AssociationMethod::nearest;
-  }
+  const auto pairs = [&](AssociationMethod method) -> std::size_t {
+    pairing.method = method;
+    try {
+      return evaluation::associate(truth, measured, pairing).estimate.size();
+    } catch (const std::runtime_error&) {
+      return 0;
+    }
+  };
+  // At either end one more may have a neighbour than lies between two poses.
+  const std::size_t near = pairs(AssociationMethod::nearest);
+  const std::size_t between = pairs(AssociationMethod::interpolate);
+  if (2 * between < near) pairing.method = AssociationMethod::nearest;
   return pairing;
 }
 
