@@ -123,7 +123,8 @@ void bind_scan(py::module_& module) {
   py::class_<ArrayScan>(module, "Scan", R"(One sweep of a LiDAR: points with their instants.
 
 Arrays of the types below are not copied, whatever their strides; others are converted. They must
-stay as they are until the scan was used. Points that are NaN, infinite or zero are "no return".)")
+stay as they are until the scan was used. Points that are NaN, infinite or within a millimetre of
+zero are "no return".)")
       .def(py::init(&make_scan), py::arg("points"), py::kw_only(), py::arg("stamp_ns") = 0,
            py::arg("times_ns") = py::none(), py::arg("times") = py::none(),
            py::arg("intensities") = py::none(), py::arg("rings") = py::none(), R"(

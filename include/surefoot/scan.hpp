@@ -11,7 +11,8 @@ namespace surefoot {
 /// One sweep of a LiDAR, eq. (1): points with the instants at which they were measured.
 ///
 /// Structure of arrays: every optional array is either empty or as long as `points`.
-/// Points that are NaN, infinite or exactly zero are "no return" and are skipped by the odometry.
+/// Points that are NaN, infinite or within a millimetre of zero are "no return" and are skipped by
+/// the odometry.
 struct Scan {
   std::int64_t stamp_ns = 0;            ///< instant that `times_ns` counts from; sensor's epoch
   std::vector<Eigen::Vector3f> points;  ///< [m], LiDAR frame: x forward, y left, z up

@@ -11,6 +11,7 @@
 #include <set>
 #include <string_view>
 
+#include "geometry/returns.hpp"
 #include "surefoot/quantile.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -98,7 +99,7 @@ void look_at_ranges(const Scan& scan, ScanFacts& facts) {
     const double range = point.cast<double>().norm();
     if (!std::isfinite(range)) {
       ++facts.not_finite;
-    } else if (range == 0.0) {
+    } else if (range < kNoRange) {
       ++facts.zero;
     } else {
       ranges.push_back(range);
@@ -131,7 +132,7 @@ std::vector<std::uint16_t> rings_of(const Scan& scan) {
   std::vector<bool> seen;
   for (std::size_t i = 0; i < scan.rings.size(); ++i) {
     const Eigen::Vector3f& point = scan.points[i];
-    if (!point.allFinite() || point.isZero()) continue;
+    if (!is_return(point)) continue;
     if (scan.rings[i] >= seen.size()) seen.resize(scan.rings[i] + std::size_t{1});
     seen[scan.rings[i]] = true;
   }

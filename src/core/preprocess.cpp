@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/preprocess.hpp"
 #include "geometry/float_sums.hpp"
+#include "geometry/returns.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -98,7 +99,7 @@ PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
   valid.reserve(scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const double range2 = scan.points[i].cast<double>().squaredNorm();
-    if (!(range2 >= near && range2 <= far) || range2 == 0.0) continue;  // NaN fails here too
+    if (!(range2 >= near && range2 <= far) || !is_return(range2)) continue;  // NaN fails here too
     valid.push_back(static_cast<std::uint32_t>(i));
   }
   prepared.points = chosen(scan.points, valid);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/returns.hpp"
 #include "io/recording_filter.hpp"
 #include "io/recording_summary.hpp"
 
@@ -42,8 +43,6 @@ constexpr std::size_t kLookAhead = 10;
 double azimuth_of(const Eigen::Vector3f& point) {
   return std::atan2(static_cast<double>(point.y()), static_cast<double>(point.x()));
 }
-
-bool has_returned(const Eigen::Vector3f& point) { return point.allFinite() && !point.isZero(); }
 
 /// Adds to a recording what its scans' times lack.
 class WatchedRecording : public RecordingFilter {
@@ -157,7 +156,7 @@ std::optional<Spin> spin_of(const Scan& scan) {
   // Every few points tell it.
   constexpr std::size_t kLookedAt = 8000;
   for (std::size_t i = 0; i < scan.points.size(); i += scan.points.size() / kLookedAt + 1) {
-    if (!has_returned(scan.points[i])) continue;
+    if (!is_return(scan.points[i])) continue;
     const double share =
         (static_cast<double>(scan.times_ns[i]) - static_cast<double>(*least)) / duration;
     const auto k = std::min(static_cast<std::size_t>(share * kStretches), kStretches - 1);
@@ -189,7 +188,7 @@ void derive_times(Scan& scan, const SweepTiming& sweep) {
   scan.times_ns.resize(scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     std::int64_t offset = 0;
-    if (has_returned(scan.points[i])) {
+    if (is_return(scan.points[i])) {
       const double turned = sign * (azimuth_of(scan.points[i]) - cut) / kTurn;
       offset = std::llround((turned - std::floor(turned)) * static_cast<double>(sweep.period_ns));
     }

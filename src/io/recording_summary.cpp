@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "geometry/returns.hpp"
 #include "surefoot/quantile.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -103,8 +104,8 @@ class Summariser {
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
       const double range = scan.points[i].cast<double>().norm();
       not_finite += std::isfinite(range) ? 0 : 1;
-      zero += range == 0.0 ? 1 : 0;
-      if (std::isfinite(range) && range > 0.0) {
+      zero += range < kNoRange ? 1 : 0;
+      if (std::isfinite(range) && range >= kNoRange) {
         ranges.push_back(range);
         if (!scan.intensities.empty() && std::isfinite(scan.intensities[i])) {
           intensities.push_back(scan.intensities[i]);

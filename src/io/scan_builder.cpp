@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "geometry/returns.hpp"
 #include "io/decimal_time.hpp"
 #include "io/saturated.hpp"
 
@@ -46,13 +47,6 @@ const Column* find_one_of(const PointTable& table, std::span<const std::string_v
     }
   }
   return nullptr;
-}
-
-// Once and again for every point. A sum of three floats is finite as a double if they all are.
-[[gnu::always_inline]] inline bool is_return(const Eigen::Vector3f& point) {
-  const double sum = static_cast<double>(point.x()) + static_cast<double>(point.y()) +
-                     static_cast<double>(point.z());
-  return sum - sum == 0.0 && (point.x() != 0.0F || point.y() != 0.0F || point.z() != 0.0F);
 }
 
 std::vector<Eigen::Vector3f> points_of(const PointTable& table, const ScanColumns& columns) {
@@ -241,7 +235,7 @@ void count_dropped(const Eigen::Vector3f& point, BuiltScan& built) {
   if (is_return(point)) {
     ++built.dropped_points;
   } else {
-    ++(point.isZero() ? built.dropped_zero : built.dropped_not_finite);
+    ++(point.allFinite() ? built.dropped_zero : built.dropped_not_finite);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <iterator>
 
+#include "geometry/returns.hpp"
 #include "io/file_reader.hpp"
 #include "io/files/ply_reader.hpp"
 #include "io/files/ply_writer.hpp"
@@ -33,7 +34,7 @@ double motion_within(const ScanTrajectory& trajectory) {
 }
 
 bool drawable(const Eigen::Vector3f& point) {
-  return point.allFinite() && !point.isZero() && point.cwiseAbs().maxCoeff() < kLargest;
+  return is_return(point) && point.cwiseAbs().maxCoeff() < kLargest;
 }
 
 DeskewSample sample_of(std::size_t line, const Scan& scan, const Estimate& estimate) {

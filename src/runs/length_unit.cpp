@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluation/statistics.hpp"
+#include "geometry/returns.hpp"
 #include "io/recording.hpp"
 #include "surefoot/quantile.hpp"
 
@@ -31,7 +32,7 @@ std::optional<std::string> odd_range(double median_range) {
 void refuse_other_units(const Scan& scan, const std::string& where) {
   std::vector<double> ranges;
   for (const Eigen::Vector3f& point : scan.points) {
-    if (point.allFinite() && !point.isZero()) ranges.push_back(point.cast<double>().norm());
+    if (is_return(point)) ranges.push_back(point.cast<double>().norm());
   }
   if (const auto odd = odd_range(quantile(ranges, 0.5))) {
     throw io::ReadError(where + ": " + *odd);

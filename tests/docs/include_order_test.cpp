@@ -74,7 +74,7 @@ const std::vector<Layer> kLayers = {
     {"live_page", {"core", "live", "report"}},
     {"process", {}},
     {"command_line", {"process"}},
-    {"runs", {"io", "mapping", "evaluation", "report", "process"}},
+    {"runs", {"geometry", "io", "mapping", "evaluation", "report", "process"}},
     {"live_runs", {"io", "live", "runs"}},
     {"checks", {"geometry", "io", "report", "runs"}},
     {"experiments", {"io", "evaluation", "simulation", "report", "process", "runs"}},

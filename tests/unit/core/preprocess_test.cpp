@@ -95,6 +95,19 @@ TEST(Preprocess, ZeroPointsAreNoReturnsWithoutAMinimumRangeToo) {
   EXPECT_EQ(preprocess(scan, config).points.size(), 100U);
 }
 
+// A driver that puts the LiDAR's offset, or rounds, on the way from no return to a point.
+TEST(Preprocess, PointsWithinAMillimetreOfTheSensorAreNoReturns) {
+  Config::Preprocess config = test_config();
+  config.min_range = 0.0;
+  Scan scan = good_scan();
+  scan.points[0] = {1e-4F, 0.0F, 0.0F};
+  scan.points[1] = {5e-4F, -5e-4F, 5e-4F};
+  scan.points[2] = {0.0F, 0.0F, -2e-3F};
+  const PreparedScan prepared = preprocess(scan, config);
+  ASSERT_EQ(prepared.points.size(), 99U);
+  EXPECT_EQ(prepared.points[0], scan.points[2]);
+}
+
 TEST(Preprocess, IntervalCountsPointsThatAreThrownOut) {
   Scan scan = good_scan();
   scan.points.front().setZero();
