@@ -82,7 +82,7 @@ py::array times_of_seconds(const py::object& given, py::ssize_t points) {
 
 ArrayScan make_scan(const py::object& points, std::int64_t stamp_ns, const py::object& times_ns,
                     const py::object& times, const py::object& intensities,
-                    const py::object& rings) {
+                    const py::object& rings) try {
   if (!times_ns.is_none() && !times.is_none()) {
     throw std::invalid_argument("got both times_ns and times, expected one of them");
   }
@@ -95,6 +95,8 @@ ArrayScan make_scan(const py::object& points, std::int64_t stamp_ns, const py::o
   scan.intensities = column_of<float>(intensities, "intensities", size);
   scan.rings = column_of<std::uint16_t>(rings, "rings", size);
   return scan;
+} catch (const std::invalid_argument& error) {  // one of many: which?
+  throw std::invalid_argument("scan of stamp " + std::to_string(stamp_ns) + " ns: " + error.what());
 }
 
 }  // namespace

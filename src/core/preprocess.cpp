@@ -14,21 +14,22 @@ namespace surefoot {
 
 namespace {
 
-std::string size_mismatch(const char* what, std::size_t seen, std::size_t points) {
-  return "scan has " + std::to_string(seen) + " " + what + " for " + std::to_string(points) +
+std::string size_mismatch(const Scan& scan, const char* what, std::size_t seen) {
+  return "scan of stamp " + std::to_string(scan.stamp_ns) + " ns has " + std::to_string(seen) +
+         " " + what + " for " + std::to_string(scan.points.size()) +
          " points; expected none or one per point";
 }
 
 std::string check_sizes(const Scan& scan) {
   const std::size_t points = scan.points.size();
   if (!scan.times_ns.empty() && scan.times_ns.size() != points) {
-    return size_mismatch("times", scan.times_ns.size(), points);
+    return size_mismatch(scan, "times", scan.times_ns.size());
   }
   if (!scan.intensities.empty() && scan.intensities.size() != points) {
-    return size_mismatch("intensities", scan.intensities.size(), points);
+    return size_mismatch(scan, "intensities", scan.intensities.size());
   }
   if (!scan.rings.empty() && scan.rings.size() != points) {
-    return size_mismatch("rings", scan.rings.size(), points);
+    return size_mismatch(scan, "rings", scan.rings.size());
   }
   return {};
 }
@@ -84,6 +85,7 @@ std::string check_extent(const PreparedScan& prepared, double min_extent) {
 
 PreparedScan preprocess(const Scan& scan, const Config::Preprocess& config) {
   PreparedScan prepared;
+  prepared.start_ns = prepared.end_ns = scan.stamp_ns;  // until the points' times tell better
   prepared.rejection = check_sizes(scan);
   const Interval interval = interval_of(scan);
   if (prepared.rejection.empty()) prepared.rejection = check_stamp(scan, interval);

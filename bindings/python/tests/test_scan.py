@@ -63,8 +63,8 @@ class ScanTest(unittest.TestCase):
             "got both": (self.points, {"times": self.times_ns, "times_ns": self.times_ns}),
             "structured array, expected": (np.zeros(3, [("x", "f4")]), {}),
         }.items():
-            with self.assertRaisesRegex(ValueError, what):
-                Scan(arguments[0], **arguments[1])
+            with self.assertRaisesRegex(ValueError, "scan of stamp 17 ns: .*" + what):
+                Scan(arguments[0], stamp_ns=17, **arguments[1])
         with self.assertRaisesRegex(ValueError, "points: got 'points', expected numbers"):
             Scan("points")
 

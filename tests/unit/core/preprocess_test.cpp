@@ -132,8 +132,11 @@ TEST(Preprocess, EqualOrMissingTimesMeanThereIsNothingToDeskew) {
 TEST(Preprocess, ArraysOfOtherLengthsAreRefusedNamingBoth) {
   Scan scan = good_scan();
   scan.times_ns.pop_back();
-  EXPECT_NE(preprocess(scan, test_config()).rejection.find("100 times for 101 points"),
-            std::string::npos);
+  const PreparedScan refused = preprocess(scan, test_config());
+  EXPECT_NE(refused.rejection.find("stamp 1000000000 ns has 100 times for 101 points"),
+            std::string::npos)
+      << refused.rejection;
+  EXPECT_EQ(refused.mid_ns(), scan.stamp_ns);
   scan = good_scan();
   scan.intensities.push_back(0.0F);
   EXPECT_NE(preprocess(scan, test_config()).rejection.find("102 intensities for 101 points"),
