@@ -153,6 +153,17 @@ std::optional<std::vector<std::int64_t>> stamps_from_names(
   return stamps;
 }
 
+bool are_counted(const std::vector<std::filesystem::path>& files) {
+  const auto without_digits = [](const std::filesystem::path& file) {
+    std::string stem = file.stem().string();
+    std::erase_if(stem, [](char c) { return c >= '0' && c <= '9'; });
+    return stem;
+  };
+  return std::all_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
+    return without_digits(file) == without_digits(files.front());
+  });
+}
+
 std::optional<std::vector<std::int64_t>> frame_numbers(
     const std::vector<std::filesystem::path>& files) {
   constexpr std::size_t kMostDigits = 9;

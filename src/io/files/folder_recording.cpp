@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
+#include <utility>
 
 #include "io/all_fields.hpp"
 #include "io/ascii_values.hpp"
@@ -153,6 +155,34 @@ class FolderRecording final : public Recording {
     }
   }
 
+  // Where absolute times give it.
+  std::optional<std::int64_t> stamp_of(std::size_t index) {
+    ScanItem item;
+    try {
+      read_scan(index, item);
+    } catch (const ReadError&) {
+      return std::nullopt;  // said again when it is its turn
+    } catch (const std::bad_alloc&) {
+      return std::nullopt;
+    }
+    return item.scan->stamp_ns;
+  }
+
+  // Every file is read once more for it. One that has no stamp stays behind the one before it.
+  void put_in_order_of_times() {
+    std::vector<std::pair<std::int64_t, std::filesystem::path>> stamped;
+    std::int64_t last = std::numeric_limits<std::int64_t>::min();
+    for (std::size_t i = 0; i < listing_.files.size(); ++i) {
+      last = stamp_of(i).value_or(last);
+      stamped.emplace_back(last, listing_.files[i]);
+    }
+    const auto by_stamp = [](const auto& a, const auto& b) { return a.first < b.first; };
+    if (std::is_sorted(stamped.begin(), stamped.end(), by_stamp)) return;
+    std::stable_sort(stamped.begin(), stamped.end(), by_stamp);
+    for (std::size_t i = 0; i < stamped.size(); ++i) listing_.files[i] = stamped[i].second;
+    notes_.emplace_back("scans: in the order of these times, not of their names");
+  }
+
   // Where no file gives stamps: the points themselves, names that are numbers, or a rate.
   void set_other_stamps() {
     if (!stamps_.empty()) {
@@ -160,6 +190,7 @@ class FolderRecording final : public Recording {
     }
     if (rule_ && rule_->reference == TimeReference::absolute) {
       notes_.push_back("stamps: from the points' absolute times");
+      if (!are_counted(listing_.files)) put_in_order_of_times();
       return;
     }
     if (const auto named = stamps_from_names(listing_.files)) {

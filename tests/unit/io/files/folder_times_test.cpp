@@ -58,6 +58,38 @@ TEST(FolderRecording, AbsoluteTimesGiveTheStamp) {
   EXPECT_EQ(items[1].scan->stamp_ns, 1630577758125000000);
 }
 
+TEST(FolderRecording, AbsoluteTimesGiveTheOrderWhereNamesTellNone) {
+  const std::vector<std::string> names = {"hall.pcd", "attic.pcd", "cellar.pcd", "yard.pcd"};
+  const TemporaryFolder folder;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double begin = 1630577758.0 + 0.125 * static_cast<double>(i);
+    folder.write(names[i], timed_pcd<double>({begin, begin + 0.0625}));
+  }
+  folder.write("broken.pcd", "garbage");
+  const auto recording = open_recording(folder.path());
+  EXPECT_EQ(recording->notes().back(), "scans: in the order of these times, not of their names");
+  std::vector<std::string> read;
+  while (const auto item = recording->next()) {
+    if (item->scan) read.push_back(item->name);
+  }
+  EXPECT_EQ(read, names);
+}
+
+// Numbers are an order, and the clock may have been set back.
+TEST(FolderRecording, NamesThatCountAreTheOrder) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 6; ++i) {
+    const double begin = 1630577758.0 + 0.125 * i - (i < 3 ? 0.0 : 60.0);
+    folder.write("scan" + std::to_string(i + 7) + ".pcd",
+                 timed_pcd<double>({begin, begin + 0.0625}));
+  }
+  const std::vector<ScanItem> items = read_all(folder.path());
+  ASSERT_EQ(items.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(items[i].name, "scan" + std::to_string(i + 7) + ".pcd");
+  }
+}
+
 TEST(FolderRecording, AbsoluteNanosecondsInADoubleAgainstAStampsFile) {
   const TemporaryFolder folder;
   // Multiples of 256 ns, which a double holds at this size.
