@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "geometry/se3.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -23,7 +25,7 @@ Judgement judge_registration(const RegistrationEnd& end, const Config::Health& c
     return {Status::diverged, "the registration's normal equations gave no finite pose"};
   }
   const double distance = correction.translation.norm();
-  const double angle_deg = so3_log(correction.rotation).norm() * 180.0 / std::numbers::pi;
+  const double angle_deg = turn_angle(correction) * 180.0 / std::numbers::pi;
   if (distance > config.max_correction || angle_deg > config.max_correction_deg) {
     return {Status::diverged, "the registration moved the prediction by " +
                                   std::to_string(distance) + " m and " + std::to_string(angle_deg) +

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "geometry/se3.hpp"
+
 namespace surefoot::evaluation {
 
 namespace {
@@ -22,7 +24,7 @@ double size_of(const Pose& error, Relation relation) {
     case Relation::translation:
       return error.translation.norm();
     case Relation::rotation_angle:
-      return degrees(so3_log(error.rotation).norm());
+      return degrees(turn_angle(error));
     case Relation::rotation_part:
       return rotation_part(error);
     case Relation::full:

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/so3.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot::evaluation {
@@ -29,8 +30,7 @@ std::vector<double> steps(const Trajectory& trajectory, DeltaUnit unit) {
         result.push_back(seconds(to.stamp_ns - from.stamp_ns));
         break;
       case DeltaUnit::degrees:
-        result.push_back(
-            degrees(so3_log(from.pose.rotation.conjugate() * to.pose.rotation).norm()));
+        result.push_back(degrees(turn_angle(from.pose.rotation.conjugate() * to.pose.rotation)));
         break;
     }
   }
@@ -96,7 +96,7 @@ std::vector<IndexPair> turned_by_delta(const Trajectory& trajectory, const PairO
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const Eigen::Quaterniond back = trajectory[i].pose.rotation.conjugate();
     for (std::size_t j = i + 1; j < trajectory.size(); ++j) {
-      const double turn = degrees(so3_log(back * trajectory[j].pose.rotation).norm());
+      const double turn = degrees(turn_angle(back * trajectory[j].pose.rotation));
       if (low <= turn && turn <= high) pairs.push_back({i, j});
     }
   }

@@ -35,6 +35,8 @@ Eigen::Matrix3d left_coupling(const Eigen::Vector3d& rho, const Eigen::Vector3d&
 
 }  // namespace
 
+double turn_angle(const Pose& motion) { return turn_angle(motion.rotation); }
+
 Matrix6 se3_adjoint(const Pose& pose) {
   const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
   Matrix6 result = Matrix6::Zero();

@@ -15,6 +15,9 @@ namespace surefoot {
 /// d; the rotation of t is shorter than pi. After Barfoot, State Estimation for Robotics, 7.1.5.
 [[nodiscard]] Matrix6 se3_right_jacobian_inverse(const Twist& twist);
 
+/// As its rotation's: 0 to pi [rad].
+[[nodiscard]] double turn_angle(const Pose& motion);
+
 /// Nearest motion about the vertical that brings a frame's z axis upright: keeps the place and the
 /// heading of x.
 [[nodiscard]] Pose upright(const Pose& pose);

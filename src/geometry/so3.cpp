@@ -40,6 +40,8 @@ Eigen::Matrix3d so3_left_jacobian_inverse(const Eigen::Vector3d& rotation_vector
   return Eigen::Matrix3d::Identity() - 0.5 * k + c * k * k;
 }
 
+double turn_angle(const Eigen::Quaterniond& rotation) { return so3_log(rotation).norm(); }
+
 Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d a = from.normalized();
   const Eigen::Vector3d b = to.normalized();

@@ -33,6 +33,9 @@ namespace surefoot {
           yaw.sine * pitch.cosine * roll.cosine - yaw.cosine * pitch.sine * roll.sine};
 }
 
+/// By how much it turns, about whatever axis [rad], 0 to pi.
+[[nodiscard]] double turn_angle(const Eigen::Quaterniond& rotation);
+
 /// The shortest turn that brings one direction to another, neither of them zero; of opposite ones,
 /// half a turn about an axis across.
 [[nodiscard]] Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from,

@@ -38,7 +38,7 @@ bool left_open(const Pose& rough, const Pose& by_odometry, const Matrix6& drift)
   const double sigma = std::sqrt(drift.topLeftCorner<3, 3>().trace());
   const double sigma_turn = std::sqrt(drift.bottomRightCorner<3, 3>().trace());
   return apart.translation.norm() < kRoughMetres + kMostSigmas * sigma &&
-         so3_log(apart.rotation).norm() < kRoughTurn + kMostSigmas * sigma_turn;
+         turn_angle(apart) < kRoughTurn + kMostSigmas * sigma_turn;
 }
 
 /// From where registration starts: what the descriptors say, and what the odometry says where it

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/se3.hpp"
 #include "geometry/so3.hpp"
 #include "mapping/place_doubts.hpp"
 
@@ -36,7 +37,7 @@ double contradicted(const FreeSpace& space, const std::vector<SubmapPoint>& poin
 bool near_each_other(const SubmapAlignment& one, const SubmapAlignment& other) {
   constexpr double kOne = 0.1;  // [m], kLever away
   const Pose apart = one.T_target_source.inverse() * other.T_target_source;
-  return apart.translation.norm() + kLever * so3_log(apart.rotation).norm() < kOne;
+  return apart.translation.norm() + kLever * turn_angle(apart) < kOne;
 }
 
 /// The starts that look best after the coarsest grid, refined; the best first. `quickly`: those

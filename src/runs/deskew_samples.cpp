@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "geometry/returns.hpp"
+#include "geometry/se3.hpp"
 #include "io/file_reader.hpp"
 #include "io/files/ply_reader.hpp"
 #include "io/files/ply_writer.hpp"
@@ -29,8 +30,7 @@ constexpr std::array kColumns = {"x",          "y",          "z",    "measured_x
 /// How far a point 10 m away is moved by deskewing, at most [m].
 double motion_within(const ScanTrajectory& trajectory) {
   const Pose motion = trajectory.boundary(0).inverse() * trajectory.boundary(trajectory.segments());
-  const double angle = Eigen::AngleAxisd(motion.rotation).angle();
-  return motion.translation.norm() + kArm * angle;
+  return motion.translation.norm() + kArm * turn_angle(motion);
 }
 
 bool drawable(const Eigen::Vector3f& point) {

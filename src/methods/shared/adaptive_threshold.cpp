@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "geometry/se3.hpp"
+
 namespace surefoot {
 
 double model_error(const Pose& deviation, double max_range) {
-  const double angle = so3_log(deviation.rotation).norm();
+  const double angle = turn_angle(deviation);
   return deviation.translation.norm() + 2.0 * max_range * std::sin(0.5 * angle);
 }
 

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "geometry/se3.hpp"
 #include "support/matrix_exponential.hpp"
 #include "support/random.hpp"
 #include "surefoot/pose.hpp"
@@ -31,6 +32,16 @@ TEST(Se3, ExponentialAgreesWithTheMatrixExponential) {
       EXPECT_LT((se3_exp(twist).matrix() - test::matrix_exponential(twist)).norm(), 3e-14)
           << "angle " << angle;
     }
+  }
+}
+
+TEST(Se3, ATurnIsAsLargeAsItsAxisAngle) {
+  Random random(5);
+  for (const double angle : {0.0, 1e-9, 0.3, 2.0, std::numbers::pi - 1e-6}) {
+    Pose motion = se3_exp(twist_of_angle(random, angle, 3.0));
+    EXPECT_NEAR(turn_angle(motion), angle, 1e-12);
+    motion.rotation.coeffs() *= -1.0;  // the same
+    EXPECT_NEAR(turn_angle(motion), angle, 1e-12);
   }
 }
 
