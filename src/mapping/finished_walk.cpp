@@ -34,7 +34,7 @@ void FinishedWalk::drop_moved() {
 }
 
 std::vector<bool> FinishedWalk::moved(const std::vector<Eigen::Vector3f>& points,
-                                      const std::vector<std::int64_t>& stamps_ns) const {
+                                      const std::vector<std::int64_t>& times_ns) const {
   std::vector<Piece> placed = pieces_;
   for (std::size_t i = 0; i < placed.size(); ++i) placed[i].T_world_piece = poses_[i];
   MovedThings things(placed, held_);
@@ -44,9 +44,9 @@ std::vector<bool> FinishedWalk::moved(const std::vector<Eigen::Vector3f>& points
     const auto last = piece + 1 == placed.size();
     const auto end =
         last ? points.size()
-             : static_cast<std::size_t>(std::lower_bound(stamps_ns.begin(), stamps_ns.end(),
-                                                         placed[piece + 1].begin_ns) -
-                                        stamps_ns.begin());
+             : static_cast<std::size_t>(
+                   std::lower_bound(times_ns.begin(), times_ns.end(), placed[piece + 1].begin_ns) -
+                   times_ns.begin());
     const Pose T_piece_world = poses_[piece].inverse();
     std::vector<Eigen::Vector3f> seen;
     for (std::size_t i = begin; i < end; ++i) {
@@ -70,19 +70,21 @@ MapJoin FinishedWalk::join(const SavedMap& map) {
   return join;
 }
 
-Pose FinishedWalk::correction(std::int64_t stamp_ns) const {
-  return correction_at(pieces_, poses_, stamp_ns);
+Pose FinishedWalk::correction(std::int64_t time_ns) const {
+  return correction_at(pieces_, poses_, time_ns);
 }
 
 Trajectory FinishedWalk::corrected(const Trajectory& measured) const {
   Trajectory result;
+  WalkClock clock;
   for (const StampedPose& pose : measured) {
+    const std::int64_t time_ns = clock.next(pose.stamp_ns);
     const auto next = std::upper_bound(
-        pieces_.begin(), pieces_.end(), pose.stamp_ns,
-        [](std::int64_t stamp, const Piece& piece) { return stamp < piece.begin_ns; });
+        pieces_.begin(), pieces_.end(), time_ns,
+        [](std::int64_t time, const Piece& piece) { return time < piece.begin_ns; });
     const auto piece = std::max<std::ptrdiff_t>(next - pieces_.begin() - 1, 0);
     if (!placed_.empty() && !placed_[static_cast<std::size_t>(piece)]) continue;
-    result.push_back({pose.stamp_ns, correction(pose.stamp_ns) * pose.pose});
+    result.push_back({pose.stamp_ns, correction(time_ns) * pose.pose});
   }
   return result;
 }

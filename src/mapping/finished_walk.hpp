@@ -25,18 +25,18 @@ class FinishedWalk {
   /// Drops what came and went from the map: what was seen from one place, and through from others.
   /// Before join().
   void drop_moved();
-  /// Of points that were seen on the walk at these instants, ascending, and stand where they belong
+  /// Of points that were seen at these times along the walk, ascending, and stand where they belong
   /// after all loops [m], those that came and went.
   [[nodiscard]] std::vector<bool> moved(const std::vector<Eigen::Vector3f>& points,
-                                        const std::vector<std::int64_t>& stamps_ns) const;
+                                        const std::vector<std::int64_t>& times_ns) const;
 
   /// Joins it to a map: then all that follows is in that map's frame. Else nothing changes.
   MapJoin join(const SavedMap& map);
 
-  /// T_map_odometry at an instant; smooth between the pieces.
-  [[nodiscard]] Pose correction(std::int64_t stamp_ns) const;
-  /// The odometry's poses, corrected; without those of pieces that nothing holds to the map that
-  /// it was joined to.
+  /// T_map_odometry at a time along the walk; smooth between the pieces.
+  [[nodiscard]] Pose correction(std::int64_t time_ns) const;
+  /// The odometry's poses, all that the mapper was given, corrected; without those of pieces that
+  /// nothing holds to the map that it was joined to.
   [[nodiscard]] Trajectory corrected(const Trajectory& measured) const;
   [[nodiscard]] const SavedMap& map() const { return map_; }
   [[nodiscard]] PoseGraph graph() const;

@@ -184,7 +184,7 @@ std::shared_ptr<const StoredCloud> read_unpacked(Reader& in) {
 Piece read_piece(Reader& in, std::uint32_t version) {
   Piece piece;
   piece.begin_ns = in.get<std::int64_t>();
-  piece.stamp_ns = in.get<std::int64_t>();
+  piece.stamp_ns = piece.time_ns = in.get<std::int64_t>();
   piece.T_world_piece = in.pose();
   piece.T_piece_lidar = in.pose();
   piece.way = in.number();

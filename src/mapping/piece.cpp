@@ -55,6 +55,7 @@ void put_away(Piece& piece, const std::shared_ptr<CloudFile>& file) {
 
 std::optional<Piece> PieceBuilder::add(const PlacedScan& scan, const ScanPoints& points) {
   std::optional<Piece> done;
+  now_ns_ = clock_.next(scan.stamp_ns);
   if (begun_ && scan.restarted) {
     done = finish();
     counted_ = scan.T_world_lidar.translation;
@@ -74,7 +75,7 @@ void PieceBuilder::begin(const PlacedScan& scan) {
   if (eyes_.empty() && way_ == 0.0) counted_ = scan.T_world_lidar.translation;
   begun_ = true;
   restarted_ = scan.restarted;
-  begin_ns_ = scan.stamp_ns;
+  begin_ns_ = now_ns_;
   begin_way_ = way_;
   T_world_first_ = upright(scan.T_world_lidar);
   covariance_.setZero();
@@ -92,11 +93,11 @@ void PieceBuilder::look(const PlacedScan& scan, const DeskewedScan& points) {
   if (looks_.size() == kMostLooks) {
     for (std::size_t i = 0; 2 * i < kMostLooks; ++i) looks_[i] = std::move(looks_[2 * i]);
     looks_.resize(kMostLooks / 2);
-    between_looks_ns_ = 2 * (scan.stamp_ns - begin_ns_) / std::int64_t{kMostLooks};
+    between_looks_ns_ = 2 * (now_ns_ - begin_ns_) / std::int64_t{kMostLooks};
   }
   const Pose T_first_lidar = T_world_first_.inverse() * scan.T_world_lidar;
   const Eigen::Matrix3f R = T_first_lidar.rotation.toRotationMatrix().cast<float>();
-  KeptScan look{scan.stamp_ns, T_first_lidar.translation.cast<float>(), {}};
+  KeptScan look{now_ns_, T_first_lidar.translation.cast<float>(), {}};
   const std::size_t every = points.points.size() / kMostBeams + 1;
   look.points.reserve(points.points.size() / every + 1);
   for (std::size_t i = 0; i < points.points.size(); i += every) {
@@ -120,11 +121,11 @@ void PieceBuilder::insert(const PlacedScan& scan, const ScanPoints& points) {
   // One scan that was placed badly bends the whole piece.
   if (spread(scan.covariance) > spread(covariance_)) covariance_ = scan.covariance;
   ++scans_;
-  stands_.push_back({scan.stamp_ns, scan.T_world_lidar, way_});
+  stands_.push_back({scan.stamp_ns, now_ns_, scan.T_world_lidar, way_});
   const double moved = (scan.T_world_lidar.translation - last_inserted_.translation).norm();
   const double turn = scan.T_world_lidar.rotation.angularDistance(last_inserted_.rotation);
   const bool taken = scans_ <= options_.always || moved > options_.step || turn > options_.turn;
-  const bool looked = !looks_.empty() && scan.stamp_ns - looks_.back().stamp_ns < between_looks_ns_;
+  const bool looked = !looks_.empty() && now_ns_ - looks_.back().stamp_ns < between_looks_ns_;
   if (options_.things && !looked) look(scan, points());
   if (!taken || eyes_.size() >= kMostEyes) return;
   last_inserted_ = scan.T_world_lidar;
@@ -156,6 +157,7 @@ std::optional<Piece> PieceBuilder::unfinished() const {
       });
   Piece piece;
   piece.begin_ns = begin_ns_;
+  piece.time_ns = middle.time_ns;
   piece.stamp_ns = middle.stamp_ns;
   piece.T_world_piece = upright(middle.pose);
   piece.T_piece_lidar = piece.T_world_piece.inverse() * middle.pose;

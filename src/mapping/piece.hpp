@@ -14,6 +14,7 @@
 #include "core/voxel_table.hpp"
 #include "mapping/cloud_file.hpp"
 #include "mapping/kept_scan.hpp"
+#include "mapping/walk_clock.hpp"
 #include "surefoot/odometry.hpp"
 
 namespace surefoot::mapping {
@@ -46,8 +47,9 @@ inline constexpr double kLever = 10.0;
 /// A few metres of way: what was seen from it, thinned, in the frame of the pose in its middle,
 /// made level.
 struct Piece : PieceCloud {
-  std::int64_t begin_ns = 0;             ///< of its first scan
-  std::int64_t stamp_ns = 0;             ///< of its middle
+  std::int64_t begin_ns = 0;             ///< of its first scan, along the walk (WalkClock)
+  std::int64_t time_ns = 0;              ///< of its middle, along the walk
+  std::int64_t stamp_ns = 0;             ///< of its middle, by the sensor's clock
   Pose T_world_piece;                    ///< of its middle by the odometry, level
   Pose T_piece_lidar;                    ///< the LiDAR there, which is not level
   double way = 0.0;                      ///< walked until its middle [m]
@@ -98,7 +100,7 @@ class PieceBuilder {
     std::uint16_t eye = 0;
   };
   struct Stand {
-    std::int64_t stamp_ns = 0;
+    std::int64_t stamp_ns = 0, time_ns = 0;
     Pose pose;
     double way = 0.0;
   };
@@ -109,6 +111,8 @@ class PieceBuilder {
   [[nodiscard]] std::string things_seen(const Piece& piece);
 
   PieceOptions options_;
+  WalkClock clock_;
+  std::int64_t now_ns_ = 0;  // along the walk
   double way_ = 0.0;
   Eigen::Vector3d counted_ = Eigen::Vector3d::Zero();  // the way is counted up to here
   // Of the piece that is being walked; its points in the level frame of its first scan.

@@ -19,6 +19,7 @@ struct Mapper::State {
   mapping::WalkMapper mapper{mapping::MapperOptions{}};
   mapping::PlacedScans placed;
   Trajectory measured;  // T_world_lidar
+  mapping::WalkClock clock;
   std::optional<mapping::FinishedWalk> finished;
 
   [[nodiscard]] const mapping::FinishedWalk& walk() const {
@@ -36,6 +37,7 @@ void Mapper::add(const Estimate& estimate, const DeskewedScan& scan) {
   if (state_->finished) throw std::logic_error("Mapper: add() after finish()");
   if (!estimate.trusted()) return;
   state_->mapper.add(state_->placed.next(estimate), scan);
+  (void)state_->clock.next(estimate.stamp_ns);
   state_->measured.push_back({estimate.stamp_ns, estimate.T_world_lidar});
 }
 
@@ -55,7 +57,7 @@ JoinReport Mapper::join(const std::filesystem::path& map) {
 Trajectory Mapper::trajectory() const { return state_->walk().corrected(state_->measured); }
 
 Pose Mapper::T_map_world(std::int64_t stamp_ns) const {
-  return state_->walk().correction(stamp_ns);
+  return state_->walk().correction(state_->clock.at(stamp_ns));
 }
 
 std::size_t Mapper::loops() const {

@@ -46,7 +46,7 @@ Group group_of(const std::vector<Piece>& pieces, const std::vector<std::size_t>&
 double fastest(const std::vector<Piece>& pieces) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const double time = seconds(pieces[i + 1].stamp_ns - pieces[i].stamp_ns);
+    const double time = seconds(pieces[i + 1].time_ns - pieces[i].time_ns);
     if (pieces[i + 1].restarted || time <= 0.0) continue;
     most = std::max(most, (pieces[i + 1].way - pieces[i].way) / time);
   }
@@ -70,7 +70,7 @@ bool reachable(const std::vector<Piece>& pieces, const std::vector<std::size_t>&
     const auto& [before, here] = in_order[i];
     const auto& [after, there] = in_order[i + 1];
     if (!pieces[after].restarted && after == before + 1) continue;  // the odometry knows
-    const double time = seconds(pieces[after].stamp_ns - pieces[before].stamp_ns);
+    const double time = seconds(pieces[after].time_ns - pieces[before].time_ns);
     if ((there - here).norm() > speed * time + kAbout) return false;
   }
   return true;

@@ -24,10 +24,10 @@ struct MapperOptions {
   std::filesystem::path folder;
 };
 
-/// Corrected from odometry, T_world_odometry, at an instant: smooth between the pieces, whose
-/// corrected poses are given. The pieces stand in the order in which they were walked.
+/// Corrected from odometry, T_world_odometry, at a time along the walk: smooth between the pieces,
+/// whose corrected poses are given. The pieces stand in the order in which they were walked.
 [[nodiscard]] Pose correction_at(const std::vector<Piece>& pieces,
-                                 const std::vector<Pose>& corrected, std::int64_t stamp_ns);
+                                 const std::vector<Pose>& corrected, std::int64_t time_ns);
 
 class WalkMapper {
  public:
@@ -51,7 +51,7 @@ class WalkMapper {
   /// After finish(): the pieces' corrected poses, the odometry's motions and the loops taken.
   [[nodiscard]] const PoseGraph& graph() const { return graph_; }
   /// The same with what finish() has found.
-  [[nodiscard]] Pose correction(std::int64_t stamp_ns) const;
+  [[nodiscard]] Pose correction(std::int64_t time_ns) const;
 
  private:
   void close_loops();

@@ -19,7 +19,7 @@
 namespace surefoot::runs {
 
 void MapRun::add(const Estimate& estimate, const Pose& T_lidar_written, const DeskewedScan& scan) {
-  if (!first_stamp_ns_) first_stamp_ns_ = estimate.stamp_ns;
+  (void)clock_.next(estimate.stamp_ns);
   measured_.push_back({estimate.stamp_ns, estimate.T_world_lidar * T_lidar_written});
   mapper_.add(scans_.next(estimate), scan);
 }
@@ -31,9 +31,10 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
   outcome.pieces = mapper_.pieces().size();
   outcome.candidates = mapper_.loops().size();
   outcome.taken = mapper_.taken();
-  for (const StampedPose& pose : measured_) {
-    const Pose moved = mapper_.correction(pose.stamp_ns) * pose.pose;
-    outcome.moved = std::max(outcome.moved, (moved.translation - pose.pose.translation).norm());
+  const Trajectory moved = corrected();
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const Eigen::Vector3d by = moved[i].pose.translation - measured_[i].pose.translation;
+    outcome.moved = std::max(outcome.moved, by.norm());
   }
   std::optional<LoopTruth> truth;
   if (!truth_.empty()) {
@@ -54,6 +55,17 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
   return outcome;
 }
 
+/// What was measured, moved by the run's own loops.
+Trajectory MapRun::corrected() const {
+  Trajectory result;
+  mapping::WalkClock clock;
+  for (const StampedPose& pose : measured_) {
+    const Pose T_map_odometry = mapper_.correction(clock.next(pose.stamp_ns));
+    result.push_back({pose.stamp_ns, T_map_odometry * pose.pose});
+  }
+  return result;
+}
+
 void MapRun::join(const std::filesystem::path& folder, mapping::FinishedWalk& walk,
                   MapOutcome& outcome) {
   const mapping::MapJoin join = walk.join(*continued_);
@@ -71,22 +83,20 @@ report::DrawnLoops MapRun::drawn() const {
         .emplace_back(pieces[loop.place].T_world_piece.translation,
                       pieces[loop.query].T_world_piece.translation);
   }
-  for (const StampedPose& pose : measured_) {
-    drawn.corrected.push_back({pose.stamp_ns, mapper_.correction(pose.stamp_ns) * pose.pose});
-  }
+  drawn.corrected = corrected();
   return drawn;
 }
 
 void MapRun::write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
                           const mapping::MapBuilder& map) const {
-  const mapping::MapBuilder moved = map.corrected([&](double time) {
-    return walk.correction(first_stamp_ns_.value_or(0) + std::llround(1e9 * time));
-  });
-  std::vector<std::int64_t> stamps;
+  const auto walked_ns = [&](double time) { return clock_.begin_ns() + std::llround(1e9 * time); };
+  const mapping::MapBuilder moved =
+      map.corrected([&](double time) { return walk.correction(walked_ns(time)); });
+  std::vector<std::int64_t> times;
   for (const float time : moved.first_seen()) {
-    stamps.push_back(first_stamp_ns_.value_or(0) + std::llround(1e9 * static_cast<double>(time)));
+    times.push_back(walked_ns(static_cast<double>(time)));
   }
-  const std::vector<bool> gone = walk.moved(moved.points(), stamps);
+  const std::vector<bool> gone = walk.moved(moved.points(), times);
   std::vector<float> intensities, first_seen;
   std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < gone.size(); ++i) {

@@ -47,6 +47,7 @@ class MapRun {
   [[nodiscard]] const mapping::WalkMapper& mapper() const { return mapper_; }
 
  private:
+  [[nodiscard]] Trajectory corrected() const;
   void join(const std::filesystem::path& folder, mapping::FinishedWalk& walk, MapOutcome& outcome);
   void write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
                     const mapping::MapBuilder& map) const;
@@ -57,7 +58,7 @@ class MapRun {
   std::optional<mapping::SavedMap> continued_;
   mapping::PlacedScans scans_;
   Trajectory measured_;  ///< what trajectory.tum holds, to the last bit
-  std::optional<std::int64_t> first_stamp_ns_;
+  mapping::WalkClock clock_;
 };
 
 }  // namespace surefoot::runs

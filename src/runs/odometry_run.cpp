@@ -14,6 +14,7 @@
 #include "io/decimal_time.hpp"
 #include "io/printable.hpp"
 #include "io/scan_selection.hpp"
+#include "mapping/walk_clock.hpp"
 #include "process/machine.hpp"
 #include "runs/input_checks.hpp"
 #include "runs/localization_run.hpp"
@@ -119,7 +120,7 @@ class OdometryRun final : public RunControl {
   Status last_status_ = Status::ok;
   int first_segment_ = 0;  ///< since it began anew
   int last_segment_ = -1;
-  std::int64_t first_stamp_ns_ = 0;
+  mapping::WalkClock clock_;  ///< of the scans in the map
 };
 
 RunOutcome OdometryRun::execute() {
@@ -265,7 +266,6 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   Estimate estimate = odometry_.add_scan(*item.scan);
   estimate.segment += first_segment_;
   last_segment_ = std::max(last_segment_, estimate.segment);
-  if (outcome_.scans() == 0) first_stamp_ns_ = estimate.stamp_ns;
   output.add(item.name, estimate, T_lidar_written_, times_);
   if (!options_.no_report) output.add_sample(*item.scan, estimate);
   if (localization_) {
@@ -278,7 +278,8 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   }
   if (listener_.answered) listener_.answered(item.name, estimate, odometry_);
   if (estimate.trusted() && !options_.no_map) {
-    const double time = seconds(estimate.stamp_ns - first_stamp_ns_);
+    const std::int64_t now_ns = clock_.next(estimate.stamp_ns);
+    const double time = seconds(now_ns - clock_.begin_ns());
     const DeskewedScan& seen = odometry_.deskewed_scan();  // while the local map is added to
     map_.forget(odometry_.emptied_cubes(), time);
     map_.add(seen, estimate.T_world_lidar, time);

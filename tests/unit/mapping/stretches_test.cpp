@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/se3.hpp"
+#include "mapping/finished_walk.hpp"
 #include "mapping/pose_graph_solver.hpp"
 #include "mapping/walk_mapper.hpp"
 #include "unit/mapping/scene_walk.hpp"
@@ -107,6 +108,30 @@ TEST_F(Stretches, OfACampusAreJoinedWhereTheyLie) {
   const WalkMapper mapper = mapped(walk);
   EXPECT_GE(taken_between(mapper), 2U);
   EXPECT_LT(worst_between(mapper, true_pieces(walk, mapper)), 0.15);
+}
+
+/// The same, after which the sensor's clock was set back: no time runs backwards for that, and what
+/// was measured is put where it belongs on both sides.
+TEST_F(Stretches, AreJoinedWhereTheClockWasSetBack) {
+  WalkOptions options;
+  options.length = 170.0;
+  SceneWalk walk = test::walk_through("campus", 46, options);
+  begin_anew(walk, 440, -1000 * kScan);
+  const WalkMapper mapper = mapped(walk);
+  EXPECT_GE(taken_between(mapper), 2U);
+  EXPECT_LT(worst_between(mapper, true_pieces(walk, mapper)), 0.15);
+  Trajectory measured;
+  for (const PlacedScan& scan : walk.scans) {
+    measured.push_back({scan.stamp_ns, scan.T_world_lidar});
+  }
+  const Trajectory corrected = FinishedWalk(mapper).corrected(measured);
+  ASSERT_EQ(corrected.size(), walk.truth.size());
+  const Pose T_truth_map = walk.truth[0] * corrected[0].pose.inverse();
+  for (std::size_t i = 0; i < corrected.size(); ++i) {
+    const Pose found = T_truth_map * corrected[i].pose;
+    EXPECT_EQ(corrected[i].stamp_ns, walk.scans[i].stamp_ns);
+    ASSERT_LT((found.translation - walk.truth[i].translation).norm(), 0.2) << i;
+  }
 }
 
 /// The same, but there was no time to walk to where it is said to be known again.

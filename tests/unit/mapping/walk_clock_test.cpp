@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "mapping/walk_clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot::mapping {
+namespace {
+
+constexpr std::int64_t kOneSecond = 1'000'000'000;
+
+TEST(WalkClock, IsTheSensorsAsLongAsThatGoesOn) {
+  WalkClock clock;
+  EXPECT_EQ(clock.at(7), 7);
+  for (const std::int64_t stamp : {5 * kOneSecond, 6 * kOneSecond, 60 * kOneSecond}) {
+    EXPECT_EQ(clock.next(stamp), stamp);
+  }
+  EXPECT_EQ(clock.begin_ns(), 5 * kOneSecond);
+  EXPECT_EQ(clock.at(30 * kOneSecond), 30 * kOneSecond);
+  EXPECT_EQ(clock.at(kOneSecond), kOneSecond);
+}
+
+TEST(WalkClock, GoesOnWhereTheSensorsWasSetBack) {
+  WalkClock clock;
+  for (std::int64_t stamp = 100; stamp <= 110; ++stamp) (void)clock.next(stamp * kOneSecond);
+  EXPECT_EQ(clock.next(105 * kOneSecond), 111 * kOneSecond);
+  EXPECT_EQ(clock.next(107 * kOneSecond), 113 * kOneSecond);
+  EXPECT_EQ(clock.next(3 * kOneSecond), 114 * kOneSecond);
+  EXPECT_EQ(clock.next(4 * kOneSecond), 115 * kOneSecond);
+  EXPECT_EQ(clock.begin_ns(), 100 * kOneSecond);
+  EXPECT_EQ(clock.at(4 * kOneSecond), 115 * kOneSecond);
+  EXPECT_EQ(clock.at(2 * kOneSecond), 2 * kOneSecond) << "before the walk";
+}
+
+// What stood at a stamp when it was last shown.
+TEST(WalkClock, OfAStampThatWasShownTwiceTheLastCounts) {
+  WalkClock clock;
+  for (std::int64_t stamp = 100; stamp <= 110; ++stamp) (void)clock.next(stamp * kOneSecond);
+  for (std::int64_t stamp = 105; stamp <= 120; ++stamp) (void)clock.next(stamp * kOneSecond);
+  EXPECT_EQ(clock.at(104 * kOneSecond), 104 * kOneSecond);
+  EXPECT_EQ(clock.at(108 * kOneSecond), 114 * kOneSecond);
+  EXPECT_EQ(clock.at(120 * kOneSecond), 126 * kOneSecond);
+}
+
+}  // namespace
+}  // namespace surefoot::mapping
