@@ -20,11 +20,11 @@ namespace {
 
 // [m] of the cubes that choose the points to be registered: of the first scan, before anything is
 // known of the scene's scale, and at most, about the voxels of the map's coarsest grid.
+constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
+
 // A scan tells of another mean velocity unless so many times more speaks against it than leaves
 // doubt: a car that speeds up is a little doubtful until its mean is known, and who leaps is more.
 constexpr double kSpeedsUp = 3.0;
-
-constexpr double kFirstCube = 1.0, kCoarsestCube = 3.0;
 
 constexpr double kNew = 0.02;  // share of the points, more than what is the same
 

@@ -10,7 +10,9 @@
 
 namespace surefoot {
 
-/// The paper's front-end: add() is Algorithm 1 from top to bottom.
+/// The paper's front-end: add() is Algorithm 1 from top to bottom. What the paper leaves open has a
+/// function each: how a map begins, what is done with scans that cannot be registered, and what an
+/// estimate is worth.
 class PaperFrontEnd : public FrontEnd {
  public:
   explicit PaperFrontEnd(const Session& session);
