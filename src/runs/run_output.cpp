@@ -87,8 +87,11 @@ void RunOutput::add_sample(const Scan& scan, const Estimate& estimate) {
   samples_.add(lines_ - 1, scan, estimate);
 }
 
-/// Poses at multiples of the period, each once: of two scans that overlap, the first one's.
+/// Poses at multiples of the period, each once: of two scans that overlap, the first one's. Where
+/// the clock was set back it begins again, as trajectory.tum does.
 void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written) {
+  if (estimate.stamp_ns <= dense_mid_ns_) dense_until_ns_ = estimate.trajectory.start_ns();
+  dense_mid_ns_ = estimate.stamp_ns;
   const std::int64_t from = std::max(estimate.trajectory.start_ns(), dense_until_ns_);
   const std::int64_t to = estimate.trajectory.end_ns();
   for (std::int64_t t = (from / pose_period_ns_ + 1) * pose_period_ns_; t <= to;

@@ -66,6 +66,7 @@ class RunOutput {
   std::ofstream csv_, tum_, kitti_, dense_;
   std::int64_t pose_period_ns_ = 0;  // of dense_
   std::int64_t dense_until_ns_ = std::numeric_limits<std::int64_t>::min() / 2;
+  std::int64_t dense_mid_ns_ = std::numeric_limits<std::int64_t>::min();  // of the last scan
   BoundedPath path_;  // what the picture shows; the files have all of it
   double length_ = 0.0;
   std::map<int, SegmentSpan> segments_;
