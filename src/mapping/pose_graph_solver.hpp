@@ -26,11 +26,4 @@ struct RobustSolution {
 /// stays above `bound` ends with the weight 0 and bends nothing.
 RobustSolution solve_robustly(PoseGraph& graph, double bound = kChi2Of6At99);
 
-/// A first guess: along the edges from the first pose, each pose by the edge that reaches it first,
-/// inliers before others. Poses that no edge reaches stay.
-void follow_edges(PoseGraph& graph);
-/// A better one where rotations are far off: rotations from all inliers at once, as matrices (a
-/// linear problem), then translations. Poses that no inlier reaches stay.
-void guess_by_rotations(PoseGraph& graph);
-
 }  // namespace surefoot::mapping

@@ -8,6 +8,7 @@
 
 #include "mapping/pose_graph_solver.hpp"
 #include "unit/mapping/benchmark_graphs.hpp"
+#include "unit/mapping/graph_guess.hpp"
 
 namespace surefoot::mapping {
 namespace {
@@ -26,7 +27,7 @@ TEST(BenchmarkGraphs, ParkingGarageReachesItsKnownOptimum) {
   PoseGraph from_file = *graph;
   EXPECT_NEAR(solve(from_file), 2.0 * 0.6341883, 2e-5);
   PoseGraph from_rotations = all_inliers(*graph);
-  guess_by_rotations(from_rotations);
+  test::guess_by_rotations(from_rotations);
   EXPECT_NEAR(solve(from_rotations), 2.0 * 0.6341883, 2e-5);
 }
 
@@ -41,16 +42,16 @@ TEST(BenchmarkGraphs, Sphere2500ReachesTheOptimumThatItsNoiseDemands) {
   const double freedom = 6.0 * 4949 - 6.0 * 2499;
 
   PoseGraph from_rotations = all_inliers(*graph);
-  guess_by_rotations(from_rotations);
+  test::guess_by_rotations(from_rotations);
   const double optimum = solve(from_rotations);
   EXPECT_NEAR(optimum, freedom, 3.0 * std::sqrt(2.0 * freedom));
 
   PoseGraph from_odometry = *graph;
-  follow_edges(from_odometry);
+  test::follow_edges(from_odometry);
   EXPECT_NEAR(solve(from_odometry), optimum, 1e-3);
 
   PoseGraph from_truth = *graph;
-  follow_edges(*truth);
+  test::follow_edges(*truth);
   from_truth.poses = truth->poses;
   EXPECT_NEAR(solve(from_truth), optimum, 1e-3);
 }

@@ -9,6 +9,7 @@
 
 #include "mapping/loop_consistency.hpp"
 #include "unit/mapping/benchmark_graphs.hpp"
+#include "unit/mapping/graph_guess.hpp"
 
 namespace surefoot::mapping {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 /// Where the right loops alone have the poses.
 PoseGraph optimum_of(PoseGraph graph) {
   for (PoseEdge& edge : graph.edges) edge.inlier = true;
-  guess_by_rotations(graph);
+  test::guess_by_rotations(graph);
   solve(graph);
   return graph;
 }
@@ -56,7 +57,7 @@ void expect_none_survives(const std::string& name, double share, double kept) {
   const PoseGraph optimum = optimum_of(*graph);
   calibrate(*graph, optimum);
   const std::size_t first = add_false_loops(*graph, optimum.poses, share);
-  follow_edges(*graph);
+  test::follow_edges(*graph);
   const RobustSolution solution = close_loops(*graph);
   std::size_t right = 0, taken = 0, survivors = 0;
   for (std::size_t e = 0; e < graph->edges.size(); ++e) {

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-//
-// First guesses of a graph's poses.
+#include "unit/mapping/graph_guess.hpp"
+
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
-#include "mapping/pose_graph_solver.hpp"
 
-namespace surefoot::mapping {
+namespace surefoot::test {
+
+using mapping::PoseEdge;
+using mapping::PoseGraph;
 
 namespace {
 
@@ -120,4 +122,4 @@ void guess_by_rotations(PoseGraph& graph) {
   for (Eigen::Index i = 1; i < poses; ++i) graph.poses[i].translation = places.row(i).transpose();
 }
 
-}  // namespace surefoot::mapping
+}  // namespace surefoot::test
