@@ -92,6 +92,8 @@ ScanTrajectory WholeWay::trajectory(std::size_t scan) const {
 bool WholeWay::refine() {
   if (scans_.empty()) return false;
   const Pose T_map_first = trajectory(0).at(0.5);
+  std::vector<std::vector<Pose>> before;
+  for (const WayScan& way : scans_) before.push_back(way.window.knots);
   map_all();
   for (int t = 1; t <= kSteps; ++t) {
     const std::vector<Equations> equations = all_equations();
@@ -99,7 +101,10 @@ bool WholeWay::refine() {
     for (std::size_t s = 0; s < scans_.size(); ++s) {
       system.add_at(scans_[s].first, equations[s].system);
     }
-    if (!system.factorise() || !move(system.solve())) return false;
+    if (!system.factorise() || !move(system.solve())) {
+      for (std::size_t s = 0; s < scans_.size(); ++s) scans_[s].window.knots = before[s];
+      return false;
+    }
     if (t == kSteps) learn(equations);
   }
   anchor(T_map_first);
