@@ -15,11 +15,11 @@ class WalkClock {
   /// The next pose's, of those that are asked for in the order in which they came.
   std::int64_t next(std::int64_t stamp_ns) {
     if (spans_.empty()) {
-      spans_.push_back({stamp_ns, stamp_ns});
-    } else if (stamp_ns < last_stamp_ns_) {
-      spans_.push_back({stamp_ns, last_ns_ + kRefused});
+      spans_.push_back({stamp_ns, stamp_ns, stamp_ns});
+    } else if (stamp_ns < spans_.back().last_ns) {
+      spans_.push_back({stamp_ns, stamp_ns, last_ns_ + kRefused});
     }
-    last_stamp_ns_ = stamp_ns;
+    spans_.back().last_ns = stamp_ns;
     last_ns_ = spans_.back().at(stamp_ns);
     return last_ns_;
   }
@@ -28,12 +28,13 @@ class WalkClock {
   [[nodiscard]] std::int64_t begin_ns() const { return spans_.empty() ? 0 : spans_[0].time_ns; }
 
   /// When the clock showed a stamp; for the last time, if it did so before it was set back and
-  /// after.
+  /// after; as if it had gone on to there, or come from there, if it never did.
   [[nodiscard]] std::int64_t at(std::int64_t stamp_ns) const {
-    const auto shown = [&](const Span& span) { return span.stamp_ns <= stamp_ns; };
-    const auto last = std::find_if(spans_.rbegin(), spans_.rend(), shown);
-    if (last != spans_.rend()) return last->at(stamp_ns);
-    return spans_.empty() ? stamp_ns : spans_.front().at(stamp_ns);
+    if (spans_.empty()) return stamp_ns;
+    const auto nearer = [&](const Span& a, const Span& b) {
+      return a.away(stamp_ns) < b.away(stamp_ns);
+    };
+    return std::min_element(spans_.rbegin(), spans_.rend(), nearer)->at(stamp_ns);
   }
 
  private:
@@ -42,13 +43,17 @@ class WalkClock {
 
   /// From a pose on until the clock is set back.
   struct Span {
-    std::int64_t stamp_ns = 0, time_ns = 0;  // of its first pose
+    std::int64_t stamp_ns = 0, last_ns = 0;  // the first pose's and the last one's
+    std::int64_t time_ns = 0;                // of the first one
 
+    [[nodiscard]] std::int64_t away(std::int64_t stamp) const {
+      return std::max({stamp_ns - stamp, stamp - last_ns, std::int64_t{0}});
+    }
     [[nodiscard]] std::int64_t at(std::int64_t stamp) const { return time_ns + (stamp - stamp_ns); }
   };
 
   std::vector<Span> spans_;
-  std::int64_t last_stamp_ns_ = 0, last_ns_ = 0;
+  std::int64_t last_ns_ = 0;
 };
 
 }  // namespace surefoot::mapping

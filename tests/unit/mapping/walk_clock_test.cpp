@@ -29,7 +29,18 @@ TEST(WalkClock, GoesOnWhereTheSensorsWasSetBack) {
   EXPECT_EQ(clock.next(4 * kOneSecond), 115 * kOneSecond);
   EXPECT_EQ(clock.begin_ns(), 100 * kOneSecond);
   EXPECT_EQ(clock.at(4 * kOneSecond), 115 * kOneSecond);
-  EXPECT_EQ(clock.at(2 * kOneSecond), 2 * kOneSecond) << "before the walk";
+  EXPECT_EQ(clock.at(108 * kOneSecond), 108 * kOneSecond) << "before it was set back";
+  EXPECT_EQ(clock.at(106 * kOneSecond), 112 * kOneSecond) << "between the two times";
+}
+
+TEST(WalkClock, OfAStampThatWasNeverShownTheNearestOnesCount) {
+  WalkClock clock;
+  for (std::int64_t stamp = 100; stamp <= 110; ++stamp) (void)clock.next(stamp * kOneSecond);
+  for (std::int64_t stamp = 3; stamp <= 4; ++stamp) (void)clock.next(stamp * kOneSecond);
+  EXPECT_EQ(clock.at(112 * kOneSecond), 112 * kOneSecond);
+  EXPECT_EQ(clock.at(98 * kOneSecond), 98 * kOneSecond);
+  EXPECT_EQ(clock.at(5 * kOneSecond), 113 * kOneSecond);
+  EXPECT_EQ(clock.at(2 * kOneSecond), 110 * kOneSecond);
 }
 
 // What stood at a stamp when it was last shown.
