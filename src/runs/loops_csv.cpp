@@ -64,19 +64,21 @@ std::vector<report::ReportLoop> read_loops_csv(const std::filesystem::path& file
   const std::size_t why = table.column("why");
   const std::size_t stamp = table.column("stamp");
   const std::size_t place_stamp = table.column("place_stamp");
-  const auto scan_at = [&](std::size_t row, std::size_t column) {
+  const ScansByStamp by_stamp(scans);
+  const auto scan_at = [&](std::size_t row, std::size_t column, std::size_t from) {
     const std::string& field = table.rows[row][column];
     const auto stamp_ns = io::parse_decimal_seconds(field);
     if (!stamp_ns) {
       throw io::ReadError(fmt::format("{}: line {}: {} is {}, no number", table.file, csv_line(row),
                                       table.names[column], io::in_quotes(field)));
     }
-    return nearest_scan(scans, *stamp_ns);
+    return by_stamp.nearest(*stamp_ns, from);
   };
   std::vector<report::ReportLoop> loops;
   for (std::size_t row = 0; scans.size() > 0 && row < table.rows.size(); ++row) {
-    loops.push_back({scan_at(row, stamp), scan_at(row, place_stamp), table.rows[row][verdict],
-                     table.rows[row][why]});
+    const std::size_t place = scan_at(row, place_stamp, 0);
+    const std::size_t scan = scan_at(row, stamp, place + 1);  // who is there again
+    loops.push_back({scan, place, table.rows[row][verdict], table.rows[row][why]});
   }
   return loops;
 }

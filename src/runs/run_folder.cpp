@@ -125,8 +125,11 @@ void read_loops(const fs::path& folder, RunFolder& run) {
   // Where a map was gone on with, the corrected poses are in that map's frame.
   if (fs::exists(folder / kMapLoopsFile) || run.scans.size() == 0) return;
   run.corrected.resize(run.scans.size());
+  const ScansByStamp scans(run.scans);
+  std::size_t scan = 0;  // poses are in the order of the scans
   for (const StampedPose& pose : io::read_tum(folder / kOptimizedTrajectoryFile)) {
-    run.corrected[nearest_scan(run.scans, pose.stamp_ns)] = pose.pose;
+    scan = scans.nearest(pose.stamp_ns, scan);
+    run.corrected[scan++] = pose.pose;
   }
 }
 

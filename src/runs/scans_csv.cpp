@@ -243,12 +243,22 @@ report::ScanTable read_scans_csv(const std::filesystem::path& file) {
   return scans;
 }
 
-std::size_t nearest_scan(const report::ScanTable& scans, std::int64_t stamp_ns) {
-  const std::vector<std::int64_t>& stamps = scans.stamps_ns;
-  const auto after = std::lower_bound(stamps.begin(), stamps.end(), stamp_ns);
-  if (after == stamps.begin()) return 0;
-  const bool before = after == stamps.end() || stamp_ns - *(after - 1) < *after - stamp_ns;
-  return static_cast<std::size_t>(after - stamps.begin()) - (before ? 1 : 0);
+ScansByStamp::ScansByStamp(const report::ScanTable& scans) {
+  for (const std::int64_t stamp_ns : scans.stamps_ns) scans_.emplace_back(stamp_ns, scans_.size());
+  std::sort(scans_.begin(), scans_.end());
+}
+
+std::size_t ScansByStamp::nearest(std::int64_t stamp_ns, std::size_t from) const {
+  const auto first_of = [&](std::int64_t stamp, std::size_t scan) {
+    return std::lower_bound(scans_.begin(), scans_.end(), std::pair(stamp, scan));
+  };
+  auto near = first_of(stamp_ns, 0);
+  if (near == scans_.end()) --near;
+  if (near != scans_.begin() && stamp_ns - std::prev(near)->first < near->first - stamp_ns) --near;
+  const std::int64_t found_ns = near->first;
+  const auto next = first_of(found_ns, from);
+  const bool is_there = next != scans_.end() && next->first == found_ns;
+  return is_there ? next->second : std::prev(next)->second;
 }
 
 std::map<std::string, std::size_t> count_statuses(const report::ScanTable& scans) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/report.hpp"
@@ -37,8 +38,19 @@ struct ScanRow {
 /// io::ReadError naming file, line and column.
 [[nodiscard]] report::ScanTable read_scans_csv(const std::filesystem::path& file);
 
-/// The scan whose stamp is nearest. There is one at least.
-[[nodiscard]] std::size_t nearest_scan(const report::ScanTable& scans, std::int64_t stamp_ns);
+/// Which scan a stamp is of; stamps need not ascend, since clocks are set back.
+class ScansByStamp {
+ public:
+  explicit ScansByStamp(const report::ScanTable& scans);
+
+  /// The scan whose stamp is nearest; of several with that stamp the first from `from` on, or the
+  /// last one before. There is one at least.
+  [[nodiscard]] std::size_t nearest(std::int64_t stamp_ns, std::size_t from = 0) const;
+
+ private:
+  std::vector<std::pair<std::int64_t, std::size_t>> scans_;  // in the order of their stamps
+};
+
 /// How many scans had each status.
 [[nodiscard]] std::map<std::string, std::size_t> count_statuses(const report::ScanTable& scans);
 /// [ms] of every scan. Throws io::ReadError naming `file` if the table has none.

@@ -37,6 +37,20 @@ TEST_F(LoopsCsv, PlacesAreTheNearestScans) {
   EXPECT_EQ(loops[1].place, 0U);
 }
 
+TEST_F(LoopsCsv, PlacesAreFoundWhereTheClockWasSetBack) {
+  const auto file = write("loops.csv",
+                          "stamp,place_stamp,verdict,why\n"
+                          "3.0,101.0,taken,\n"
+                          "101.0,101.0,taken,\n");
+  const auto loops = read_loops_csv(file, scans_at({100 * kSecond, 101 * kSecond, 102 * kSecond,
+                                                    3 * kSecond, 4 * kSecond, 101 * kSecond}));
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_EQ(loops[0].scan, 3U);
+  EXPECT_EQ(loops[0].place, 1U);
+  EXPECT_EQ(loops[1].scan, 5U);
+  EXPECT_EQ(loops[1].place, 1U);
+}
+
 TEST_F(LoopsCsv, ABrokenOneIsRefusedByLine) {
   const report::ScanTable scans = scans_at({0});
   const auto broken = write("loops.csv",

@@ -34,6 +34,21 @@ TEST_F(ScansCsv, IsRead) {
   EXPECT_EQ(scans.messages, (std::vector<std::string>{"", "far, \"far\"", ""}));
 }
 
+TEST(ScansByStamp, AreFoundInOrderWhereTheClockWasSetBack) {
+  report::ScanTable table;
+  table.stamps_ns = {100, 110, 120, 5, 15, 110};
+  const ScansByStamp scans(table);
+  EXPECT_EQ(scans.nearest(100), 0U);
+  EXPECT_EQ(scans.nearest(118), 2U);
+  EXPECT_EQ(scans.nearest(500), 2U);
+  EXPECT_EQ(scans.nearest(6, 3), 3U);
+  EXPECT_EQ(scans.nearest(-7), 3U);
+  EXPECT_EQ(scans.nearest(110), 1U);
+  EXPECT_EQ(scans.nearest(110, 1), 1U);
+  EXPECT_EQ(scans.nearest(110, 2), 5U);
+  EXPECT_EQ(scans.nearest(111, 6), 5U) << "none is left";
+}
+
 /// Every column's value is different, so that a column in another's place shows.
 TEST_F(ScansCsv, WhatIsWrittenIsReadBack) {
   Estimate estimate;
