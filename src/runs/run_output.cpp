@@ -65,9 +65,11 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
   if (estimate.trusted()) {
     tum_ << io::format_tum({pose}) << std::flush;
     SegmentSpan& span =
-        segments_.try_emplace(estimate.segment, SegmentSpan{0, pose.stamp_ns, 0}).first->second;
+        segments_.try_emplace(estimate.segment, SegmentSpan{0, pose.stamp_ns, pose.stamp_ns})
+            .first->second;
     ++span.poses;
-    span.last_ns = pose.stamp_ns;
+    span.first_ns = std::min(span.first_ns, pose.stamp_ns);
+    span.last_ns = std::max(span.last_ns, pose.stamp_ns);
     if (dense_.is_open()) add_dense(estimate, T_lidar_written);
   }
   if (estimate.status != Status::rejected) {

@@ -21,7 +21,7 @@
 
 namespace surefoot::runs {
 
-/// The measured poses of a segment.
+/// The measured poses of a segment, and from which stamp to which they are, in whatever order.
 struct SegmentSpan {
   std::size_t poses = 0;
   std::int64_t first_ns = 0, last_ns = 0;

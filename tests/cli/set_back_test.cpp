@@ -80,6 +80,21 @@ TEST_F(SetBackClock, IsFollowedByWhatARunLeaves) {
   EXPECT_EQ(moved.after, all.after);
 }
 
+TEST_F(SetBackClock, HasTimeInCommonWithItsTruth) {
+  const std::vector<std::string> run = {"run", "in", "--no-repair-stamps", "-q", "--no-map", "-o"};
+  const auto run_with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), run.begin(), run.end());
+    return run_surefoot(more, scratch_.path());
+  };
+  ASSERT_EQ(run_with({"first"}).exit_code, 0);
+  Trajectory truth = io::read_tum(path("first/trajectory.tum"));
+  std::erase_if(truth, [](const StampedPose& pose) { return pose.stamp_ns < kSet; });
+  io::write_tum(path("truth.tum"), truth);
+  const ProcessResult result = run_with({"second", "--truth", "truth.tum"});
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(result.errors.find("no time in common"), std::string::npos) << result;
+}
+
 TEST_F(SetBackClock, IsFollowedByAReference) {
   const ProcessResult result =
       run_surefoot({"reference", "in", "-o", "out", "--no-repair-stamps"}, scratch_.path());
