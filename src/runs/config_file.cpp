@@ -111,7 +111,8 @@ std::string method_of_file(const std::filesystem::path& path) {
   std::string method;
   read_file(path, [&](const YAML::Node& root) {
     check_top(root);
-    if (root.IsMap() && root["method"]) method = root["method"].as<std::string>();
+    if (!root.IsMap() || !root["method"] || root["method"].IsNull()) return;
+    method = root["method"].as<std::string>();
   });
   return method;
 }

@@ -67,6 +67,9 @@ TEST_F(ConfigFile, IsOfTheMethodThatIsAskedFor) {
   }
   options.config_file = write("common.yaml", "preprocess: {max_range: 70}\n");  // of any method
   EXPECT_EQ(method_of(options), "paper");
+  options.config_file = write("empty.yaml", "method:\npreprocess: {max_range: 70}\n");
+  EXPECT_EQ(method_of(options), "paper");
+  EXPECT_EQ(get_parameter(config_of(options), "preprocess.max_range"), "70");
 }
 
 }  // namespace
