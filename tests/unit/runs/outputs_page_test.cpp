@@ -79,7 +79,9 @@ TEST(OutputsPage, HasEveryColumnOfLoopsCsv) {
   const std::vector<std::string> cells = first_cells("loops.csv");
   const std::set<std::string> told(cells.begin(), cells.end());
   for (const std::string& name : fields(join_csv_header())) {
-    if (name != "map") EXPECT_TRUE(told.contains(name)) << name;
+    if (name != "map") {
+      EXPECT_TRUE(told.contains(name)) << name;
+    }
   }
   const mapping::WalkMapper none{mapping::MapperOptions{}};
   const std::vector<std::string> written = fields(loops_csv(none, nullptr));
