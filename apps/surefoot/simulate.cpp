@@ -53,7 +53,7 @@ bool draw([[maybe_unused]] const SimulateArguments& arguments) {
   if (arguments.picture.empty() && arguments.animation.empty()) return false;
 #ifdef SUREFOOT_HAS_PICTURES
   io::require_ending(arguments.picture, {".png"});
-  io::require_ending(arguments.animation, {".png", ".apng"});
+  io::require_ending(arguments.animation, {".png"});
   for (const std::string& file : {arguments.picture, arguments.animation}) {
     if (!file.empty()) report::require_picture_or_nothing(file, arguments.request.overwrite);
   }

@@ -25,13 +25,18 @@ bool is_file_beginning(const std::filesystem::path& file, std::string_view text)
   return begin == text;
 }
 
+bool has_ending(const std::filesystem::path& file,
+                std::initializer_list<std::string_view> endings) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
 void require_ending(const std::filesystem::path& file,
                     std::initializer_list<std::string_view> endings) {
   const std::string given = file.extension().string();
-  std::string ending = given;
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  if (given.empty() || has_ending(file, endings)) return;
   std::string expected;
   std::size_t left = endings.size();
   for (const std::string_view one : endings) {

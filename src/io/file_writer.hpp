@@ -43,6 +43,10 @@ class UnfinishedOutput {
 /// Whether this is a regular file, no link to one, that begins so: by a mark of ours it is ours.
 [[nodiscard]] bool is_file_beginning(const std::filesystem::path& file, std::string_view text);
 
+/// Whether the file's name ends with one of these, in capitals or not.
+[[nodiscard]] bool has_ending(const std::filesystem::path& file,
+                              std::initializer_list<std::string_view> endings);
+
 /// What is written goes by the file's name, which must not say something else: throws
 /// std::invalid_argument that names the endings where it has another one than these. A name without
 /// any says nothing.

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "io/file_writer.hpp"
 #include "recordings/animation_panels.hpp"
 #include "report/animated_png.hpp"
 
@@ -27,7 +28,7 @@ constexpr report::Rect kGaitPanel{540.0, 250.0, 260.0, 200.0};
 }  // namespace
 
 void draw_animation(const RecordingRequest& request, const std::filesystem::path& file) {
-  if (file.extension() != ".png") {
+  if (!io::has_ending(file, {".png"})) {
     throw std::invalid_argument("--animation: '" + file.string() +
                                 "' is to be a PNG file: .png (PNG holds animations, too)");
   }

@@ -107,23 +107,24 @@ std::size_t export_mesh(const mapping::SavedMap& map, const MapExport& wanted,
   return mesh.triangles.size();
 }
 
-fs::path beside(fs::path file, const std::string& ending) { return file.replace_extension(ending); }
+/// The file itself, where its name ends so, or else the one beside it whose name does.
+fs::path with_ending(fs::path file, const char* ending) {
+  return io::has_ending(file, {ending}) ? file : file.replace_extension(ending);
+}
 
 /// The image and what tells of it.
 std::array<fs::path, 2> occupancy_files(const MapExport& wanted) {
-  return {beside(wanted.grid, ".pgm"), beside(wanted.grid, ".yaml")};
+  return {with_ending(wanted.grid, ".pgm"), with_ending(wanted.grid, ".yaml")};
 }
 
-bool is_geotiff(const fs::path& file) {
-  return file.extension() == ".tif" || file.extension() == ".tiff";
-}
+bool is_geotiff(const fs::path& file) { return io::has_ending(file, {".tif", ".tiff"}); }
 
 /// Heights and their variances: of a GeoTIFF the same file.
 std::array<fs::path, 2> elevation_files(const MapExport& wanted) {
   if (is_geotiff(wanted.elevation)) return {wanted.elevation, wanted.elevation};
-  const fs::path heights = beside(wanted.elevation, ".asc");
+  const fs::path heights = with_ending(wanted.elevation, ".asc");
   fs::path variances = heights;
-  variances.replace_filename(heights.stem().string() + "_variance.asc");
+  variances.replace_filename(heights.stem().string() + "_variance" + heights.extension().string());
   return {heights, variances};
 }
 

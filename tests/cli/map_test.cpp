@@ -152,6 +152,12 @@ TEST_F(MapCommand, HeightsAreLayersThatGdalReads) {
                                          "--elevation-cell", "0.25", "--max-step", "0.1"});
   ASSERT_EQ(result.exit_code, 0) << result;
   EXPECT_EQ(file_content(path("ground.tif")).substr(0, 3), "II*");
+  const ProcessResult capitals = surefoot(
+      {"export", "map", "--elevation", "G.TIF", "--elevation-cell", "0.25", "--grid", "G.PGM"});
+  ASSERT_EQ(capitals.exit_code, 0) << capitals;
+  EXPECT_EQ(file_content(path("G.TIF")).substr(0, 3), "II*");
+  EXPECT_EQ(file_content(path("G.PGM")).substr(0, 3), "P5\n");
+  EXPECT_NE(file_content(path("G.yaml")).find("image: G.PGM"), std::string::npos);
   expect_refused({"export", "map", "--elevation", "ground.tif", "--max-slope", "nan"},
                  "--max-slope");
   const std::string info = path("info.txt").string();
