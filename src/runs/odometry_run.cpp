@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -85,7 +86,8 @@ class OdometryRun final : public RunControl {
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
-  void refuse_past_truth(const std::optional<io::ScanItem>& item) const;
+  [[nodiscard]] std::optional<io::ScanItem> next_scan();
+  void refuse_past_truth(const std::optional<io::ScanItem>& item);
   void check_truth(const RunOutput& output);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
   void use(const io::ScanItem& item, RunOutput& output);
@@ -104,6 +106,7 @@ class OdometryRun final : public RunControl {
   const std::string method_;
   io::Recording* recording_;
   std::unique_ptr<io::Recording> read_again_;
+  std::deque<io::ScanItem> ahead_;  ///< that were looked at before their turn
   Odometry odometry_;
   Pose T_lidar_written_;
   mapping::MapBuilder map_;
@@ -181,16 +184,39 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   return second;
 }
 
-/// A truth that ends before the first scan has nothing to tell of this recording.
-void OdometryRun::refuse_past_truth(const std::optional<io::ScanItem>& item) const {
+std::optional<io::ScanItem> OdometryRun::next_scan() {
+  if (!ahead_.empty()) {
+    std::optional<io::ScanItem> item = std::move(ahead_.front());
+    ahead_.pop_front();
+    return item;
+  }
+  recording_->skip(options_.stride - 1);
+  return recording_->next();
+}
+
+/// A truth that ends before the first scans has nothing to tell of this recording. One stamp alone
+/// may be wrong.
+void OdometryRun::refuse_past_truth(const std::optional<io::ScanItem>& item) {
   if (options_.truth.empty() || !item || !item->scan) return;
   constexpr std::int64_t kLongestScan = 1'000'000'000;  // whose stamp may be its end
+  constexpr std::size_t kLookedAt = 5;
   const std::int64_t first_ns = item->scan->stamp_ns;
   const Trajectory truth = read_truth_poses(options_.truth);
-  const bool is_past = std::all_of(truth.begin(), truth.end(), [&](const StampedPose& pose) {
-    return pose.stamp_ns < first_ns - kLongestScan;
-  });
-  if (!is_past || truth.empty()) return;
+  const auto is_past = [&](const io::ScanItem& one) {
+    return !one.scan || std::all_of(truth.begin(), truth.end(), [&](const StampedPose& pose) {
+      return pose.stamp_ns < one.scan->stamp_ns - kLongestScan;
+    });
+  };
+  if (truth.empty() || !is_past(*item)) return;
+  std::deque<io::ScanItem> ahead;
+  while (ahead.size() + 1 < std::min(kLookedAt, options_.count)) {
+    std::optional<io::ScanItem> next = next_scan();
+    if (!next) break;
+    ahead.push_back(std::move(*next));
+    if (is_past(ahead.back())) continue;
+    ahead_ = std::move(ahead);
+    return;
+  }
   throw io::ReadError(fmt::format(
       "{}: tells of {} to {} s, and the first scan is of {} s: expected a truth with the "
       "recording's stamps",
@@ -228,8 +254,7 @@ void OdometryRun::for_all(std::optional<io::ScanItem> item,
     ++done;
     listener_.progress(done, shares_.of(progress(done)));
     if (done == options_.count) break;
-    recording_->skip(options_.stride - 1);
-    item = recording_->next();
+    item = next_scan();
   }
   outcome_.interrupted = listener_.interrupted();
 }

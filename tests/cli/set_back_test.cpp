@@ -95,6 +95,17 @@ TEST_F(SetBackClock, HasTimeInCommonWithItsTruth) {
   EXPECT_EQ(result.errors.find("no time in common"), std::string::npos) << result;
 }
 
+TEST_F(SetBackClock, OneWrongStampRefusesNoTruth) {
+  std::vector<Scan> scans = hall_scans(20);
+  io::write_tum(path("truth.tum"), {{scans[1].stamp_ns, {}}, {scans.back().stamp_ns, {}}});
+  scans[0].stamp_ns += 5000 * kSecond;
+  write_pcd_recording(path("odd"), scans);
+  const ProcessResult result = run_surefoot(
+      {"run", "odd", "-o", "out", "--no-repair-stamps", "--truth", "truth.tum"}, scratch_.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_EQ(io::read_kitti_poses(path("out/trajectory_kitti.txt")).size(), scans.size());
+}
+
 TEST_F(SetBackClock, IsFollowedByAReference) {
   const ProcessResult result =
       run_surefoot({"reference", "in", "-o", "out", "--no-repair-stamps"}, scratch_.path());
