@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "evaluation/ape.hpp"
@@ -72,15 +73,35 @@ std::string pose_errors_csv(const runs::ReferenceTrajectory& reference,
   return text;
 }
 
+/// What is read is not written over, whatever else may be.
+void keep_inputs(const EvaluationRequest& request) {
+  std::vector<std::filesystem::path> outputs = request.figures;
+  if (!request.pose_errors.empty()) outputs.push_back(request.pose_errors);
+  std::vector<std::filesystem::path> inputs = request.estimates;
+  inputs.push_back(request.reference.path);
+  for (const std::filesystem::path& output : outputs) {
+    for (const std::filesystem::path& input : inputs) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(output, runs::trajectory_file(input), ignored)) {
+        throw std::runtime_error(output.string() + ": is what is evaluated; choose another name");
+      }
+    }
+  }
+}
+
 /// Names that tell another format, and files of others, before all the work.
-void check_files([[maybe_unused]] const EvaluationRequest& request) {
+void check_files(const EvaluationRequest& request) {
+  keep_inputs(request);
   const std::filesystem::path& table = request.pose_errors;
   if (!table.empty()) {
     io::require_ending(table, {".csv"});
     const auto status = std::filesystem::symlink_status(table);
-    const bool is_ours = request.overwrite ? std::filesystem::is_regular_file(status)
-                                           : io::is_file_beginning(table, kPoseErrors);
-    if (std::filesystem::exists(status) && !is_ours) {
+    const bool is_there = std::filesystem::exists(status);
+    if (is_there && !std::filesystem::is_regular_file(status)) {
+      throw std::runtime_error(table.string() +
+                               ": is there already and is no file; choose another name");
+    }
+    if (is_there && !request.overwrite && !io::is_file_beginning(table, kPoseErrors)) {
       throw std::runtime_error(
           table.string() +
           ": is there already and is no table of poses' errors; choose another "
@@ -125,6 +146,13 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
   if (!request.reference.topic.empty() && !io::is_bag_input(reference.file, {})) {
     listener.note("--truth-topic counts for nothing here: " + reference.file.string() +
                   " is no bag");
+  }
+  const auto is_bag = [](const std::filesystem::path& estimate) {
+    return io::is_bag_input(runs::trajectory_file(estimate), {});
+  };
+  if (!request.estimate_topic.empty() &&
+      std::none_of(request.estimates.begin(), request.estimates.end(), is_bag)) {
+    listener.note("--topic counts for nothing here: no estimate is a bag");
   }
   evaluation::EvaluationOptions options = request.evaluation;
   adapt(options, reference);

@@ -20,15 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTruthFile = "gt.tum";
 
-/// The trajectory in a run's folder, the truth in a recording's; any other path as it is.
-fs::path trajectory_file(const fs::path& path) {
-  for (const char* name : {kTrajectoryFile, kTruthFile}) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored) && fs::exists(path / name, ignored)) return path / name;
-  }
-  return path;
-}
-
 /// A recording's truth would be a perfect estimate of itself.
 void refuse_recording(const fs::path& path) {
   std::error_code ignored;
@@ -79,7 +70,7 @@ TrajectoryFormat format_of(const fs::path& file) {
   return columns_of(file) == 12 ? TrajectoryFormat::kitti : TrajectoryFormat::tum;
 }
 
-/// Whether the reference is a bag, or a table that is neither TUM's nor KITTI's.
+/// Whether it is a bag, or a table that is neither TUM's nor KITTI's.
 bool is_table(const fs::path& file, bool find_format) {
   std::error_code ignored;
   if (!find_format || !fs::exists(file, ignored)) return false;
@@ -104,6 +95,14 @@ Trajectory read_trajectory(const fs::path& file, TrajectoryFormat format) {
 
 }  // namespace
 
+fs::path trajectory_file(const fs::path& path) {
+  for (const char* name : {kTrajectoryFile, kTruthFile}) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored) && fs::exists(path / name, ignored)) return path / name;
+  }
+  return path;
+}
+
 ReferenceTrajectory read_reference(const ReferenceRequest& request) {
   const io::Dataset* set = request.dataset.empty() ? nullptr : &io::dataset_named(request.dataset);
   const bool of_records = set != nullptr && set->truth == io::TruthOf::oxts;  // a folder of them
@@ -115,6 +114,7 @@ ReferenceTrajectory read_reference(const ReferenceRequest& request) {
     reference.truth = io::read_truth(reference.file, set, request.topic);
     reference.format = reference.truth.has_stamps ? TrajectoryFormat::tum : TrajectoryFormat::kitti;
   } else {
+    reference.is_format_given = !find_format;
     reference.format = find_format ? format_of(reference.file) : request.format;
     reference.truth.poses = read_trajectory(reference.file, reference.format);
   }
@@ -144,8 +144,9 @@ Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& refere
                          const std::string& topic) {
   refuse_recording(path);
   const fs::path file = trajectory_file(path);
-  Trajectory estimate = is_table(file, true) ? read_table(file, reference, topic)
-                                             : read_trajectory(file, reference.format);
+  Trajectory estimate = is_table(file, !reference.is_format_given)
+                            ? read_table(file, reference, topic)
+                            : read_trajectory(file, reference.format);
   if (reference.is_foreign) {
     for (StampedPose& pose : estimate) pose.pose = pose.pose * reference.truth.T_lidar_truth;
   }
@@ -153,7 +154,9 @@ Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& refere
 }
 
 std::size_t segments_of(const fs::path& path) {
-  std::ifstream stream(trajectory_file(path));
+  const fs::path trajectory = trajectory_file(path);
+  if (io::is_bag_file(trajectory)) return 1;
+  std::ifstream stream(trajectory);
   std::set<std::string> numbers = {"0"};  // who comes home goes on in an earlier one
   for (std::string line; std::getline(stream, line);) {
     if (!line.starts_with(kSegmentBegins)) continue;

@@ -30,8 +30,12 @@ struct ReferenceTrajectory {
   io::Truth truth;
   /// Of the estimates: TUM where there are stamps to pair by, else KITTI.
   TrajectoryFormat format = TrajectoryFormat::tum;
-  bool is_foreign = false;  ///< neither TUM's nor KITTI's: `truth.what` says what it is
+  bool is_format_given = false;  ///< what was asked for, and not found out
+  bool is_foreign = false;       ///< neither TUM's nor KITTI's: `truth.what` says what it is
 };
+
+/// The trajectory in a run's folder, the truth in a recording's; any other path as it is.
+[[nodiscard]] std::filesystem::path trajectory_file(const std::filesystem::path& path);
 
 /// Throws io::ReadError.
 [[nodiscard]] ReferenceTrajectory read_reference(const ReferenceRequest& request);

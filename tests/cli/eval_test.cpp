@@ -113,6 +113,7 @@ TEST_F(Eval, AnEstimateMayBeATableOfAnotherForm) {
   EXPECT_EQ(json[0]["pairs"], kPoses);
   EXPECT_NEAR(json[0]["errors"]["ape_translation"]["rmse"].get<double>(), 0.1, 1e-5);
   expect_refused({"truth.tum", "positions.txt"}, "has no rotations, which the reference has");
+  expect_refused({"late.tum", "table.csv", "--format", "tum"}, "expected 8 (t x y z");
 }
 
 TEST_F(Eval, EveryPosesErrorsAreATable) {
@@ -129,12 +130,31 @@ TEST_F(Eval, EveryPosesErrorsAreATable) {
   expect_refused(arguments, "is no table of poses' errors");
   EXPECT_EQ(file_content(scratch_.path() / "poses.csv"), "mine");
   expect_refused({"truth.tum", "zigzag.tum", "--pose-errors", "poses.txt"}, "expected .csv");
+  std::filesystem::create_symlink("zigzag.tum", scratch_.path() / "link.csv");
+  expect_refused({"truth.tum", "truth.tum", "--pose-errors", "link.csv", "--overwrite"},
+                 "link.csv: is there already and is no file; choose another name");
+}
+
+TEST_F(Eval, WhatIsReadIsNotWrittenOver) {
+  const auto walk = scratch_.path() / "walk.csv";
+  std::filesystem::copy_file(scratch_.path() / "zigzag.tum", walk);
+  std::filesystem::create_symlink(walk, scratch_.path() / "link.tum");
+  const std::string before = file_content(walk);
+  for (const std::vector<std::string>& read : {std::vector<std::string>{"truth.tum", "walk.csv"},
+                                               {"walk.csv", "truth.tum"},
+                                               {"truth.tum", "link.tum"}}) {
+    std::vector<std::string> arguments = read;
+    arguments.insert(arguments.end(), {"--pose-errors", "./walk.csv", "--overwrite"});
+    expect_refused(arguments, "walk.csv: is what is evaluated; choose another name");
+  }
+  EXPECT_EQ(file_content(walk), before);
 }
 
 TEST_F(Eval, WhatCountsForNothingIsSaid) {
-  const ProcessResult result = eval({"truth.tum", "truth.tum", "--truth-topic", "/gt"});
-  EXPECT_NE(result.errors.find("--truth-topic counts for nothing here"), std::string::npos)
-      << result;
+  for (const std::string flag : {"--truth-topic", "--topic"}) {
+    const ProcessResult result = eval({"truth.tum", "truth.tum", flag, "/gt"});
+    EXPECT_NE(result.errors.find(flag + " counts for nothing here"), std::string::npos) << result;
+  }
   expect_refused({"-", "truth.tum"}, "what comes through a pipe is /dev/stdin here");
 }
 
