@@ -152,7 +152,11 @@ std::vector<CompareInput> find_inputs(const CompareOptions& options) {
     if (!known.insert(paths[i].string()).second) {
       throw std::runtime_error(paths[i].string() + ": is given twice");
     }
-    inputs.push_back({names[i], paths[i], truths[i], {}, titles[i]});
+    CompareInput& input = inputs.emplace_back();
+    input.name = names[i];
+    input.path = paths[i];
+    input.truth = truths[i];
+    input.title = titles[i];
   }
   return inputs;
 }
