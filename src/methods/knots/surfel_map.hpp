@@ -167,10 +167,10 @@ class SurfelMap {
   void note_hit(Sight& sight) const;
   [[nodiscard]] std::vector<std::uint32_t> may_be_passed(const Grid& grid,
                                                          const Beams& beams) const;
-  [[nodiscard]] std::vector<Eigen::Vector3d> empty_passed(Grid& grid, const Beams& beams) const;
+  [[nodiscard]] std::vector<VoxelIndex> empty_passed(Grid& grid, const Beams& beams) const;
   static void empty(Grid& grid, std::uint32_t side);
   static void drop(Grid& grid, std::uint32_t side);
-  void empty_divided(const std::vector<Eigen::Vector3d>& centres);
+  void empty_divided(const std::vector<VoxelIndex>& voxels);
 
   Config::Knots config_;
   double radius_;

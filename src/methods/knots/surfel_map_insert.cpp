@@ -214,8 +214,8 @@ std::vector<std::uint32_t> SurfelMap::may_be_passed(const Grid& grid, const Beam
 }
 
 /// What beams went through time and again since one last hit it has moved away.
-std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
-  std::vector<Eigen::Vector3d> emptied;
+std::vector<VoxelIndex> SurfelMap::empty_passed(Grid& grid, const Beams& beams) const {
+  std::vector<VoxelIndex> emptied;
   const auto untouched = [&](std::uint32_t side) { return grid.sights[side].passed == 0; };
   std::erase_if(grid.passed, untouched);
   const std::vector<std::uint32_t> sides = may_be_passed(grid, beams);
@@ -239,20 +239,20 @@ std::vector<Eigen::Vector3d> SurfelMap::empty_passed(Grid& grid, const Beams& be
     if (sight.passed < config_.gone_after + config_.gone_share * sight.hits) continue;
     const std::uint32_t other = grid.table.find(voxel.key ^ kBack);
     if (other == VoxelTable::kNone || grid.voxels[other].moments.count() == 0) {
-      emptied.push_back(middle_of(voxel.index, grid.size));
+      emptied.push_back(voxel.index);
     }
     empty(grid, at);
   }
   return emptied;
 }
 
-/// Of the finest grid what lies in voxels of the next one.
-void SurfelMap::empty_divided(const std::vector<Eigen::Vector3d>& centres) {
+/// Of the finest grid what lies in voxels of the next one. By their indices: their middles are
+/// corners of the finest grid's voxels, and rounded into any of them.
+void SurfelMap::empty_divided(const std::vector<VoxelIndex>& voxels) {
   Grid& grid = grids_.front();
-  for (const Eigen::Vector3d& centre : centres) {
-    const VoxelIndex middle = voxel_index(centre, grid.inverse_size);
-    for (int corner = 0; corner < 8; ++corner) {
-      const VoxelIndex index = middle - VoxelIndex(corner & 1, corner >> 1 & 1, corner >> 2);
+  for (const VoxelIndex& voxel : voxels) {
+    for (int part = 0; part < 8; ++part) {
+      const VoxelIndex index = 2 * voxel + VoxelIndex(part & 1, part >> 1 & 1, part >> 2);
       const std::uint64_t key = voxel_key(index);
       for (const std::uint64_t side : {key, key | kBack}) {
         const std::uint32_t at = grid.table.find(side);
@@ -268,18 +268,21 @@ Cubes SurfelMap::insert(const View& view, const Workers& workers) {
   std::vector<std::vector<std::uint32_t>> taken(grids_.size());
   for (std::size_t level = 0; level < grids_.size(); ++level) taken[level] = taken_by(level, sweep);
   const std::size_t finest = finest_whole();
-  Cubes emptied{grids_[finest].size, {}};
+  std::vector<VoxelIndex> emptied;
   workers.for_each(grids_.size(), [&](std::size_t turn) {
     const std::size_t level = (finest + turn) % grids_.size();  // what takes longest first
     Grid& grid = grids_[level];
     add(level, sweep, taken[level]);
     fit(grid);
     if (config_.gone_after == 0 || level < finest) return;
-    std::vector<Eigen::Vector3d> here = empty_passed(grid, view.beams);
-    if (level == finest) emptied.centres = std::move(here);
+    std::vector<VoxelIndex> here = empty_passed(grid, view.beams);
+    if (level == finest) emptied = std::move(here);
   });
-  if (divides()) empty_divided(emptied.centres);
-  return emptied;
+  if (divides()) empty_divided(emptied);
+  Cubes cubes{grids_[finest].size, {}};
+  cubes.centres.reserve(emptied.size());
+  for (const VoxelIndex& voxel : emptied) cubes.centres.push_back(middle_of(voxel, cubes.side));
+  return cubes;
 }
 
 }  // namespace surefoot

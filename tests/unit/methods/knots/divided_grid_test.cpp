@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "support/random.hpp"
 #include "unit/methods/knots/surfel_clouds.hpp"
 
@@ -90,6 +92,32 @@ TEST(DividedGrid, WhatTheNextEmptiesIsEmpty) {
       const Eigen::Vector3d part(5.1, centre.y() + y, centre.z() + y);
       const int level = level_found(map, part);
       EXPECT_TRUE(level != 0 && level != 1) << level << " at " << part.transpose();
+    }
+  }
+}
+
+/// A fifth of the voxels below zero have middles that are rounded into a voxel that is not theirs.
+TEST(DividedGrid, SoItIsBelowZero) {
+  const Eigen::Vector3d far_off(0.0, -12.0, -12.0);
+  const auto seen = [&](double x, int density) {
+    Points points = wall(x, density);
+    for (Eigen::Vector3d& point : points) point += far_off;
+    return View{kHere + far_off, std::move(points)};
+  };
+  SurfelMap map(dividing(), 100.0);
+  for (int i = 0; i < 3; ++i) map.insert(seen(5.1, 1000));
+  Cubes emptied;
+  for (int i = 0; i < 6 && emptied.centres.empty(); ++i) emptied = map.insert(seen(12.1, 4000));
+  ASSERT_FALSE(emptied.centres.empty());
+  for (const Eigen::Vector3d& centre : emptied.centres) {
+    for (const double y : {-0.1, 0.1}) {
+      for (const double z : {-0.1, 0.1}) {
+        const Eigen::Vector3d part(5.1, centre.y() + y, centre.z() + z);
+        SurfelMap::Place fresh;
+        (void)test::find_again(map, part, part - kHere - far_off, 0, fresh);
+        EXPECT_TRUE(fresh.level != 0 && fresh.level != 1)
+            << fresh.level << " at " << part.transpose();
+      }
     }
   }
 }
