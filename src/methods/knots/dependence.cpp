@@ -44,9 +44,6 @@ Matrix6 Dependence::applied(const Matrix6& covariance, const Eigen::Quaterniond&
 /// them alike, and no motion between two of them.
 Matrix6 Dependence::fluctuation_of(const Neighbours& sums, const Eigen::Quaterniond& rotation,
                                    double rate) {
-  if (usual_.size() != sums.size()) {  // a gap was bridged by more segments, or this is the first
-    usual_.assign(sums.size(), {Twist::Zero(), Twist::Zero(), Twist::Zero()});
-  }
   const double slower = std::max(kUsualFades * rate, 1.0 / (learnt_ + 1.0));
   Matrix6 products = Matrix6::Zero();
   for (std::size_t s = 0; s < sums.size(); ++s) {
@@ -76,6 +73,11 @@ void Dependence::learn(const KnotRegistration& found, const Eigen::Quaterniond& 
   const double variance = variance_of(found);
   if (variance <= 0.0) return;
   learn_mean(found, rate);
+  if (!usual_size_.takes(found.neighbours.size())) return;
+  if (usual_.size() != found.neighbours.size()) {
+    usual_.assign(found.neighbours.size(), {Twist::Zero(), Twist::Zero(), Twist::Zero()});
+    learnt_ = 0;
+  }
   ++learnt_;
   const Matrix6 turn = turn_of(rotation);
   const Matrix6 information = turn.transpose() * found.rigid.H * turn;

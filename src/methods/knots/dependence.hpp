@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "methods/knots/knot_registration.hpp"
+#include "methods/knots/usual_size.hpp"
 #include "surefoot/pose.hpp"
 
 namespace surefoot {
@@ -36,7 +37,8 @@ class Dependence {
   void learn_mean(const KnotRegistration& found, double rate);
   Matrix6 fluctuation_of(const Neighbours& sums, const Eigen::Quaterniond& rotation, double rate);
 
-  // Fading means in the sensor's axes.
+  UsualSize usual_size_;
+  // Fading means in the sensor's axes, of scans of that size.
   Neighbours usual_;                       // gradients of neighbours, by segment
   Matrix6 fluctuation_ = Matrix6::Zero();  // outer products of what they differ by from these
   Matrix6 independent_ = Matrix6::Zero();  // what those would be of independent residuals

@@ -61,10 +61,18 @@ void SweepBend::learn(const KnotWindow& registered) {
   last_ = registered;
 }
 
+/// Nothing is known of scans of so many segments.
+void SweepBend::begin(std::size_t segments) {
+  mean_ = variance_ = straightened_ = {segments, Twist::Zero()};
+  means_.clear();
+  wander_ = Twist::Zero();
+  compared_ = learnt_ = 0;
+}
+
 void SweepBend::learn_from(const KnotWindow& registered, const StampedPose& before,
                            const StampedPose& after) {
-  if (mean_.empty()) mean_ = variance_ = straightened_ = {registered.segments(), Twist::Zero()};
-  if (registered.segments() != mean_.size()) return;
+  if (!usual_size_.takes(registered.segments())) return;
+  if (registered.segments() != mean_.size()) begin(registered.segments());
   const StampedPose middle = middle_of(registered);
   const Twist velocity_before = velocity_between(before, middle);
   const Twist change = (velocity_between(middle, after) - velocity_before) /

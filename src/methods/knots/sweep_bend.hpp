@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "methods/knots/knot_window.hpp"
+#include "methods/knots/usual_size.hpp"
 #include "surefoot/trajectory.hpp"
 
 namespace surefoot {
@@ -26,11 +27,12 @@ class SweepBend {
   /// scans about that tell how fast the sensor was.
   void learn(const KnotWindow& registered);
   /// The scan's motion without what bends the map; its mean pose stays. The same knots as long as
-  /// nothing is known, or of a scan of more segments than usual.
+  /// nothing is known, or of a scan of other than the usual size.
   [[nodiscard]] KnotWindow straightened(const KnotWindow& registered) const;
   void clear() { *this = {}; }
 
  private:
+  void begin(std::size_t segments);
   void learn_from(const KnotWindow& registered, const StampedPose& before,
                   const StampedPose& after);
   void compare_means();
@@ -40,6 +42,7 @@ class SweepBend {
   [[nodiscard]] Twist counted_of(const std::vector<Twist>& own) const;
   [[nodiscard]] Twist certainty() const;
 
+  UsualSize usual_size_;
   std::vector<Twist> mean_;          // of each segment's velocity less the one from scan to scan,
   std::vector<Twist> variance_;      // and of that in one scan; LiDAR frame, [m/s, rad/s]
   std::vector<Twist> straightened_;  // of the mean, since the map began

@@ -139,6 +139,16 @@ TEST(SweepBend, AScanOfMoreSegmentsStaysAsItIs) {
   EXPECT_EQ(difference_of(bends.straightened(bent), before), 0.0);
 }
 
+TEST(SweepBend, AFirstScanOfMoreSegmentsIsNotHeldToBeUsual) {
+  const Pattern bend = bend_of(0.01);
+  SweepBend bends;
+  bends.learn(scan_of(0, 0.0, bend));
+  bends.learn(scan_of(1, 0.0, bend, 2 * kSegments));
+  for (int n = 2; n < 12; ++n) bends.learn(scan_of(n, 0.0, bend));
+  const KnotWindow bent = scan_of(12, 0.0, bend);
+  EXPECT_GT(difference_of(bends.straightened(bent), bent), 0.0);
+}
+
 // Of what the scans of a long walk have in common, not all is the map's.
 TEST(SweepBend, OfAnOlderMapAWeakBendIsNotBelieved) {
   const Pattern bend = bend_of(0.0003);
