@@ -26,6 +26,7 @@ void print_map_outcome(const runs::MapOutcome& outcome) {
                counted(outcome.score->revisits, "revisit"), outcome.score->taken_false,
                counted(outcome.taken, "loop"));
   }
+  if (!outcome.unjudged.empty()) fmt::print("loops are not judged: {}\n", outcome.unjudged);
   if (!outcome.join || !outcome.join->joined) return;
   fmt::print(
       "the map is continued: {} to it of {} compared, {} seen by both; {}; {} of way in all\n",

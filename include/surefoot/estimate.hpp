@@ -102,7 +102,8 @@ inline constexpr std::array<EvidenceField, 9> kEvidenceFields = {{
 struct Estimate {
   Status status = Status::rejected;
   /// Poses of one segment are in one frame. Where it lost itself and did not find itself again, the
-  /// next segment begins: how they lie to each other is not known.
+  /// next segment begins: how they lie to each other is not known. Where it comes back to what an
+  /// earlier segment mapped it goes on in that one, under its number.
   int segment = 0;
   std::string message;  ///< what was seen and expected; empty when ok
 

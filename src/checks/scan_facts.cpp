@@ -51,7 +51,7 @@ std::vector<double> profile_of(const Scan& scan) {
   std::vector<double> sums(kDirections, 0.0), counts(kDirections, 0.0);
   for (const Eigen::Vector3f& point : scan.points) {
     const double range = point.cast<double>().norm();
-    if (!std::isfinite(range) || range == 0.0) continue;
+    if (!is_return(point)) continue;
     const std::size_t k = direction_of(point);
     sums[k] += std::log(range);
     counts[k] += 1.0;

@@ -11,19 +11,6 @@ namespace surefoot {
 
 namespace {
 
-/// Name of a direction's largest part, in axes turned by the sensor's heading.
-std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
-  static constexpr const char* names[] = {"forward", "lateral", "up", "roll", "pitch", "yaw"};
-  const double yaw = roll_pitch_yaw(T_map_lidar.rotation).z();
-  const Eigen::Matrix3d to_heading =
-      Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  Twist turned;
-  turned << to_heading * direction.head<3>(), to_heading * direction.tail<3>();
-  Eigen::Index largest = 0;
-  turned.cwiseAbs().maxCoeff(&largest);
-  return names[largest];
-}
-
 std::vector<DegenerateDirection> weak_directions(const NormalEquations<6>& equations,
                                                  double squared_distance, const Pose& T_map_lidar,
                                                  double min_information) {
@@ -46,6 +33,18 @@ std::vector<DegenerateDirection> weak_directions(const NormalEquations<6>& equat
 }
 
 }  // namespace
+
+std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
+  static constexpr const char* names[] = {"forward", "lateral", "up", "roll", "pitch", "yaw"};
+  const double yaw = roll_pitch_yaw(T_map_lidar.rotation).z();
+  const Eigen::Matrix3d to_heading =
+      Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  Twist turned;
+  turned << to_heading * direction.head<3>(), to_heading * direction.tail<3>();
+  Eigen::Index largest = 0;
+  turned.cwiseAbs().maxCoeff(&largest);
+  return names[largest];
+}
 
 Matrix6 unregistered_covariance(const Config::Health& config) {
   const double angle = config.max_correction_deg * std::numbers::pi / 180.0;

@@ -8,6 +8,10 @@
 
 namespace surefoot {
 
+/// Name of a direction's largest part [x y z roll pitch yaw, map axes], in axes turned by the
+/// sensor's heading.
+[[nodiscard]] std::string name_direction(const Twist& direction, const Pose& T_map_lidar);
+
 /// Names what a registered scan hardly constrains, weakest first, from its point-to-plane normal
 /// equations of all six degrees of freedom and the weighted sum of its points' squared distances
 /// [m^2]; makes the estimate `degenerate` if there is anything.

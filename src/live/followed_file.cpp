@@ -75,6 +75,7 @@ std::size_t FollowedFile::read(std::span<std::byte> to) {
 
 std::size_t FollowedFile::take_ahead(std::span<std::byte> to) {
   const std::size_t count = std::min(to.size(), ahead_.size() - next_);
+  if (count == 0) return 0;
   std::memcpy(to.data(), ahead_.data() + next_, count);
   next_ += count;
   return count;

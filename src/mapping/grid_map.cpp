@@ -159,9 +159,13 @@ std::string format_pgm(const OccupancyGrid& grid) {
   return text;
 }
 
+// Digits of a corner: of one far from the origin, as in UTM, six leave nothing below a metre.
+constexpr int kExact = 12;
+
 std::string format_grid_yaml(const OccupancyGrid& grid, const std::string& image) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
+  out.precision(kExact);
   out << "image: " << image << "\nresolution: " << grid.cell << "\norigin: [" << grid.low.x()
       << ", " << grid.low.y() << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
   return out.str();
@@ -208,8 +212,10 @@ ElevationGrid draw_elevation(const std::vector<Piece>& pieces, double cell) {
 std::string format_asc(const ElevationGrid& grid, const std::vector<float>& values) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
+  out.precision(kExact);
   out << "ncols " << grid.width << "\nnrows " << grid.height << "\nxllcorner " << grid.low.x()
       << "\nyllcorner " << grid.low.y() << "\ncellsize " << grid.cell << "\nNODATA_value -9999\n";
+  out.precision(std::numeric_limits<float>::digits10 + 1);
   for (int y = grid.height - 1; y >= 0; --y) {
     for (int x = 0; x < grid.width; ++x) {
       const float value =

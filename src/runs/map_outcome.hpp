@@ -36,6 +36,7 @@ struct MapOutcome {
   std::size_t taken = 0;
   double moved = 0.0;  ///< [m] the largest correction of a pose
   std::optional<LoopScore> score;
+  std::string unjudged = {};  ///< why they are not held against the truth that there is
   std::optional<JoinOutcome> join;
 };
 

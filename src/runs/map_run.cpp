@@ -36,12 +36,8 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
     const Eigen::Vector3d by = moved[i].pose.translation - measured_[i].pose.translation;
     outcome.moved = std::max(outcome.moved, by.norm());
   }
-  std::optional<LoopTruth> truth;
-  if (!truth_.empty()) {
-    truth = judge_loops(mapper_, truth_, options_.loops.way_between);
-    outcome.score = truth->score();
-    io::write_whole_file(folder / kRevisitsFile, revisits_csv(mapper_, *truth));
-  }
+  const std::optional<LoopTruth> truth = judged(outcome);
+  if (truth) io::write_whole_file(folder / kRevisitsFile, revisits_csv(mapper_, *truth));
   io::write_whole_file(folder / kLoopsFile, loops_csv(mapper_, truth ? &*truth : nullptr));
   mapping::FinishedWalk walk(mapper_);
   walk.drop_moved();
@@ -53,6 +49,20 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
   io::write_whole_file(folder / kPoseGraphFile, mapping::format_g2o(graph));
   if (!map.points().empty()) write_points(folder, walk, map);
   return outcome;
+}
+
+/// The loops held against the truth, if there is one. That it is of another time, or ends before
+/// the recording does, is no reason to have no map.
+std::optional<LoopTruth> MapRun::judged(MapOutcome& outcome) const {
+  if (truth_.empty()) return std::nullopt;
+  try {
+    LoopTruth truth = judge_loops(mapper_, truth_, options_.loops.way_between);
+    outcome.score = truth.score();
+    return truth;
+  } catch (const std::exception& error) {
+    outcome.unjudged = error.what();
+    return std::nullopt;
+  }
 }
 
 /// What was measured, moved by the run's own loops.

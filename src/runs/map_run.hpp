@@ -15,6 +15,7 @@
 #include "mapping/placed_scans.hpp"
 #include "mapping/walk_mapper.hpp"
 #include "report/run_picture.hpp"
+#include "runs/loop_truth.hpp"
 #include "runs/map_outcome.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/trajectory.hpp"
@@ -47,6 +48,7 @@ class MapRun {
   [[nodiscard]] const mapping::WalkMapper& mapper() const { return mapper_; }
 
  private:
+  [[nodiscard]] std::optional<LoopTruth> judged(MapOutcome& outcome) const;
   [[nodiscard]] Trajectory corrected() const;
   void join(const std::filesystem::path& folder, mapping::FinishedWalk& walk, MapOutcome& outcome);
   void write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,

@@ -123,6 +123,7 @@ class OdometryRun final : public RunControl {
   Status last_status_ = Status::ok;
   int first_segment_ = 0;  ///< since it began anew
   int last_segment_ = -1;
+  int told_segment_ = 0;      ///< of the last trusted scan
   mapping::WalkClock clock_;  ///< of the scans in the map
 };
 
@@ -357,6 +358,12 @@ void OdometryRun::tell(const io::ScanItem& item, const Estimate& estimate) {
         fmt::format("{}: {}: {}", item.name, to_string(estimate.status), estimate.message));
   }
   last_status_ = estimate.status;
+  if (!estimate.trusted()) return;
+  if (estimate.segment < told_segment_) {
+    listener_.say(
+        fmt::format("{}: came home: it goes on in segment {}", item.name, estimate.segment));
+  }
+  told_segment_ = estimate.segment;
 }
 
 void OdometryRun::count(Status status) {

@@ -73,7 +73,7 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
     if (dense_.is_open()) add_dense(estimate, T_lidar_written);
   }
   if (estimate.status != Status::rejected) {
-    if (!path_.poses().empty()) {
+    if (!path_.poses().empty() && estimate.segment == segment) {
       length_ += (pose.pose.translation - path_.poses().back().pose.translation).norm();
     }
     path_.add(pose, !estimate.trusted(), estimate.segment);

@@ -59,6 +59,19 @@ TEST_F(MapCommand, LeavesTheMapBesideAnOdometryThatIsLeftAlone) {
   EXPECT_EQ(file_content(path("run/map.ply")), file_content(path("map/map.ply")));
 }
 
+/// One that ends before the recording does tells nothing of its loops, and takes no map away.
+TEST_F(MapCommand, IsMadeWithATruthOfAnotherTime) {
+  Trajectory truth = io::read_tum(path("map/trajectory.tum"));
+  truth.resize(truth.size() / 3);
+  io::write_tum(path("begin.tum"), truth);
+  const ProcessResult run = surefoot(
+      {"map", "in", "-o", "judged", "--truth", "begin.tum", "--no-report", "--no-picture"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_NE(run.output.find("loops are not judged"), std::string::npos) << run;
+  EXPECT_EQ(file_content(path("judged/loops.csv")), file_content(path("map/loops.csv")));
+  EXPECT_TRUE(fs::exists(path("judged/map.surefoot")));
+}
+
 TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   const ProcessResult result =
       surefoot({"export", "map", "--pcd", "all.pcd", "--ply", "all.ply", "--las", "all.las",

@@ -21,15 +21,16 @@ function decodeAll(series) {
   return Object.fromEntries(Object.entries(series).map(([name, text]) => [name, floats(text)]));
 }
 
-/** Length of the path up to each pose [m]; gaps add nothing. */
-export function pathLengths(positions) {
+/** Length of the path up to each pose [m]; gaps add nothing, nor does the way from one segment's
+ * frame to the next one's. */
+export function pathLengths(positions, segments = null) {
   const lengths = new Float32Array(positions.length / 3);
   let sum = 0;
   let last = null;
   for (let i = 0; i < lengths.length; ++i) {
     const here = positions.subarray(3 * i, 3 * i + 3);
     if (!Number.isNaN(here[0])) {
-      if (last) sum += Math.hypot(here[0] - last[0], here[1] - last[1], here[2] - last[2]);
+      if (last && !isBreak(segments, i)) sum += Math.hypot(here[0] - last[0], here[1] - last[1], here[2] - last[2]);
       last = here;
     }
     lengths[i] = sum;
@@ -105,7 +106,7 @@ function decodeRun(run, index) {
     ...run,
     index,
     path,
-    lengths: pathLengths(path.positions),
+    lengths: pathLengths(path.positions, run.scans.columns.segment && floats(run.scans.columns.segment)),
     scans: {
       ...run.scans,
       times: floats(run.scans.times),

@@ -148,7 +148,7 @@ Estimate KnotFrontEnd::accept(double hazard_now, View view, Registered registere
   first_scan_.reset();
   integrate(std::move(view));
   let_drift(registered);
-  name_weakness_of_late(registered.estimate);
+  name_weakness_of_late(registered);
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
   way_.add(carrier_of(last_pose_->pose, mount_));

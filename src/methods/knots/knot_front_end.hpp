@@ -147,7 +147,7 @@ class KnotFrontEnd : public FrontEnd {
   [[nodiscard]] double rival_anywhere(const ScanPart& thinned, const Registered& registered) const;
   void learn(const Registered& registered, double right);
   void let_drift(Registered& registered);
-  void name_weakness_of_late(Estimate& estimate);
+  void name_weakness_of_late(Registered& registered);
   [[nodiscard]] Twist first_velocity(const ScanPart& thinned);
   [[nodiscard]] Beginning beginning_at(const Twist& velocity) const;
   [[nodiscard]] Registered register_second(const ScanPart& thinned);

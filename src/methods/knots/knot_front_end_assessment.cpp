@@ -71,7 +71,8 @@ void KnotFrontEnd::let_drift(Registered& registered) {
 
 /// A pose that is wrong as probably as a lost one's, but was not lost since a direction was named
 /// that was not held, is no better than those of the scans that named it.
-void KnotFrontEnd::name_weakness_of_late(Estimate& estimate) {
+void KnotFrontEnd::name_weakness_of_late(Registered& registered) {
+  Estimate& estimate = registered.estimate;
   if (!estimate.degenerate.empty()) {
     weak_of_late_ = estimate.degenerate;
     return;
@@ -81,7 +82,10 @@ void KnotFrontEnd::name_weakness_of_late(Estimate& estimate) {
   estimate.status = Status::degenerate;
   estimate.degenerate = weak_of_late_;
   estimate.message = "of late scans hardly constrained:";
-  for (const DegenerateDirection& weak : weak_of_late_) estimate.message += ' ' + weak.name;
+  for (DegenerateDirection& weak : estimate.degenerate) {
+    weak.name = name_direction(weak.direction, registered.trajectory.at(0.5));
+    estimate.message += ' ' + weak.name;
+  }
 }
 
 /// What speaks against a registration.

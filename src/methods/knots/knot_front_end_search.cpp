@@ -172,8 +172,10 @@ std::optional<KnotFrontEnd::Registered> KnotFrontEnd::find_place(const ScanPart&
   const PreparedScan& scan = thinned.scan;
   const auto chosen = choose(thinned);
   std::vector<PlaceFit> places = places_in(scan, chosen, region, kPlaces);
-  const auto ahead = places_in(scan, chosen, whereabouts().straight_on(scan.start_ns), 1);
-  if (!ahead.empty()) places.push_back(ahead.front());
+  if (!search_->left) {
+    const auto ahead = places_in(scan, chosen, whereabouts().straight_on(scan.start_ns), 1);
+    if (!ahead.empty()) places.push_back(ahead.front());
+  }
   const KnotProblem problem_here = problem(end_);
   auto trials = PlaceTrials(scan, chosen, problem_here).from(starts_at(places));
   std::erase_if(

@@ -101,6 +101,7 @@ TEST_F(FollowedFileTest, ALongFileIsReadInLargePiecesHoweverFewBytesAreAskedFor)
   append(file_, text);
   FollowedFile followed(file_, goes_on());
   const std::uint64_t before = calls_of_read();
+  if (before == 0) GTEST_SKIP() << "the kernel does not count calls here";
   for (std::size_t at = 0; at < (4U << 20); at += 16) {
     ASSERT_EQ(read(followed, 16), text.substr(at, 16));
   }

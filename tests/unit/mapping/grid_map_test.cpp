@@ -82,6 +82,10 @@ TEST(OccupancyGridTest, ImageAndYamlAreThoseOfMapServer) {
   }
   EXPECT_NE(format_grid_yaml(grid, "map.pgm").find("resolution: 0.1\n"), std::string::npos);
   EXPECT_NE(format_grid_yaml(grid, "map.pgm").find("image: map.pgm\n"), std::string::npos);
+  OccupancyGrid far = grid;
+  far.low = {512345.65, -4812345.35};
+  EXPECT_NE(format_grid_yaml(far, "map.pgm").find("[512345.65, -4812345.35, 0.0]"),
+            std::string::npos);
 }
 
 TEST(OccupancyGridTest, NothingSeenIsAnEmptyGridAndTooMuchIsRefused) {
