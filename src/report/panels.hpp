@@ -50,6 +50,9 @@ void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const D
 /// z, roll and pitch over time.
 void draw_time_panels(Canvas& canvas, const Rect& rect, const DrawnRun& run);
 
+/// From the pose before the i-th to that [m]; nothing from one segment's frame to another's.
+[[nodiscard]] Eigen::Vector3d step_to(std::size_t i, const DrawnRun& run);
+
 /// A line a segment: how they lie to each other is not known. A pixel for each of the run's poses.
 void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<int>& segments,
                    const Stroke& stroke);

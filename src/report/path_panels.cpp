@@ -50,14 +50,12 @@ void draw_loops(Canvas& canvas, const DrawnLoops& loops, const PlotArea& area) {
 }
 
 /// The way over ground up to each pose [m]: the path unrolled, whichever way it turns.
-std::vector<double> distances_along(const Trajectory& path) {
+std::vector<double> distances_along(const DrawnRun& run) {
   std::vector<double> distances;
-  distances.reserve(path.size());
+  distances.reserve(run.path.size());
   double distance = 0.0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i > 0) {
-      distance += (path[i].pose.translation - path[i - 1].pose.translation).head<2>().norm();
-    }
+  for (std::size_t i = 0; i < run.path.size(); ++i) {
+    if (i > 0) distance += step_to(i, run).head<2>().norm();
     distances.push_back(distance);
   }
   return distances;
@@ -105,13 +103,14 @@ HeightRange height_range(const Rect& rect, const Range& way, const Range& z) {
   return {padded(needed, 0.0, equal_height / exaggeration), exaggeration};
 }
 
-/// One band for each stretch of untrusted poses; a single one reaches to its neighbours.
-void draw_untrusted(Canvas& canvas, const std::vector<Pixel>& path,
-                    const std::vector<bool>& untrusted) {
+/// One band for each stretch of untrusted poses; a single one reaches to its neighbours, of its
+/// segment.
+void draw_untrusted(Canvas& canvas, const std::vector<Pixel>& path, const DrawnRun& run) {
+  const auto joined = [&](std::size_t i) { return run.segments[i - 1] == run.segments[i]; };
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (!untrusted[i]) continue;
-    const std::size_t first = i == 0 ? 0 : i - 1;
-    while (i + 1 < path.size() && untrusted[i]) ++i;
+    if (!run.untrusted[i]) continue;
+    const std::size_t first = i > 0 && joined(i) ? i - 1 : i;
+    while (i + 1 < path.size() && run.untrusted[i] && joined(i + 1)) ++i;
     canvas.line(std::span(path).subspan(first, i - first + 1),
                 {style::kUntrusted, style::kBandWidth});
   }
@@ -120,7 +119,7 @@ void draw_untrusted(Canvas& canvas, const std::vector<Pixel>& path,
 /// The path unrolled: height over the way, so that a ramp is a ramp in whichever direction it
 /// leads.
 void draw_height_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
-  const std::vector<double> distances = distances_along(run.path);
+  const std::vector<double> distances = distances_along(run);
   const Range way = padded(range_of(distances), 0.03, kShortestWay);
   const HeightRange range = height_range(rect, way, range_of(coordinates(run, 2)));
   const PlotArea area{rect, way, range.z};
@@ -146,6 +145,11 @@ void draw_height_panel(Canvas& canvas, const Rect& rect, const DrawnRun& run) {
 
 }  // namespace
 
+Eigen::Vector3d step_to(std::size_t i, const DrawnRun& run) {
+  if (run.segments[i] != run.segments[i - 1]) return Eigen::Vector3d::Zero();
+  return run.path[i].pose.translation - run.path[i - 1].pose.translation;
+}
+
 void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<int>& segments,
                    const Stroke& stroke) {
   for (std::size_t first = 0, i = 1; i <= path.size(); ++i) {
@@ -157,7 +161,7 @@ void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::ve
 
 void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<Pixel>& reference,
                const DrawnRun& run) {
-  draw_untrusted(canvas, path, run.untrusted);
+  draw_untrusted(canvas, path, run);
   draw_segments(canvas, path, run.segments, {style::kHalo, 9.0});
   canvas.line(reference, {style::kReference, style::kReferenceWidth});
   draw_segments(canvas, path, run.segments, {style::kPath, 3.5});

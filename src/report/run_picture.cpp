@@ -43,11 +43,9 @@ void find_map_ranges(DrawnRun& run) {
   run.heights = padded(range_within(std::move(values[2]), kTail), 0.0, 0.1);
 }
 
-double path_length(const Trajectory& path) {
+double path_length(const DrawnRun& run) {
   double length = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    length += (path[i].pose.translation - path[i - 1].pose.translation).norm();
-  }
+  for (std::size_t i = 1; i < run.path.size(); ++i) length += step_to(i, run).norm();
   return length;
 }
 
@@ -70,7 +68,7 @@ std::string summary(const DrawnRun& run) {
                                    static_cast<double>(run.path.front().stamp_ns));
     std::array<char, 96> numbers{};
     std::snprintf(numbers.data(), numbers.size(), "  \u00b7  %.1f s  \u00b7  %.1f m", seconds,
-                  path_length(run.path));
+                  path_length(run));
     text += numbers.data();
   }
   return text + "  \u00b7  " + with_thousands(run.map_points.size()) + " map points";
