@@ -141,15 +141,21 @@ TEST(KnotFaults, WhoWalksOnUnseenIsFoundAtOnce) {
   }
 }
 
+const Eigen::Vector3d kMountsDeg[] = {{180, 0, 0}, {0, 25, 0}};  // roll pitch yaw
+
+Config of_mount(const Eigen::Vector3d& mount_deg) {
+  Config config;
+  config.level.mode = LevelMode::mount;
+  config.level.mount_roll_deg = mount_deg.x();
+  config.level.mount_pitch_deg = mount_deg.y();
+  return config;
+}
+
 /// However it is mounted, the carrier stands on the ground: where it would be had it walked
 /// straight on is the first place that is looked at, for who stumbles, too.
 TEST(KnotFaults, WhoWalksOnUnseenIsFoundHoweverItIsMounted) {
-  const Eigen::Vector3d mounts_deg[] = {{180, 0, 0}, {0, 25, 0}};
-  for (const Eigen::Vector3d& mount_deg : mounts_deg) {
-    Config config;
-    config.level.mode = LevelMode::mount;
-    config.level.mount_roll_deg = mount_deg.x();
-    config.level.mount_pitch_deg = mount_deg.y();
+  for (const Eigen::Vector3d& mount_deg : kMountsDeg) {
+    const Config config = of_mount(mount_deg);
     const MotionFunction motion =
         mounted(trotting(kFaultStart, 1.2, 2.0), mount_pose(config.level));
     std::vector<Scan> scans = take_scans(furnished_hall(), motion, kEvent);
@@ -160,6 +166,21 @@ TEST(KnotFaults, WhoWalksOnUnseenIsFoundHoweverItIsMounted) {
     const auto all = add_scans(odometry, scans);
     std::printf("%g %g: %s\n", mount_deg.x(), mount_deg.y(), statuses(all).c_str());
     EXPECT_TRUE(all[kEvent].trusted()) << mount_deg.transpose();
+    EXPECT_LT(end_error(all, all.back(), motion), 0.1) << mount_deg.transpose();
+  }
+}
+
+/// However it is mounted, its carrier turns about the ground's up, and the LiDAR with it.
+TEST(KnotFaults, CarriedItFindsItselfAgainHoweverItIsMounted) {
+  const MotionFunction upright = carried({so3_exp({0.0, 0.0, 1.0}), {1.0, -0.5, 0.0}});
+  for (const Eigen::Vector3d& mount_deg : kMountsDeg) {
+    const Config config = of_mount(mount_deg);
+    const MotionFunction motion = mounted(upright, mount_pose(config.level));
+    Odometry odometry(config);
+    const auto all = add_scans(odometry, take_scans(furnished_hall(), motion, kFaultScans));
+    EXPECT_FALSE(all[kEvent].trusted()) << mount_deg.transpose();
+    EXPECT_TRUE(all[kEvent + 6].trusted()) << mount_deg.transpose() << ": " << statuses(all);
+    EXPECT_EQ(all.back().segment, 0);
     EXPECT_LT(end_error(all, all.back(), motion), 0.1) << mount_deg.transpose();
   }
 }

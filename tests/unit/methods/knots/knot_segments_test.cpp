@@ -60,6 +60,8 @@ TEST(KnotSegments, WhoComesHomeGoesOnInTheFirstMap) {
     const auto all = add_scans(odometry, there_and_back(kBefore, change));
     EXPECT_EQ(all[kBefore + kMeanwhile - 1].segment, 1) << statuses(all);
     ASSERT_TRUE(came_home(all)) << statuses(all);
+    // Looked for by the first or second scan, which the next two confirm at once.
+    EXPECT_EQ(all[kBefore + kMeanwhile + 3].segment, 0) << statuses(all);
     EXPECT_EQ(all.back().segment, 0);
     EXPECT_EQ(all.back().status, Status::ok);
     const Pose truth = home_walk()(0.1 * (5 + kAfter - 1) + 0.05), from = home_walk()(0.05);
