@@ -10,8 +10,8 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
-#include "counted.hpp"
 #include "io/conversion.hpp"
+#include "io/counted.hpp"
 #include "io/printable.hpp"
 #include "piped_input.hpp"
 #include "process/exit_codes.hpp"
@@ -40,8 +40,8 @@ int convert(const ConvertOptions& options) {
       options.request, {[&](std::size_t scans, double share) { progress.update(scans, share); },
                         complain, [&] { return interrupt.interrupted(); }});
   if (outcome.interrupted) {
-    complain(
-        fmt::format("interrupted after {}: nothing is written", counted(outcome.scans, "scan")));
+    complain(fmt::format("interrupted after {}: nothing is written",
+                         io::counted(outcome.scans, "scan")));
     return process::kInterrupted;
   }
   progress.finish();
@@ -50,8 +50,8 @@ int convert(const ConvertOptions& options) {
       fmt::print(stderr, "note: {}\n", io::printable(note));
     }
     for (const std::string& loss : outcome.losses) fmt::print(stderr, "{}\n", loss);
-    fmt::print("{}, {}: {}\n", counted(outcome.scans, "scan"), counted(outcome.points, "point"),
-               options.request.output.string());
+    fmt::print("{}, {}: {}\n", io::counted(outcome.scans, "scan"),
+               io::counted(outcome.points, "point"), options.request.output.string());
     if (outcome.messages > 0) {
       fmt::print("  {:5} messages of {} other topics, copied as they are\n", outcome.messages,
                  outcome.topics);

@@ -11,7 +11,7 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
-#include "counted.hpp"
+#include "io/counted.hpp"
 #include "process/progress.hpp"
 #include "runs/map_export.hpp"
 
@@ -88,8 +88,8 @@ void add_surface_options(CLI::App& command, runs::MapExport& files) {
 
 void print_exported(const runs::MapExport& files, const runs::MapExported& done) {
   if (done.tiles.tiles > 0) {
-    fmt::print("{}: {} in {}, {}\n", files.tiles.string(), counted(done.tiles.points, "point"),
-               counted(done.tiles.tiles, "tile"), counted(done.tiles.levels, "level"));
+    fmt::print("{}: {} in {}, {}\n", files.tiles.string(), io::counted(done.tiles.points, "point"),
+               io::counted(done.tiles.tiles, "tile"), io::counted(done.tiles.levels, "level"));
     if (std::filesystem::exists(files.tiles / "index.html")) {
       fmt::print(
           "to look at them: python3 -m http.server --bind 127.0.0.1 -d {}, and "
@@ -98,7 +98,7 @@ void print_exported(const runs::MapExport& files, const runs::MapExported& done)
     }
   }
   if (!files.mesh.empty()) {
-    fmt::print("{}: {}\n", files.mesh.string(), counted(done.triangles, "triangle"));
+    fmt::print("{}: {}\n", files.mesh.string(), io::counted(done.triangles, "triangle"));
   }
   for (const runs::ExportedGrid& grid : done.grids) {
     fmt::print("{}: {} x {} cells of {} m\n", grid.file.string(), grid.width, grid.height,

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "counted.hpp"
+#include "io/counted.hpp"
 
 namespace surefoot::app {
 
@@ -19,20 +19,20 @@ std::string place_in_map(const Pose& begin) {
 
 void print_map_outcome(const runs::MapOutcome& outcome) {
   fmt::print("loops: {} taken of {} compared, {} of way; poses moved by up to {:.2f} m\n",
-             outcome.taken, counted(outcome.candidates, "place"), counted(outcome.pieces, "piece"),
-             outcome.moved);
+             outcome.taken, io::counted(outcome.candidates, "place"),
+             io::counted(outcome.pieces, "piece"), outcome.moved);
   if (outcome.score) {
     fmt::print("against the truth: {} of {} found, {} of {} false\n", outcome.score->found,
-               counted(outcome.score->revisits, "revisit"), outcome.score->taken_false,
-               counted(outcome.taken, "loop"));
+               io::counted(outcome.score->revisits, "revisit"), outcome.score->taken_false,
+               io::counted(outcome.taken, "loop"));
   }
   if (!outcome.unjudged.empty()) fmt::print("loops are not judged: {}\n", outcome.unjudged);
   if (!outcome.join || !outcome.join->joined) return;
   fmt::print(
       "the map is continued: {} to it of {} compared, {} seen by both; {}; {} of way in all\n",
-      counted(outcome.join->taken, "loop"), counted(outcome.join->compared, "place"),
-      counted(outcome.join->near, "place"), place_in_map(*outcome.join->begin),
-      counted(outcome.join->pieces, "piece"));
+      io::counted(outcome.join->taken, "loop"), io::counted(outcome.join->compared, "place"),
+      io::counted(outcome.join->near, "place"), place_in_map(*outcome.join->begin),
+      io::counted(outcome.join->pieces, "piece"));
 }
 
 bool say_if_apart(const runs::RunOutcome& outcome) {
@@ -50,7 +50,7 @@ void print_localization(const runs::LocalizationOutcome& outcome) {
     return;
   }
   fmt::print("found in the map after {:.1f} s; place known for {} of {}\n", *outcome.first_found,
-             outcome.found, counted(outcome.scans, "scan"));
+             outcome.found, io::counted(outcome.scans, "scan"));
 }
 
 }  // namespace surefoot::app

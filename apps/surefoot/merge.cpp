@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "counted.hpp"
+#include "io/counted.hpp"
 #include "map_outcome.hpp"
 #include "process/exit_codes.hpp"
 #include "process/progress.hpp"
@@ -39,16 +39,16 @@ int merge(const MergeArguments& arguments) {
   for (const runs::MergedMap& map : outcome.maps) {
     if (map.joined) {
       fmt::print("{}: joined by {} of {} compared; {} seen by both; {}\n", map.path.string(),
-                 counted(map.taken, "loop"), counted(map.compared, "place"),
-                 counted(map.near, "place"), place_in_map(*map.begin));
+                 io::counted(map.taken, "loop"), io::counted(map.compared, "place"),
+                 io::counted(map.near, "place"), place_in_map(*map.begin));
     } else {
       fmt::print("{}: not joined, of {} compared: {}\n", map.path.string(),
-                 counted(map.compared, "place"), map.message);
+                 io::counted(map.compared, "place"), map.message);
     }
   }
   if (outcome.written) {
     fmt::print("results: {}, {} of way\n", arguments.output.string(),
-               counted(outcome.pieces, "piece"));
+               io::counted(outcome.pieces, "piece"));
     return outcome.joined() ? process::kDone : process::kSomeFailed;
   }
   fmt::print(stderr, "surefoot: no joint map is written; loops.csv in {} says what was compared\n",

@@ -10,8 +10,8 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
-#include "counted.hpp"
 #include "evaluation/statistics.hpp"
+#include "io/counted.hpp"
 #include "map_outcome.hpp"
 #include "piped_input.hpp"
 #include "process/exit_codes.hpp"
@@ -38,12 +38,12 @@ void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& opti
   }
   if (outcome.interrupted) fmt::print("interrupted: what was done up to here is written\n");
   if (options.reference) {
-    fmt::print("{} at once, {:.1f} m\n", counted(outcome.scans(), "scan"), outcome.length);
+    fmt::print("{} at once, {:.1f} m\n", io::counted(outcome.scans(), "scan"), outcome.length);
   } else {
     fmt::print("{}, {:.1f} m; per scan {:.1f} ms median, {:.1f} ms p99, {}\n",
-               counted(outcome.scans(), "scan"), outcome.length,
+               io::counted(outcome.scans(), "scan"), outcome.length,
                quantile(outcome.milliseconds, 0.5), quantile(outcome.milliseconds, 0.99),
-               counted(static_cast<std::size_t>(options.threads), "thread"));
+               io::counted(static_cast<std::size_t>(options.threads), "thread"));
   }
   for (const auto& [status, count] : outcome.statuses) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
@@ -130,7 +130,7 @@ int run_recording(CLI::App& command, runs::RunOptions& options) {
   if (outcome.poses == 0) {
     throw io::ReadError(fmt::format(
         "{}: none of {} could be used; scans.csv in {} says why for each", options.input.string(),
-        counted(outcome.scans() + outcome.unreadable, "scan"), outcome.folder.string()));
+        io::counted(outcome.scans() + outcome.unreadable, "scan"), outcome.folder.string()));
   }
   const bool apart = say_if_apart(outcome);
   if (outcome.interrupted) return process::kInterrupted;

@@ -13,7 +13,7 @@
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
-#include "counted.hpp"
+#include "io/counted.hpp"
 #include "io/file_writer.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
@@ -81,8 +81,8 @@ void simulate(const SimulateArguments& arguments, int& exit_code) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!arguments.quiet) {
-    fmt::print(stderr, "{}: {} in {:.1f} s to {}\n", request.scene, counted(done, "scan"), seconds,
-               arguments.output);
+    fmt::print(stderr, "{}: {} in {:.1f} s to {}\n", request.scene, io::counted(done, "scan"),
+               seconds, arguments.output);
   }
   if (done < request.scans) exit_code = process::kInterrupted;
 }

@@ -7,6 +7,7 @@
 #include "io/bags/bag_files.hpp"
 #include "io/bags/bag_recording.hpp"
 #include "io/bags/byte_stream.hpp"
+#include "io/counted.hpp"
 #include "io/datasets.hpp"
 #include "io/file_kind.hpp"
 #include "io/file_reader.hpp"
@@ -21,10 +22,6 @@
 
 namespace surefoot::io {
 namespace {
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 // What of a folder is passed over, and what is put together.
 std::vector<std::string> folder_notes(const std::filesystem::path& path, bool as_bag) {

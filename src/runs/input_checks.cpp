@@ -4,10 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 
+#include "io/decimal_time.hpp"
 #include "runs/length_unit.hpp"
 #include "runs/output_folder.hpp"
+#include "runs/run_truth.hpp"
 
 namespace surefoot::runs {
 
@@ -55,6 +59,31 @@ void check_first_scan(const RunOptions& options, const std::optional<io::ScanIte
   } else {
     refuse_unreadable(options, first->error);
   }
+}
+
+void refuse_past_truth(const RunOptions& options, const std::optional<io::ScanItem>& first,
+                       RunScans& scans) {
+  if (options.truth.empty() || !first || !first->scan) return;
+  constexpr std::int64_t kLongestScan = 1'000'000'000;  // whose stamp may be its end
+  constexpr std::size_t kLookedAt = 5;
+  const Trajectory truth = read_truth_poses(options.truth);
+  if (truth.empty()) return;
+  const auto is_past = [&](const io::ScanItem& one) {
+    return !one.scan || std::all_of(truth.begin(), truth.end(), [&](const StampedPose& pose) {
+      return pose.stamp_ns < one.scan->stamp_ns - kLongestScan;
+    });
+  };
+  const io::ScanItem* one = &*first;
+  for (std::size_t i = 0; one != nullptr; ++i) {
+    if (!is_past(*one)) return;
+    if (i + 1 >= std::min(kLookedAt, options.count)) break;
+    one = scans.ahead(i);
+  }
+  throw io::ReadError(fmt::format(
+      "{}: tells of {} to {} s, and the first scan is of {} s: expected a truth with the "
+      "recording's stamps",
+      options.truth.string(), io::format_seconds(truth.front().stamp_ns),
+      io::format_seconds(truth.back().stamp_ns), io::format_seconds(first->scan->stamp_ns)));
 }
 
 }  // namespace surefoot::runs

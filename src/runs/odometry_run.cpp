@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,6 +26,7 @@
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_output.hpp"
+#include "runs/run_scans.hpp"
 #include "runs/run_truth.hpp"
 #include "runs/saved_map.hpp"
 #include "surefoot/odometry.hpp"
@@ -66,7 +66,7 @@ class OdometryRun final : public RunControl {
         listener_(listener),
         config_(config_of(options)),
         method_(method_of(options)),
-        recording_(&recording),
+        scans_(recording, options),
         odometry_(config_, options.threads),
         T_lidar_written_(written_frame(options, config_)),
         map_(options.map_voxel) {
@@ -86,14 +86,11 @@ class OdometryRun final : public RunControl {
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
-  [[nodiscard]] std::optional<io::ScanItem> next_scan();
-  void refuse_past_truth(const std::optional<io::ScanItem>& item);
   void check_truth(const RunOutput& output);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
   void use(const io::ScanItem& item, RunOutput& output);
   void tell(const io::ScanItem& item, const Estimate& estimate);
   void count(Status status);
-  [[nodiscard]] double progress(std::size_t done) const;
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void open_bags();
   void begin_map();
@@ -104,9 +101,7 @@ class OdometryRun final : public RunControl {
   const RunListener& listener_;
   const Config config_;
   const std::string method_;
-  io::Recording* recording_;
-  std::unique_ptr<io::Recording> read_again_;
-  std::deque<io::ScanItem> ahead_;  ///< that were looked at before their turn
+  RunScans scans_;
   Odometry odometry_;
   Pose T_lidar_written_;
   mapping::MapBuilder map_;
@@ -134,7 +129,7 @@ RunOutcome OdometryRun::execute() {
   if (!options_.continued.empty()) continued_ = read_saved_map(options_.continued);
   auto item = first_scan();  // before the folder is made: bad input leaves nothing behind
   check_first_scan(options_, item);
-  refuse_past_truth(item);
+  refuse_past_truth(options_, item, scans_);
   std::optional<Reference> reference;
   if (options_.reference) reference.emplace(config_, options_.threads);
   RunOutput output(options_);
@@ -163,66 +158,18 @@ RunOutcome OdometryRun::execute() {
   outcome_.poses = output.poses();
   outcome_.length = output.length();
   outcome_.segments = std::max<std::size_t>(output.segments().size(), 1);
-  outcome_.losses = recording_->losses();
+  outcome_.losses = scans_.recording().losses();
   write_page(outcome_.folder);
   return std::move(outcome_);
 }
 
-/// The scan that the map begins with. A capture hardly ever begins where a revolution does; the
-/// part of one that it begins with shows the next scan too little, and is left out unless it is all
-/// there is.
 std::optional<io::ScanItem> OdometryRun::first_scan() {
-  recording_->skip(options_.start);
-  auto first = recording_->next();
-  const bool is_chosen = !options_.only_stamps.empty();  // by a run that left out its own part
-  if (!first || first->remark.empty() || is_chosen) return first;
-  auto second = recording_->next();
-  if (!second) return first;
-  if (read_again_) return second;
+  std::optional<io::ScanItem> item = scans_.first();
+  if (scans_.left_out().empty()) return item;
   ++outcome_.partial;
-  own_notes_.push_back(fmt::format("left out: {}: {}", io::printable(first->name), first->remark));
+  own_notes_.push_back(scans_.left_out());
   listener_.say(own_notes_.back());
-  return second;
-}
-
-std::optional<io::ScanItem> OdometryRun::next_scan() {
-  if (!ahead_.empty()) {
-    std::optional<io::ScanItem> item = std::move(ahead_.front());
-    ahead_.pop_front();
-    return item;
-  }
-  recording_->skip(options_.stride - 1);
-  return recording_->next();
-}
-
-/// A truth that ends before the first scans has nothing to tell of this recording. One stamp alone
-/// may be wrong.
-void OdometryRun::refuse_past_truth(const std::optional<io::ScanItem>& item) {
-  if (options_.truth.empty() || !item || !item->scan) return;
-  constexpr std::int64_t kLongestScan = 1'000'000'000;  // whose stamp may be its end
-  constexpr std::size_t kLookedAt = 5;
-  const std::int64_t first_ns = item->scan->stamp_ns;
-  const Trajectory truth = read_truth_poses(options_.truth);
-  const auto is_past = [&](const io::ScanItem& one) {
-    return !one.scan || std::all_of(truth.begin(), truth.end(), [&](const StampedPose& pose) {
-      return pose.stamp_ns < one.scan->stamp_ns - kLongestScan;
-    });
-  };
-  if (truth.empty() || !is_past(*item)) return;
-  std::deque<io::ScanItem> ahead;
-  while (ahead.size() + 1 < std::min(kLookedAt, options_.count)) {
-    std::optional<io::ScanItem> next = next_scan();
-    if (!next) break;
-    ahead.push_back(std::move(*next));
-    if (is_past(ahead.back())) continue;
-    ahead_ = std::move(ahead);
-    return;
-  }
-  throw io::ReadError(fmt::format(
-      "{}: tells of {} to {} s, and the first scan is of {} s: expected a truth with the "
-      "recording's stamps",
-      options_.truth.string(), io::format_seconds(truth.front().stamp_ns),
-      io::format_seconds(truth.back().stamp_ns), io::format_seconds(first_ns)));
+  return item;
 }
 
 /// What is not compared is said here, whether or not anybody looks at the picture.
@@ -253,9 +200,9 @@ void OdometryRun::for_all(std::optional<io::ScanItem> item,
     say_new_notes();
     use(*item);
     ++done;
-    listener_.progress(done, shares_.of(progress(done)));
+    listener_.progress(done, shares_.of(scans_.progress(done)));
     if (done == options_.count) break;
-    item = next_scan();
+    item = scans_.next();
   }
   outcome_.interrupted = listener_.interrupted();
 }
@@ -277,9 +224,8 @@ void OdometryRun::know_all(Reference reference, std::optional<io::ScanItem>& ite
   observe();
   shares_ = kWriting;
   own_notes_.emplace_back("a reference: every scan against the map of all of them");
-  read_again_ = io::open_recording(options_.input, options_.reader);
-  recording_ = read_again_.get();
-  item = first_scan();
+  scans_.begin_again(io::open_recording(options_.input, options_.reader));
+  item = scans_.first();
 }
 
 void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
@@ -375,20 +321,10 @@ void OdometryRun::count(Status status) {
 }
 
 void OdometryRun::say_new_notes() {
-  const std::vector<std::string>& all = recording_->notes();
+  const std::vector<std::string>& all = scans_.recording().notes();
   for (; notes_.size() < all.size(); notes_.push_back(all[notes_.size()])) {
     listener_.say("note: " + io::printable(all[notes_.size()]));
   }
-}
-
-double OdometryRun::progress(std::size_t done) const {
-  if (const auto size = recording_->size()) {
-    const std::size_t left = *size > options_.start ? *size - options_.start : 1;
-    const std::size_t total =
-        std::min((left + options_.stride - 1) / options_.stride, options_.count);
-    return static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total, 1));
-  }
-  return recording_->progress();
 }
 
 RunDescription OdometryRun::description(const RunOutput& output) const {
@@ -401,7 +337,7 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
   run.method = method_;
   run.input = options_.is_live ? options_.input.string()
                                : std::filesystem::absolute(options_.input).string();
-  run.content = recording_->description();
+  run.content = scans_.recording().description();
   run.notes = notes_;
   run.notes.insert(run.notes.end(), own_notes_.begin(), own_notes_.end());
   run.options = options_.given;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/counted.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -31,9 +32,6 @@ struct Sorted {
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
       text += std::to_string(by_kind[k].size()) + " " + name_of(kKinds[k]) + ", ";
     }
-    const auto counted = [](std::size_t count, const char* what) {
-      return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-    };
     return text + counted(captures.size(), "capture") + " and " + counted(others, "other file");
   }
   [[nodiscard]] std::size_t kinds() const {

@@ -4,17 +4,15 @@
 // Numbers of things as they are said.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <string>
 #include <string_view>
 
-namespace surefoot::app {
+namespace surefoot::io {
 
 /// "1 scan", "2 scans".
 [[nodiscard]] inline std::string counted(std::size_t number, std::string_view thing) {
-  return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
+  return std::to_string(number).append(" ").append(thing).append(number == 1 ? "" : "s");
 }
 
-}  // namespace surefoot::app
+}  // namespace surefoot::io
