@@ -102,17 +102,18 @@ function decodePoses({ positions, angles }) {
 
 function decodeRun(run, index) {
   const path = decodePoses(run.path);
+  const columns = decodeAll(run.scans.columns);
   return {
     ...run,
     index,
     path,
-    lengths: pathLengths(path.positions, run.scans.columns.segment && floats(run.scans.columns.segment)),
+    lengths: pathLengths(path.positions, columns.segment),
     scans: {
       ...run.scans,
       times: floats(run.scans.times),
       status: sharedTexts(run.scans.status),
       degenerate: sharedTexts(run.scans.degenerate),
-      columns: decodeAll(run.scans.columns),
+      columns,
     },
     figures: run.evaluation?.figures ?? null,
     errors: run.evaluation ? decodeAll(run.evaluation.errors) : null,
