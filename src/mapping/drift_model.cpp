@@ -5,10 +5,35 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "geometry/se3.hpp"
 
 namespace surefoot::mapping {
+
+namespace {
+
+/// The motion between two pieces of one frame, as uncertain as such a way of walking makes it.
+PoseEdge edge_between(const std::vector<Piece>& pieces, std::size_t from, std::size_t to,
+                      double way, const DriftModel& model) {
+  const Piece& a = pieces[from];
+  const Piece& b = pieces[to];
+  PoseEdge edge;
+  edge.from = from;
+  edge.to = to;
+  edge.T_from_to = a.T_world_piece.inverse() * b.T_world_piece;
+  const double rotation = model.rotation_deg * std::numbers::pi / 180.0;
+  const double t2 = model.translation * model.translation * way + model.standing * model.standing;
+  const double r2 = rotation * rotation * std::max(way, 0.2);
+  Twist diagonal;
+  diagonal << t2, t2, t2, r2, r2, r2;
+  diagonal += (way * systematic_drift(model)).cwiseAbs2();
+  const Matrix6 covariance = 0.5 * (a.covariance + b.covariance) + Matrix6(diagonal.asDiagonal());
+  edge.information = covariance.inverse();
+  return edge;
+}
+
+}  // namespace
 
 Twist systematic_drift(const DriftModel& model) {
   Twist result;
@@ -19,26 +44,33 @@ Twist systematic_drift(const DriftModel& model) {
 
 PoseEdge odometry_edge(const std::vector<Piece>& pieces, std::size_t from,
                        const DriftModel& model) {
-  const Piece& a = pieces[from];
-  const Piece& b = pieces[from + 1];
-  PoseEdge edge;
-  edge.from = from;
-  edge.to = from + 1;
-  edge.T_from_to = a.T_world_piece.inverse() * b.T_world_piece;
-  if (b.restarted) {
+  const double way = std::max(pieces[from + 1].way - pieces[from].way, 0.0);
+  PoseEdge edge = edge_between(pieces, from, from + 1, way, model);
+  if (pieces[from + 1].restarted) {
     edge.information = 1e-9 * Matrix6::Identity();
     return edge;
   }
-  const double way = edge.way = std::max(b.way - a.way, 0.0);
-  const double rotation = model.rotation_deg * std::numbers::pi / 180.0;
-  const double t2 = model.translation * model.translation * way + model.standing * model.standing;
-  const double r2 = rotation * rotation * std::max(way, 0.2);
-  Twist diagonal;
-  diagonal << t2, t2, t2, r2, r2, r2;
-  diagonal += (way * systematic_drift(model)).cwiseAbs2();
-  const Matrix6 covariance = 0.5 * (a.covariance + b.covariance) + Matrix6(diagonal.asDiagonal());
-  edge.information = covariance.inverse();
+  edge.way = way;
   return edge;
+}
+
+std::vector<PoseEdge> homecomings(const std::vector<Piece>& pieces, const DriftModel& model) {
+  const auto apart = [&](std::size_t i, std::size_t k) {
+    return (pieces[i].T_world_piece.translation - pieces[k].T_world_piece.translation).norm();
+  };
+  std::vector<PoseEdge> result;
+  for (std::size_t here = 1; here < pieces.size(); ++here) {
+    if (!pieces[here].restarted) continue;
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < here; ++i) {
+      if (pieces[i].frame != pieces[here].frame) continue;
+      if (!nearest || apart(i, here) < apart(*nearest, here)) nearest = i;
+    }
+    if (!nearest) continue;
+    result.push_back(edge_between(pieces, *nearest, here, apart(*nearest, here), model));
+    result.back().inlier = false;
+  }
+  return result;
 }
 
 std::vector<Matrix6> drifts_to(const std::vector<Piece>& pieces,

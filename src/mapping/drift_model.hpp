@@ -32,6 +32,13 @@ struct DriftModel {
 [[nodiscard]] PoseEdge odometry_edge(const std::vector<Piece>& pieces, std::size_t from,
                                      const DriftModel& model);
 
+/// What the odometry knows where it came home, into the frame of pieces that it had left: one edge
+/// for each time, from the nearest of these to the first piece since, as uncertain as if it had
+/// walked from there, since it is that part of the map that it was found in. They may be switched
+/// off: it may have taken another place for home.
+[[nodiscard]] std::vector<PoseEdge> homecomings(const std::vector<Piece>& pieces,
+                                                const DriftModel& model);
+
 /// Covariance of the odometry's motion from one piece to a later one, of a small motion in the
 /// later one's frame.
 [[nodiscard]] Matrix6 drift_between(const std::vector<Piece>& pieces,

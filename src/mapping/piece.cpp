@@ -75,6 +75,7 @@ void PieceBuilder::begin(const PlacedScan& scan) {
   if (eyes_.empty() && way_ == 0.0) counted_ = scan.T_world_lidar.translation;
   begun_ = true;
   restarted_ = scan.restarted;
+  frame_ = scan.frame;
   begin_ns_ = now_ns_;
   begin_way_ = way_;
   T_world_first_ = upright(scan.T_world_lidar);
@@ -165,6 +166,7 @@ std::optional<Piece> PieceBuilder::unfinished() const {
   piece.length = way_ - begin_way_;
   piece.covariance = turned(covariance_, piece.T_world_piece.rotation);
   piece.restarted = restarted_;
+  piece.frame = frame_;
   const Pose T_piece_first = piece.T_world_piece.inverse() * T_world_first_;
   const Eigen::Matrix3f R = T_piece_first.rotation.toRotationMatrix().cast<float>();
   const Eigen::Vector3f t = T_piece_first.translation.cast<float>();

@@ -24,7 +24,8 @@ struct PlacedScan {
   std::int64_t stamp_ns = 0;
   Pose T_world_lidar;
   Matrix6 covariance = Matrix6::Zero();  ///< as Estimate::covariance
-  bool restarted = false;                ///< the odometry lost its map and began anew
+  bool restarted = false;                ///< the odometry is in another frame than before
+  int frame = 0;                         ///< poses of one number are in one frame
 };
 
 /// Makes a scan's points when they are asked for: most scans' never are.
@@ -57,6 +58,7 @@ struct Piece : PieceCloud {
   Matrix6 covariance = Matrix6::Zero();  ///< the front-end's, of the least certain pose in it
                                          ///< against its map; [x y z roll pitch yaw], its axes
   bool restarted = false;                ///< where it lies against the piece before is not known
+  int frame = 0;                         ///< of the odometry, as PlacedScan has it; of a walk only
   /// The cloud, once it was put away; then the piece itself holds none.
   std::shared_ptr<const StoredCloud> stored;
   /// As seen_in() tells it, if that was asked for.
@@ -118,6 +120,7 @@ class PieceBuilder {
   // Of the piece that is being walked; its points in the level frame of its first scan.
   bool begun_ = false;
   bool restarted_ = false;
+  int frame_ = 0;
   std::int64_t begin_ns_ = 0;
   double begin_way_ = 0.0;
   Pose T_world_first_;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "mapping/loop_solution.hpp"
+#include "mapping/map_comparison.hpp"
 #include "mapping/place_search.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -69,7 +71,9 @@ bool reachable(const std::vector<Piece>& pieces, const std::vector<std::size_t>&
   for (std::size_t i = 0; i + 1 < in_order.size(); ++i) {
     const auto& [before, here] = in_order[i];
     const auto& [after, there] = in_order[i + 1];
-    if (!pieces[after].restarted && after == before + 1) continue;  // the odometry knows
+    // The odometry knows; who came home may have been carried.
+    if (!pieces[after].restarted && after == before + 1) continue;
+    if (pieces[after].frame == pieces[before].frame) continue;
     const double time = seconds(pieces[after].time_ns - pieces[before].time_ns);
     if ((there - here).norm() > speed * time + kAbout) return false;
   }
@@ -97,16 +101,17 @@ bool is_taken(const std::vector<Loop>& loops, std::size_t place, std::size_t que
   });
 }
 
-/// Where the joined stretches lie near each other, asked once more: now it is known where from.
-std::vector<Loop> look_again(const SavedMap& joint, const MapJoin& join,
-                             const MergeOptions& options) {
+/// Where the joined stretches, of which the second begins at piece `first`, lie near each other,
+/// asked once more: now it is known where from. Not where a loop is `known`.
+std::vector<Loop> look_again(const SavedMap& joint, std::size_t first,
+                             const std::vector<Loop>& known, const MergeOptions& options) {
   constexpr double kMetres = 1.0;
   constexpr double kDegrees = 5.0;
   std::vector<Loop> loops;
   const std::vector<Piece>& pieces = joint.pieces;
-  for (std::size_t query = join.first; query < pieces.size(); ++query) {
-    const auto near = nearest_place(pieces, join.first, pieces[query].T_world_piece.translation);
-    if (!near || is_taken(join.loops, *near, query)) continue;
+  for (std::size_t query = first; query < pieces.size(); ++query) {
+    const auto near = nearest_place(pieces, first, pieces[query].T_world_piece.translation);
+    if (!near || is_taken(known, *near, query)) continue;
     const VerifiableSubmap place(make_submap(pieces, *near));
     const VerifiableSubmap seen(make_submap(pieces, query));
     const Pose expected = pieces[*near].T_world_piece.inverse() * pieces[query].T_world_piece;
@@ -127,23 +132,36 @@ std::vector<Loop> look_again(const SavedMap& joint, const MapJoin& join,
   return loops;
 }
 
-/// Adds loops to a joined map that had been overlooked.
-void tighten(SavedMap& joint, std::vector<Loop>& loops) {
+/// Adds loops to a joined map that had been overlooked, and what the odometry knows of how its
+/// parts lie; false if the loops outvote that.
+bool tighten(SavedMap& joint, std::vector<Loop>& loops, const std::optional<PoseEdge>& homecoming) {
   PoseGraph graph;
   for (const Piece& piece : joint.pieces) graph.poses.push_back(piece.T_world_piece);
   graph.edges = joint.edges;
   for (PoseEdge& edge : graph.edges) edge.inlier = true;
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (is_taken(loops[i])) chosen.push_back(i);
+  std::vector<PoseEdge> edges;
+  if (homecoming) edges.push_back(*homecoming);
+  std::vector<Loop*> chosen;
+  for (Loop& loop : loops) {
+    if (!is_taken(loop)) continue;
+    chosen.push_back(&loop);
+    edges.push_back(edge_of(loop));
   }
-  take_loops(graph, loops, chosen);
+  const std::vector<LoopVerdict> verdicts = solve_with_loops(graph, edges);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    chosen[k]->check.verdict = verdicts[edges.size() - chosen.size() + k];
+  }
   for (std::size_t i = 0; i < joint.pieces.size(); ++i) {
     joint.pieces[i].T_world_piece = graph.poses[i];
   }
   for (const Loop& loop : loops) {
     if (is_taken(loop)) joint.edges.push_back(edge_of(loop));
   }
+  const bool holds = homecoming && (verdicts.front() == LoopVerdict::taken ||
+                                    std::none_of(loops.begin(), loops.end(),
+                                                 [](const Loop& loop) { return is_taken(loop); }));
+  if (holds) joint.edges.push_back(*homecoming);
+  return holds;
 }
 
 /// Both as one in `group`, if they can be joined; the loops that were compared go to `compared`.
@@ -157,8 +175,8 @@ bool join(const std::vector<Piece>& walk, Group& group, Group& other, const Merg
   const bool whole = joined.joint && joined.joint->pieces.size() == numbers.size() &&
                      reachable(walk, numbers, joined.joint->pieces);
   if (whole) {
-    std::vector<Loop> again = look_again(*joined.joint, joined, options);
-    tighten(*joined.joint, again);
+    std::vector<Loop> again = look_again(*joined.joint, joined.first, joined.loops, options);
+    (void)tighten(*joined.joint, again, std::nullopt);
     joined.loops.insert(joined.loops.end(), again.begin(), again.end());
   }
   for (Loop& loop : joined.loops) {
@@ -171,6 +189,77 @@ bool join(const std::vector<Piece>& walk, Group& group, Group& other, const Merg
   group.map = std::move(*joined.joint);
   group.pieces = std::move(numbers);
   return true;
+}
+
+/// Both stretches' maps as one, the second where the odometry says that it lies; its edge is by
+/// their numbers in it.
+SavedMap laid_by(const PoseEdge& homecoming, const SavedMap& group, const SavedMap& other) {
+  SavedMap joint = group;
+  const std::size_t first = group.pieces.size();
+  const Pose T_group_other = group.pieces[homecoming.from].T_world_piece * homecoming.T_from_to *
+                             other.pieces[homecoming.to - first].T_world_piece.inverse();
+  for (const Piece& piece : other.pieces) {
+    joint.pieces.push_back(piece);
+    joint.pieces.back().T_world_piece = T_group_other * piece.T_world_piece;
+  }
+  joint.places.insert(joint.places.end(), other.places.begin(), other.places.end());
+  for (PoseEdge edge : other.edges) {
+    edge.from += first;
+    edge.to += first;
+    joint.edges.push_back(edge);
+  }
+  return joint;
+}
+
+/// Whether what both parts of a joined map have seen is the same, as far as they lie together.
+bool agrees(const SavedMap& joint, std::size_t first, const MergeOptions& options) {
+  std::vector<std::size_t> numbers(joint.pieces.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(first);
+  const MapComparison seen =
+      TwoMaps(joint.pieces).compare({numbers.begin(), middle}, {middle, numbers.end()});
+  return seen.near == 0 ||
+         (seen.contradicted <= options.contradicted && seen.overlap >= options.overlap);
+}
+
+/// A stretch that came home as one with the group that it came home to, unless what both have seen
+/// speaks against it; loops that they share are looked for from there, and may outvote it. Whether
+/// it is the right storey, the odometry has asked. The homecoming goes to the graph if it holds.
+bool come_home(const PoseEdge& homecoming, Group& group, const Group& other, MergeOptions options,
+               std::vector<Loop>& compared, PoseGraph& graph) {
+  const std::size_t first = group.pieces.size();
+  PoseEdge edge = homecoming;
+  edge.from = static_cast<std::size_t>(
+      std::find(group.pieces.begin(), group.pieces.end(), homecoming.from) - group.pieces.begin());
+  edge.to = first;
+  SavedMap joint = laid_by(edge, group.map, other.map);
+  if (!agrees(joint, first, options)) return false;
+  options.roofed = true;
+  std::vector<Loop> loops = look_again(joint, first, {}, options);
+  if (tighten(joint, loops, edge)) graph.edges.push_back(homecoming);
+  group.map = std::move(joint);
+  group.pieces.insert(group.pieces.end(), other.pieces.begin(), other.pieces.end());
+  for (Loop& loop : loops) {
+    loop.place = group.pieces[loop.place];
+    loop.query = group.pieces[loop.query];
+    compared.push_back(std::move(loop));
+  }
+  return true;
+}
+
+/// The last group has become part of this one, which is now the last.
+void put_last(std::vector<Group>& groups, std::size_t grown) {
+  std::rotate(groups.begin() + static_cast<std::ptrdiff_t>(grown),
+              groups.begin() + static_cast<std::ptrdiff_t>(grown) + 1, groups.end() - 1);
+  groups.pop_back();
+}
+
+/// The group that holds a piece.
+std::size_t group_with(std::size_t piece, const std::vector<Group>& groups) {
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+    return std::find(group.pieces.begin(), group.pieces.end(), piece) != group.pieces.end();
+  });
+  return static_cast<std::size_t>(found - groups.begin());
 }
 
 /// A place that was compared again, with more around it, counts as it was last answered.
@@ -201,18 +290,21 @@ std::vector<Loop> join_stretches(const std::vector<Piece>& pieces, const PlaceIn
   std::vector<Loop> compared;
   const std::vector<std::size_t> stretches = stretches_of(pieces);
   if (stretches.empty() || stretches.back() == 0) return compared;
+  const std::vector<PoseEdge> homes = homecomings(pieces, options.drift);
   std::vector<Group> groups;
   for (std::size_t stretch = 0; stretch <= stretches.back(); ++stretch) {
     groups.push_back(group_of(pieces, stretches, stretch, places, graph));
+    for (const PoseEdge& home : homes) {
+      if (stretches[home.to] != stretch) continue;
+      const std::size_t i = group_with(home.from, groups);
+      if (come_home(home, groups[i], groups.back(), options, compared, graph)) put_last(groups, i);
+    }
     // What has grown may fit where it did not before, and with it what waited.
     for (bool grown = true; grown;) {
       grown = false;
       for (std::size_t i = 0; i + 1 < groups.size() && !grown; ++i) {
         grown = join(pieces, groups[i], groups.back(), options, compared);
-        if (!grown) continue;
-        std::rotate(groups.begin() + static_cast<std::ptrdiff_t>(i),
-                    groups.begin() + static_cast<std::ptrdiff_t>(i) + 1, groups.end() - 1);
-        groups.pop_back();
+        if (grown) put_last(groups, i);
       }
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A walk on which the odometry lost its way is several: where each stretch lies against the others
-// nothing says. They are joined as maps of other days are, or not at all.
+// nothing says, but where it came home. They are joined as maps of other days are, or not at all.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ namespace surefoot::mapping {
 /// Of each piece the number of its stretch: they end where the odometry began anew.
 [[nodiscard]] std::vector<std::size_t> stretches_of(const std::vector<Piece>& pieces);
 
-/// Joins what can be joined: moves the stretches' poses in the graph, adds the loops between them,
-/// and returns every place that was compared, by the walk's numbers, the earlier one first where it
+/// Joins what can be joined: moves the stretches' poses in the graph, adds what the odometry knows
+/// where it came home (homecomings()) and the loops between them, and returns every place that was compared, by the walk's numbers, the earlier one first where it
 /// can be. `places`: what the pieces look like. Poses and edges within stretches are final.
 [[nodiscard]] std::vector<Loop> join_stretches(const std::vector<Piece>& pieces,
                                                const PlaceIndex& places, PoseGraph& graph,

@@ -41,7 +41,9 @@ void WalkMapper::finish() {
   for (const Piece& piece : pieces()) graph_.poses.push_back(piece.T_world_piece);
   graph_.edges = finder_.odometry();
   graph_.systematic = systematic_drift(options_.loops.drift);
-  if (options_.close_loops) close_loops();
+  if (options_.close_loops) return close_loops();
+  const std::vector<PoseEdge> homes = homecomings(pieces(), options_.loops.drift);
+  graph_.edges.insert(graph_.edges.end(), homes.begin(), homes.end());
 }
 
 /// Within stretches that the odometry knows whole, then between them. Where it began anew nothing

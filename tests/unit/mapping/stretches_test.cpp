@@ -13,7 +13,10 @@
 #include <vector>
 
 #include "geometry/se3.hpp"
+#include "mapping/drift_model.hpp"
 #include "mapping/finished_walk.hpp"
+#include "mapping/held_pieces.hpp"
+#include "mapping/placed_scans.hpp"
 #include "mapping/pose_graph_solver.hpp"
 #include "mapping/walk_mapper.hpp"
 #include "unit/mapping/scene_walk.hpp"
@@ -31,13 +34,44 @@ void begin_anew(SceneWalk& walk, std::size_t scan, std::int64_t pause_ns) {
   const Pose T_new_old = se3_exp((Twist() << 12.0, -7.0, 1.5, 0.0, 0.0, 0.9).finished());
   walk.scans[scan].restarted = true;
   for (std::size_t i = scan; i < walk.scans.size(); ++i) {
+    walk.scans[i].frame = 1;
     walk.scans[i].T_world_lidar = T_new_old * walk.scans[i].T_world_lidar;
     walk.scans[i].stamp_ns += pause_ns;
   }
 }
 
-WalkMapper mapped(const SceneWalk& walk) {
-  WalkMapper mapper{MapperOptions{}};
+/// From `away` on it is in another frame, from `home` on in the first one again, where it has gone
+/// on by `carried` more than it knows.
+void come_home(SceneWalk& walk, std::size_t away, std::size_t home, const Pose& carried = {}) {
+  const Pose T_new_old = se3_exp((Twist() << 12.0, -7.0, 1.5, 0.0, 0.0, 0.9).finished());
+  walk.scans[away].restarted = walk.scans[home].restarted = true;
+  for (std::size_t i = away; i < walk.scans.size(); ++i) {
+    const Pose& T_new_world = i < home ? T_new_old : carried;
+    walk.scans[i].frame = i < home ? 1 : 0;
+    walk.scans[i].T_world_lidar = T_new_world * walk.scans[i].T_world_lidar;
+  }
+}
+
+/// 30 m of a campus, and at once from their begin again.
+SceneWalk the_same_way_twice() {
+  WalkOptions options;
+  options.length = 30.0;
+  SceneWalk walk = test::walk_through("campus", 46, options);
+  const SceneWalk again = walk;
+  const auto first = static_cast<std::int64_t>(walk.scans.size());
+  for (std::size_t i = 0; i < again.scans.size(); ++i) {
+    walk.scans.push_back(again.scans[i]);
+    walk.scans.back().stamp_ns += first * kScan;
+    walk.points.push_back(again.points[i]);
+    walk.truth.push_back(again.truth[i]);
+  }
+  return walk;
+}
+
+WalkMapper mapped(const SceneWalk& walk, bool close_loops = true) {
+  MapperOptions options;
+  options.close_loops = close_loops;
+  WalkMapper mapper{options};
   for (std::size_t i = 0; i < walk.scans.size(); ++i) mapper.add(walk.scans[i], walk.points[i]);
   mapper.finish();
   return mapper;
@@ -81,6 +115,66 @@ double worst_between(const WalkMapper& mapper, const std::vector<Pose>& truth) {
     worst = std::max(worst, gap.translation.norm());
   }
   return worst;
+}
+
+/// [m] How far the last piece is from where it should be against the first.
+double apart_at_the_end(const SceneWalk& walk, const WalkMapper& mapper,
+                        const std::vector<Pose>& poses) {
+  const std::vector<Pose> truth = true_pieces(walk, mapper);
+  const Pose gap =
+      (truth.front().inverse() * truth.back()).inverse() * (poses.front().inverse() * poses.back());
+  return gap.translation.norm();
+}
+
+/// Whether the first piece and the last one are held together.
+bool is_whole(const WalkMapper& mapper) {
+  HeldPieces held(mapper.graph());
+  return held.set_of(0) == held.set_of(mapper.pieces().size() - 1);
+}
+
+TEST(PlacedScans, AreInTheFrameOfTheirSegmentUntilAMapBeginsUnderItsNumber) {
+  PlacedScans placed;
+  std::vector<int> frames, restarts;
+  const auto add = [&](Status status, int segment) {
+    Estimate estimate;
+    estimate.status = status;
+    estimate.segment = segment;
+    const PlacedScan scan = placed.next(estimate);
+    frames.push_back(scan.frame);
+    restarts.push_back(scan.restarted ? 1 : 0);
+  };
+  add(Status::first_scan, 0);
+  add(Status::ok, 0);
+  add(Status::first_scan, 1);
+  add(Status::ok, 1);
+  add(Status::ok, 0);  // home
+  add(Status::ok, 0);
+  add(Status::first_scan, 0);  // of an odometry that does not count
+  add(Status::ok, 0);
+  EXPECT_EQ(frames, (std::vector<int>{0, 0, 1, 1, 0, 0, 2, 2}));
+  EXPECT_EQ(restarts, (std::vector<int>{0, 0, 1, 0, 1, 0, 1, 0}));
+}
+
+TEST(Homecomings, LeadFromTheNearestPieceOfTheFrameThatWasLeft) {
+  std::vector<Piece> pieces(6);
+  const double places[] = {0.0, 5.0, 10.0, 5.5, 6.0, 9.0};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].T_world_piece.translation.x() = places[i];
+    pieces[i].frame = i == 3 ? 1 : 0;
+    pieces[i].covariance = 1e-6 * Matrix6::Identity();
+  }
+  pieces[3].restarted = pieces[4].restarted = true;
+  const std::vector<PoseEdge> homes = homecomings(pieces, {});
+  ASSERT_EQ(homes.size(), 1U);
+  EXPECT_EQ(homes[0].from, 1U);
+  EXPECT_EQ(homes[0].to, 4U);
+  EXPECT_FALSE(homes[0].inlier);
+  EXPECT_NEAR(homes[0].T_from_to.translation.x(), 1.0, 1e-12);
+  // A metre's odometry: 0.01 m of walk, 0.005 m however short, 0.001 m all along.
+  const double variance = 1e-6 + 0.01 * 0.01 + 0.005 * 0.005 + 0.001 * 0.001;
+  EXPECT_NEAR(homes[0].information(0, 0) * variance, 1.0, 1e-6);
+  pieces[4].frame = 2;
+  EXPECT_TRUE(homecomings(pieces, {}).empty()) << "nobody was there before";
 }
 
 class Stretches : public testing::Test {
@@ -136,17 +230,8 @@ TEST_F(Stretches, AreJoinedWhereTheClockWasSetBack) {
 
 /// The same, but there was no time to walk to where it is said to be known again.
 TEST_F(Stretches, ThatCannotHaveBeenReachedStayApart) {
-  WalkOptions options;
-  options.length = 30.0;
-  SceneWalk walk = test::walk_through("campus", 46, options);
-  const SceneWalk again = walk;
-  const std::size_t first = walk.scans.size();
-  for (std::size_t i = 0; i < again.scans.size(); ++i) {
-    walk.scans.push_back(again.scans[i]);
-    walk.scans.back().stamp_ns += static_cast<std::int64_t>(first) * kScan;
-    walk.points.push_back(again.points[i]);
-    walk.truth.push_back(again.truth[i]);
-  }
+  SceneWalk walk = the_same_way_twice();
+  const std::size_t first = walk.scans.size() / 2;
   SceneWalk late = walk;
   begin_anew(walk, first, 0);
   const WalkMapper hasty = mapped(walk);
@@ -165,6 +250,51 @@ TEST_F(Stretches, UnderARoofAreNotJoined) {
   const WalkMapper mapper = mapped(walk);
   EXPECT_EQ(taken_between(mapper), 0U);
   EXPECT_GE(compared_between(mapper, LoopVerdict::other_storey), 1U);
+}
+
+/// Under a roof no loop joins stretches; who came home is known to be there.
+TEST_F(Stretches, AreJoinedByTheOdometryThatCameHome) {
+  WalkOptions options;
+  options.length = 60.0;
+  SceneWalk walk = test::walk_through("storeys", 43, options);
+  come_home(walk, 120, 180);
+  for (const bool close_loops : {true, false}) {
+    const WalkMapper mapper = mapped(walk, close_loops);
+    EXPECT_TRUE(is_whole(mapper));
+    const std::vector<std::size_t> stretches = stretches_of(mapper.pieces());
+    EXPECT_EQ(stretches.back(), 2U);
+    HeldPieces held(mapper.graph());
+    const auto away = std::find(stretches.begin(), stretches.end(), 1U) - stretches.begin();
+    EXPECT_NE(held.set_of(0), held.set_of(static_cast<std::size_t>(away)));
+    EXPECT_LT(apart_at_the_end(walk, mapper, mapper.graph().poses), 0.05);
+  }
+}
+
+/// It goes where the loops have put what it came home to.
+TEST_F(Stretches, AHomeThatLoopsMoveTakesAlongWhoCameHome) {
+  WalkOptions options;
+  options.length = 150.0;
+  options.yaw_drift = 0.0004;
+  SceneWalk walk = test::walk_through("campus", 46, options);
+  come_home(walk, 480, 520);
+  const WalkMapper mapper = mapped(walk);
+  ASSERT_GE(mapper.taken(), 2U);
+  ASSERT_TRUE(is_whole(mapper));
+  std::vector<Pose> by_odometry;
+  for (const Piece& piece : mapper.pieces()) by_odometry.push_back(piece.T_world_piece);
+  EXPECT_LT(apart_at_the_end(walk, mapper, mapper.graph().poses),
+            0.3 * apart_at_the_end(walk, mapper, by_odometry));
+}
+
+/// What was taken for home and is another place does not join; loops do, rightly.
+TEST_F(Stretches, AHomecomingThatWhatWasSeenSpeaksAgainstIsNotBelieved) {
+  SceneWalk walk = the_same_way_twice();
+  const std::size_t first = walk.scans.size() / 2;
+  const Pose beside = se3_exp((Twist() << 4.0, 3.0, 0.0, 0.0, 0.0, 0.3).finished());
+  come_home(walk, first - 20, first, beside);
+  const WalkMapper mapper = mapped(walk);
+  ASSERT_TRUE(is_whole(mapper));
+  EXPECT_LT(apart_at_the_end(walk, mapper, mapper.graph().poses), 0.15);
 }
 
 }  // namespace
