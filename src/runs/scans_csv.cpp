@@ -14,6 +14,7 @@
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
+#include "io/saturated.hpp"
 #include "io/utf8.hpp"
 #include "report/joined_names.hpp"
 #include "runs/csv_table.hpp"
@@ -254,7 +255,8 @@ std::size_t ScansByStamp::nearest(std::int64_t stamp_ns, std::size_t from) const
   };
   auto near = first_of(stamp_ns, 0);
   if (near == scans_.end()) --near;
-  if (near != scans_.begin() && stamp_ns - std::prev(near)->first < near->first - stamp_ns) --near;
+  const auto away = [&](auto scan) { return io::distance(scan->first, stamp_ns); };
+  if (near != scans_.begin() && away(std::prev(near)) < away(near)) --near;
   const std::int64_t found_ns = near->first;
   const auto next = first_of(found_ns, from);
   const bool is_there = next != scans_.end() && next->first == found_ns;

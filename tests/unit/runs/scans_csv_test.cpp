@@ -3,6 +3,7 @@
 #include "runs/scans_csv.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "runs/csv_table.hpp"
 #include "support/scratch.hpp"
@@ -47,6 +48,16 @@ TEST(ScansByStamp, AreFoundInOrderWhereTheClockWasSetBack) {
   EXPECT_EQ(scans.nearest(110, 1), 1U);
   EXPECT_EQ(scans.nearest(110, 2), 5U);
   EXPECT_EQ(scans.nearest(111, 6), 5U) << "none is left";
+}
+
+TEST(ScansByStamp, MayBeAnyHowFarApart) {
+  constexpr std::int64_t kEnd = std::numeric_limits<std::int64_t>::max();
+  report::ScanTable table;
+  table.stamps_ns = {-kEnd, kEnd - 2};
+  const ScansByStamp scans(table);
+  EXPECT_EQ(scans.nearest(kEnd - 9), 1U);
+  EXPECT_EQ(scans.nearest(9 - kEnd), 0U);
+  EXPECT_EQ(scans.nearest(kEnd), 1U);
 }
 
 /// Every column's value is different, so that a column in another's place shows.
