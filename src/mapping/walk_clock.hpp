@@ -31,6 +31,7 @@ class WalkClock {
   /// after; as if it had gone on to there, or come from there, if it never did.
   [[nodiscard]] std::int64_t at(std::int64_t stamp_ns) const {
     if (spans_.empty()) return stamp_ns;
+    stamp_ns = std::clamp(stamp_ns, -kFarthest, kFarthest);
     const auto nearer = [&](const Span& a, const Span& b) {
       return a.away(stamp_ns) < b.away(stamp_ns);
     };
@@ -40,6 +41,8 @@ class WalkClock {
  private:
   // [ns] An odometry refuses about so long of scans before it follows a clock that was set back.
   static constexpr std::int64_t kRefused = 1'000'000'000;
+  // [ns] Anything may be asked for; what a sensor shows can be subtracted from these.
+  static constexpr std::int64_t kFarthest = std::int64_t{1} << 62;
 
   /// From a pose on until the clock is set back.
   struct Span {

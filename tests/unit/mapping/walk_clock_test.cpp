@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace surefoot::mapping {
 namespace {
 
@@ -51,6 +53,17 @@ TEST(WalkClock, OfAStampThatWasShownTwiceTheLastCounts) {
   EXPECT_EQ(clock.at(104 * kOneSecond), 104 * kOneSecond);
   EXPECT_EQ(clock.at(108 * kOneSecond), 114 * kOneSecond);
   EXPECT_EQ(clock.at(120 * kOneSecond), 126 * kOneSecond);
+}
+
+// As who asks for the walk's begin or end without knowing when it was.
+TEST(WalkClock, AnyStampMayBeAskedFor) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  WalkClock clock;
+  constexpr std::int64_t kToday = 1'800'000'000 * kOneSecond;
+  const std::int64_t begin = clock.next(kToday);
+  const std::int64_t end = clock.next(kToday - kOneSecond);
+  EXPECT_LT(clock.at(Limits::min()), begin);
+  EXPECT_GT(clock.at(Limits::max()), end);
 }
 
 }  // namespace
