@@ -19,8 +19,9 @@ namespace surefoot::mapping {
 [[nodiscard]] std::vector<std::size_t> stretches_of(const std::vector<Piece>& pieces);
 
 /// Joins what can be joined: moves the stretches' poses in the graph, adds what the odometry knows
-/// where it came home (homecomings()) and the loops between them, and returns every place that was compared, by the walk's numbers, the earlier one first where it
-/// can be. `places`: what the pieces look like. Poses and edges within stretches are final.
+/// where it came home (homecomings()) and the loops between them, and returns every place that was
+/// compared, by the walk's numbers, the earlier one first where it can be. `places`: what the
+/// pieces look like. Poses and edges within stretches are final.
 [[nodiscard]] std::vector<Loop> join_stretches(const std::vector<Piece>& pieces,
                                                const PlaceIndex& places, PoseGraph& graph,
                                                const MergeOptions& options);
