@@ -178,7 +178,7 @@ class Inspection {
     } else if (shift > 0.0 && goes_on && shift - last_shift > kBefore * pace_s_) {
       found_.scan("stamps that are too early", scan.name);
     }
-    if (scan.sent_again) found_.scan("scans that are the last one again", scan.name);
+    if (scan.sent_again) found_.scan("scans that are sent again", scan.name);
     last_ = &scan;
   }
 
@@ -259,9 +259,9 @@ class Inspection {
           text("the longest %.3f s, about %.0f scans missing in all", longest_gap_, missing_) +
           text("; a run goes on as it moved for %.1f s", bridged);
     });
-    found_.judge("scans that are the last one again", [&](Finding& finding) {
+    found_.judge("scans that are sent again", [&](Finding& finding) {
       finding.suffers = share(finding) > kHabit;
-      finding.detail = "the driver sent them twice";
+      finding.detail = "as they came before, point by point: a run leaves them out";
     });
     found_.judge("scans that cannot be read", [&](Finding& finding) {
       finding.suffers = true;

@@ -171,7 +171,8 @@ ScanFacts ScanLooker::look(const io::ScanItem& item) {
   facts.turned_deg = turn_between(profile_, profile);
   profile_ = std::move(profile);
   const std::uint64_t points = facts.returns == 0 ? 0 : number_of(scan.points);
-  facts.sent_again = points != 0 && points == last_points_;
+  const bool came_before = seen_.came_before(scan);
+  facts.sent_again = points != 0 && (came_before || points == last_points_);
   last_points_ = points;
   return facts;
 }

@@ -12,6 +12,7 @@
 
 #include "io/point_time_watch.hpp"
 #include "io/recording.hpp"
+#include "io/repeated_scans.hpp"
 
 namespace surefoot::checks {
 
@@ -43,7 +44,7 @@ struct ScanFacts {
   double seen_around = 0.0;          ///< share of the directions around with returns
   std::optional<io::Spin> spin;
   double turned_deg = 0.0;  ///< about the sensor's z axis since the scan before, roughly
-  bool sent_again = false;  ///< the points of the scan before, bit for bit
+  bool sent_again = false;  ///< the last scan's points, or those that came at its stamp before
 };
 
 /// Looks at scans in the order of the recording.
@@ -54,6 +55,7 @@ class ScanLooker {
  private:
   std::vector<double> profile_;  ///< of the last scan: mean logarithm of the range, by direction
   std::uint64_t last_points_ = 0;
+  io::SeenScans seen_;
 };
 
 }  // namespace surefoot::checks

@@ -11,6 +11,7 @@
 #include "io/decimal_time.hpp"
 #include "io/point_clock.hpp"
 #include "io/recording_filter.hpp"
+#include "io/repeated_scans.hpp"
 #include "io/saturated.hpp"
 #include "io/stamp_steadying.hpp"
 #include "io/sweep_span.hpp"
@@ -50,8 +51,8 @@ class RepairedRecording : public RecordingFilter {
       waiting().pop_front();
       if (!item.scan) return item;
       const bool again = last_ && is_last_again(*item.scan);
-      // With a new stamp only where the scans differ otherwise: else it may be a made recording.
-      if (again && (item.scan->stamp_ns == given_ns_ || differ_)) {
+      // Where all scans are alike it may be a made recording.
+      if (again && differ_) {
         note_once(twice_, "stamps: scans that were sent twice, first " + item.name +
                               ", are left out: the same points to the last bit");
         continue;
@@ -349,7 +350,7 @@ class RepairedRecording : public RecordingFilter {
 std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
                                          const OpenOptions& options) {
   auto repaired = std::make_unique<RepairedRecording>(
-      follow_point_clock(std::move(recording), options), options);
+      follow_point_clock(leave_out_repeated(std::move(recording)), options), options);
   return options.repair_at_once ? steady_stamps_at_once(std::move(repaired))
                                 : steady_stamps(std::move(repaired));
 }

@@ -22,6 +22,8 @@ namespace surefoot::io {
 ///   between the recordings, one where that is not known.
 /// - Equal to the one before: the stamp stands. The usual interval is taken instead; a scan that is
 ///   the same as the one before, point by point, was sent twice and is left out.
+/// - That of any scan before, and so are the points: it was sent again (repeated_scans.hpp), and is
+///   left out before anything else is asked.
 /// Any other jump forward that stays is a gap, however long: time may have passed.
 /// Before, stamps are held against points that have a clock (point_clock.hpp); afterwards those of
 /// a whole recording that come and go are steadied (stamp_steadying.hpp).

@@ -103,6 +103,23 @@ TEST(Findings, OneStampThatGoesBackIsAMishapManyHurt) {
   EXPECT_EQ(still.scans, 49U);
 }
 
+// A block of scans once more, and the last one once more under a new stamp.
+TEST(Findings, ScansThatAreSentAgainAreTold) {
+  ScanLooker looker;
+  const auto sent_again = [&](int stamp, float seen) {
+    io::ScanItem item;
+    item.scan.emplace();
+    item.scan->stamp_ns = stamp * kPeriod;
+    item.scan->points = {{seen, 1.0F, 0.0F}, {2.0F, seen, 1.0F}};
+    return looker.look(item).sent_again;
+  };
+  for (const int scan : {0, 1, 2, 3}) EXPECT_FALSE(sent_again(scan, 1.0F + float(scan))) << scan;
+  for (const int scan : {1, 2, 3}) EXPECT_TRUE(sent_again(scan, 1.0F + float(scan))) << scan;
+  EXPECT_FALSE(sent_again(4, 5.0F));
+  EXPECT_TRUE(sent_again(5, 5.0F));
+  EXPECT_FALSE(sent_again(2, 9.0F)) << "another scan at a stamp that was there";
+}
+
 TEST(Findings, StampsThatStandHurtUnlessThePointsHaveAClock) {
   std::vector<ScanFacts> scans = sound(30);
   for (ScanFacts& scan : scans) scan.stamp_ns = kPeriod;
