@@ -39,13 +39,27 @@ TrajectoryFigure figure_of(const CompareResults& results, FigureView view) {
       cut.push_back(result.verdict.outcome == evaluation::Outcome::diverged);
     }
     figure.panels.push_back({view, recording.name, paths.truth, paths.estimates, cut,
-                             remarks_of(results.comparison, recording)});
+                             remarks_of(results.comparison, recording), paths.begins});
   }
   return figure;
 }
 
+/// Of the poses that have a partner those with which another segment begins.
+std::vector<std::size_t> begins_among(const Trajectory& paired, const Trajectory& estimate,
+                                      const std::vector<std::size_t>& begins) {
+  std::vector<std::size_t> result;
+  auto next = begins.begin();
+  for (std::size_t i = 0; i < paired.size(); ++i) {
+    const auto first = next;
+    while (next != begins.end() && estimate[*next].stamp_ns <= paired[i].stamp_ns) ++next;
+    if (next != first) result.push_back(i);
+  }
+  return result;
+}
+
 /// Position errors of an aligned estimate; empty where no pose has a partner.
 report::TimeSeries errors_of(const Trajectory& truth, const Trajectory& estimate,
+                             const std::vector<std::size_t>& begins,
                              const evaluation::AssociationOptions& options) {
   report::TimeSeries series;
   if (truth.empty() || estimate.empty()) return series;
@@ -56,6 +70,7 @@ report::TimeSeries errors_of(const Trajectory& truth, const Trajectory& estimate
     for (const StampedPose& pose : pairs.reference) {
       series.times.push_back(seconds(pose.stamp_ns - truth.front().stamp_ns));
     }
+    series.begins = begins_among(pairs.estimate, estimate, begins);
   } catch (const std::exception&) {
     return {};  // which the comparison has told already
   }
@@ -71,9 +86,9 @@ report::SeriesFigure error_figure_of(const CompareResults& results) {
     if (paths.truth.empty()) continue;
     report::SeriesPanel panel{.title = recording.name,
                               .remarks = remarks_of(results.comparison, recording)};
-    for (const Trajectory& estimate : paths.estimates) {
-      panel.curves.push_back(
-          errors_of(paths.truth, estimate, results.comparison.options.association));
+    for (std::size_t m = 0; m < paths.estimates.size(); ++m) {
+      panel.curves.push_back(errors_of(paths.truth, paths.estimates[m], paths.begins[m],
+                                       results.comparison.options.association));
     }
     figure.panels.push_back(std::move(panel));
   }
@@ -100,14 +115,14 @@ void draw_comparison(const CompareResults& results, const std::filesystem::path&
   }
 }
 
-void draw_views(const Trajectory& reference, const std::vector<std::string>& names,
-                const std::vector<Trajectory>& estimates, const std::filesystem::path& file) {
+void draw_views(const ComparedPaths& paths, const std::vector<std::string>& names,
+                const std::filesystem::path& file) {
   TrajectoryFigure figure{names, {}};
   const std::pair<const char*, FigureView> views[] = {{"Trajectories", FigureView::space},
                                                       {"Side view", FigureView::side},
                                                       {"Top view", FigureView::top}};
   for (const auto& [name, view] : views) {
-    figure.panels.push_back({view, name, reference, estimates, {}, {}});
+    figure.panels.push_back({view, name, paths.truth, paths.estimates, {}, {}, paths.begins});
   }
   report::draw_trajectory_figure(figure, file);
 }

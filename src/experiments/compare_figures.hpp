@@ -16,9 +16,9 @@ namespace surefoot::experiments {
 /// for each recording that has a truth; the folder is made. Throws std::runtime_error.
 void draw_comparison(const CompareResults& results, const std::filesystem::path& folder);
 
-/// The three views of one reference and its (aligned) estimates on one page. Throws
+/// The three views of one reference (`paths.truth`) and its aligned estimates on one page. Throws
 /// std::runtime_error.
-void draw_views(const Trajectory& reference, const std::vector<std::string>& names,
-                const std::vector<Trajectory>& estimates, const std::filesystem::path& file);
+void draw_views(const ComparedPaths& paths, const std::vector<std::string>& names,
+                const std::filesystem::path& file);
 
 }  // namespace surefoot::experiments

@@ -15,6 +15,7 @@
 #include "process/machine.hpp"
 #include "runs/run_files.hpp"
 #include "runs/scans_csv.hpp"
+#include "runs/trajectory_inputs.hpp"
 #include "surefoot/seconds.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
 #include "experiments/compare_figures.hpp"
@@ -153,6 +154,7 @@ ComparedRecording compare_recording(const CompareOptions& options, const Compare
                               .truth = input.truth.string(),
                               .fingerprint = input.mark.fingerprint};
   paths.estimates.resize(variants.size());
+  paths.begins.resize(variants.size());
   std::string no_truth;
   Trajectory truth;
   try {
@@ -170,6 +172,8 @@ ComparedRecording compare_recording(const CompareOptions& options, const Compare
     recording.results.push_back(no_truth.empty()
                                     ? maker.make(variants[m], paths.estimates[m], paths.truth)
                                     : without_truth(options, input, variants[m], no_truth));
+    if (paths.estimates[m].empty()) continue;
+    paths.begins[m] = runs::segment_begins(options.output / run_folder(input, variants[m], 1));
   }
   return recording;
 }

@@ -20,6 +20,8 @@ namespace surefoot::experiments {
 struct ComparedPaths {
   Trajectory truth;
   std::vector<Trajectory> estimates;  ///< one for each method
+  /// Likewise: the poses with which another segment begins.
+  std::vector<std::vector<std::size_t>> begins;
 };
 
 struct CompareResults {

@@ -10,6 +10,7 @@
 #include "evaluation/ape.hpp"
 #include "evaluation/marked_table.hpp"
 #include "evaluation/option_names.hpp"
+#include "experiments/compare_results.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
@@ -27,14 +28,13 @@ namespace {
 using evaluation::Evaluation;
 
 void draw_figures([[maybe_unused]] const EvaluationRequest& request,
-                  [[maybe_unused]] const Trajectory& reference,
-                  [[maybe_unused]] const std::vector<Evaluation>& evaluations,
-                  [[maybe_unused]] const std::vector<Trajectory>& paths) {
+                  [[maybe_unused]] const ComparedPaths& paths,
+                  [[maybe_unused]] const std::vector<Evaluation>& evaluations) {
 #ifdef SUREFOOT_HAS_PICTURES
   std::vector<std::string> names;
   for (const Evaluation& evaluation : evaluations) names.push_back(evaluation.name);
   for (const std::filesystem::path& file : request.figures) {
-    draw_views(reference, names, paths, file);
+    draw_views(paths, names, file);
   }
 #else
   if (!request.figures.empty()) {
@@ -158,7 +158,7 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
   adapt(options, reference);
   const std::vector<std::string> names = runs::estimate_names(request.estimates);
   std::vector<Evaluation> evaluations;
-  std::vector<Trajectory> paths;  // aligned
+  ComparedPaths paths{.truth = reference.truth.poses, .estimates = {}, .begins = {}};
   for (std::size_t i = 0; i < request.estimates.size(); ++i) {
     try {
       const Trajectory estimate =
@@ -176,16 +176,18 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
           !text.empty()) {
         listener.note(text);
       }
-      paths.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
+      paths.estimates.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
+      paths.begins.push_back(runs::segment_begins(request.estimates[i]));
     } catch (const std::exception& error) {
       listener.complain(names[i] + ": " + error.what());
     }
   }
   if (!evaluations.empty() && !request.pose_errors.empty()) {
-    io::write_whole_file(request.pose_errors,
-                         pose_errors_csv(reference, evaluations, paths, options.association));
+    io::write_whole_file(
+        request.pose_errors,
+        pose_errors_csv(reference, evaluations, paths.estimates, options.association));
   }
-  if (!evaluations.empty()) draw_figures(request, reference.truth.poses, evaluations, paths);
+  if (!evaluations.empty()) draw_figures(request, paths, evaluations);
   return evaluations;
 }
 

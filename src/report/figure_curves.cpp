@@ -36,6 +36,18 @@ std::vector<Eigen::Vector3d> drawable_points(const Trajectory& trajectory) {
   return points;
 }
 
+/// Of poses, the numbers of the points that they, or the next that can be drawn, become.
+std::vector<std::size_t> drawable_begins(const Trajectory& trajectory,
+                                         const std::vector<std::size_t>& begins) {
+  std::vector<std::size_t> result;
+  std::size_t point = 0, next = 0;
+  for (std::size_t i = 0; i < trajectory.size() && next < begins.size(); ++i) {
+    for (; next < begins.size() && begins[next] == i; ++next) result.push_back(point);
+    if (is_drawable(trajectory[i].pose.translation)) ++point;
+  }
+  return result;
+}
+
 std::vector<double> coordinates(const std::vector<Eigen::Vector3d>& points, int axis) {
   std::vector<double> values;
   values.reserve(points.size());
@@ -88,9 +100,12 @@ bool clip_segment(const Rect& rect, Pixel& from, Pixel& to) {
 }  // namespace
 
 Curves curves_of(const FigurePanel& panel) {
-  Curves curves{drawable_points(panel.reference), {}, {}};
-  for (const Trajectory& estimate : panel.estimates) {
+  Curves curves{drawable_points(panel.reference), {}, {}, {}};
+  for (std::size_t i = 0; i < panel.estimates.size(); ++i) {
+    const Trajectory& estimate = panel.estimates[i];
     curves.estimates.push_back(drawable_points(estimate));
+    curves.begins.push_back(panel.begins.empty() ? std::vector<std::size_t>{}
+                                                 : drawable_begins(estimate, panel.begins[i]));
   }
   double extent = kSmallestExtent;
   for (const int axis : {0, 1}) {
@@ -110,7 +125,8 @@ Stroke stroke_of(std::size_t name) {
 }
 
 void draw_curve(Canvas& canvas, const std::vector<Eigen::Vector3d>& points, const Projection& at,
-                const Stroke& stroke, const Border& border) {
+                const Stroke& stroke, const Border& border,
+                const std::vector<std::size_t>& begins) {
   std::vector<Pixel> line;
   const auto finish = [&] {
     if (line.size() > 1) canvas.line(line, stroke);
@@ -118,6 +134,11 @@ void draw_curve(Canvas& canvas, const std::vector<Eigen::Vector3d>& points, cons
   };
   std::size_t last = 0;  // point that the line has reached
   for (std::size_t i = 1; i < points.size(); ++i) {
+    if (std::binary_search(begins.begin(), begins.end(), i)) {
+      finish();
+      last = i;
+      continue;
+    }
     Pixel from = at(points[last]), to = at(points[i]);
     if ((to - from).norm() < kLeastStep && i + 1 < points.size()) continue;
     const Pixel end = to;
@@ -135,7 +156,7 @@ void draw_curve(Canvas& canvas, const std::vector<Eigen::Vector3d>& points, cons
 
 void draw_curves(Canvas& canvas, const Curves& curves, const Projection& at, const Border& border) {
   for (std::size_t i = curves.estimates.size(); i-- > 0;) {  // the first one on top
-    draw_curve(canvas, curves.estimates[i], at, stroke_of(i), border);
+    draw_curve(canvas, curves.estimates[i], at, stroke_of(i), border, curves.begins[i]);
   }
   draw_curve(canvas, curves.reference, at, kReference, border);
   if (curves.reference.empty()) return;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -23,7 +24,8 @@ using Projection = std::function<Pixel(const Eigen::Vector3d&)>;
 struct Curves {
   std::vector<Eigen::Vector3d> reference;
   std::vector<std::vector<Eigen::Vector3d>> estimates;
-  std::array<Range, 3> ranges;  ///< shown of x, y and z; all wider than zero
+  std::vector<std::vector<std::size_t>> begins;  ///< of each, points with which a line begins
+  std::array<Range, 3> ranges;                   ///< shown of x, y and z; all wider than zero
 };
 
 /// Without what cannot be drawn.
@@ -43,8 +45,10 @@ struct Border {
 
 /// A line through the points, without those that the eye could not tell from the one before and
 /// without what lies outside: dashes along a path of a million kilometres take cairo minutes.
+/// Another line begins with each of the points `begins`, ascending.
 void draw_curve(Canvas& canvas, const std::vector<Eigen::Vector3d>& points, const Projection& at,
-                const Stroke& stroke, const Border& border);
+                const Stroke& stroke, const Border& border,
+                const std::vector<std::size_t>& begins = {});
 
 /// All curves of a panel, and start and end of the reference.
 void draw_curves(Canvas& canvas, const Curves& curves, const Projection& at, const Border& border);

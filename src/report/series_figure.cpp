@@ -75,7 +75,13 @@ void draw_series(Canvas& canvas, const PlotArea& area, const TimeSeries& curve,
                  const Stroke& stroke) {
   std::vector<Pixel> line;
   const std::size_t stride = curve.times.size() / kMostPoints + 1;
+  auto next = curve.begins.begin();
   for (std::size_t i = 0; i < curve.times.size(); i += stride) {
+    if (next != curve.begins.end() && *next <= i) {
+      canvas.line(line, stroke);
+      line.clear();
+      while (next != curve.begins.end() && *next <= i) ++next;
+    }
     if (!is_shown(curve.times[i], curve.values[i])) continue;
     const double decade = std::max(std::log10(curve.values[i]), area.y.low - 1.0);
     line.push_back(area.at(curve.times[i], decade));

@@ -5,6 +5,7 @@
 // on a logarithmic axis, since good and bad methods are orders of magnitude apart.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace surefoot::report {
 struct TimeSeries {
   std::vector<double> times;   ///< [s]
   std::vector<double> values;  ///< as many; what is not above zero and finite is not drawn
+  std::vector<std::size_t> begins = {};  ///< of them, with which another line begins, ascending
 };
 
 struct SeriesPanel {

@@ -99,6 +99,11 @@ void check(const TrajectoryFigure& figure) {
                                   std::to_string(panel.cut.size()) + " flags for " +
                                   std::to_string(panel.estimates.size()) + " estimates");
     }
+    if (!panel.begins.empty() && panel.begins.size() != panel.estimates.size()) {
+      throw std::invalid_argument("panel '" + panel.title + "' has begins of " +
+                                  std::to_string(panel.begins.size()) + " estimates, expected " +
+                                  std::to_string(panel.estimates.size()));
+    }
   }
 }
 

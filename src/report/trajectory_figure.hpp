@@ -5,6 +5,7 @@
 // legend for all panels, colours that the colour-blind can tell apart, and line styles besides.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct FigurePanel {
   /// One for each estimate, or empty: those that do not widen the axes at all.
   std::vector<bool> cut = {};
   std::vector<std::string> remarks = {};  ///< lines in the panel's corner: "icp: stopped at 41 %"
+  /// One for each estimate, or empty: its poses with which another line begins, ascending. How the
+  /// segments of a run lie to each other is not known.
+  std::vector<std::vector<std::size_t>> begins = {};
 };
 
 struct TrajectoryFigure {
@@ -41,7 +45,7 @@ struct TrajectoryFigure {
 /// farther than 1e9 m, are left out. The same input gives the same PNG, byte for byte, on one
 /// machine. Throws std::invalid_argument if there is no panel or if one
 /// has another number of estimates than there are names, or of
-/// flags than of estimates, std::runtime_error naming the path if the
+/// flags or lists of begins than of estimates, std::runtime_error naming the path if the
 /// extension is another one or the file cannot be written.
 void draw_trajectory_figure(const TrajectoryFigure& figure, const std::filesystem::path& path);
 

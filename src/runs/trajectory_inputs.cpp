@@ -165,6 +165,21 @@ std::size_t segments_of(const fs::path& path) {
   return numbers.size();
 }
 
+std::vector<std::size_t> segment_begins(const fs::path& path) {
+  const fs::path trajectory = trajectory_file(path);
+  std::vector<std::size_t> begins;
+  if (io::is_bag_file(trajectory)) return begins;
+  std::ifstream stream(trajectory);
+  std::size_t poses = 0;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin != std::string::npos && line[begin] != '#') ++poses;
+    const bool begun = line.starts_with(kSegmentBegins) && poses > 0;
+    if (begun && (begins.empty() || begins.back() != poses)) begins.push_back(poses);
+  }
+  return begins;
+}
+
 std::vector<std::string> estimate_names(const std::vector<fs::path>& files) {
   std::map<std::string, int> uses;
   for (const fs::path& file : files) ++uses[name_of(file)];

@@ -51,6 +51,10 @@ struct ReferenceTrajectory {
 /// folder): 1 for any other.
 [[nodiscard]] std::size_t segments_of(const std::filesystem::path& path);
 
+/// The poses of such a trajectory, by their numbers, with which it goes on in another segment's
+/// frame: none of any other.
+[[nodiscard]] std::vector<std::size_t> segment_begins(const std::filesystem::path& path);
+
 /// What estimates are called: the file without extension, or the run's folder; whole paths where
 /// these are not unique.
 [[nodiscard]] std::vector<std::string> estimate_names(

@@ -53,6 +53,19 @@ int row_of(const PngImage& image, std::size_t curve) {
   return best;
 }
 
+TEST(SeriesFigure, NoLineLeadsFromASegmentToAnother) {
+  const fs::path path = series_scratch("segments.png");
+  const auto blues = [&](const std::vector<std::size_t>& begins) {
+    SeriesFigure figure = series_of({1.0});
+    figure.panels[0].curves[0] = {{0.0, 1.0, 9.0, 10.0}, {1.0, 1.0, 1.0, 1.0}, begins};
+    draw_series_figure(figure, path);
+    return PngImage(path).count(rgb_of(stroke_of(0).color));
+  };
+  const int whole = blues({});
+  EXPECT_LT(blues({2}), whole / 2);
+  EXPECT_EQ(blues({0}), whole);
+}
+
 TEST(SeriesFigure, DecadesAreEquallyFarApart) {
   const fs::path path = series_scratch("decades.png");
   draw_series_figure(series_of({1.0, 0.1, 0.01}), path);

@@ -66,6 +66,23 @@ TEST(TrajectoryFigure, EveryViewShowsEveryCurveAndBothMarkers) {
   }
 }
 
+// Half a turn, and the same again far away: a line from the one to the other would add pixels.
+TEST(TrajectoryFigure, NoLineLeadsFromASegmentToAnother) {
+  Trajectory two = loop(10.0, 0.0, 100);
+  for (const StampedPose& pose : loop(10.0, 0.0, 100)) two.push_back(pose);
+  two[100].pose.translation.x() = std::numeric_limits<double>::quiet_NaN();  // is not drawn
+  for (const FigureView view : kViews) {
+    TrajectoryFigure figure = figure_of(view, 1);
+    figure.panels[0].estimates = {two, {}};
+    const fs::path one = scratch("one.png"), apart = scratch("apart.png");
+    draw_trajectory_figure(figure, one);
+    figure.panels[0].begins = {{100}, {}};
+    draw_trajectory_figure(figure, apart);
+    EXPECT_GT(PngImage(one).count(kBlue), PngImage(apart).count(kBlue) + 200)
+        << static_cast<int>(view);
+  }
+}
+
 TEST(TrajectoryFigure, APanelForEachSequence) {
   int last_height = 0;
   for (const std::size_t panels : {1U, 4U, 13U}) {
