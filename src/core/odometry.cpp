@@ -24,9 +24,9 @@ const Config& validated(const Config& config) {
 }  // namespace
 
 struct Odometry::State {
-  State(const Config& config, int threads, const Pose& T_world_start, const MakeFrontEnd& make)
+  State(const Config& config, int threads, Pose T_world_start, const MakeFrontEnd& make)
       : session{validated(config), Workers(threads)},
-        T_world_map(T_world_start),
+        T_world_map(std::move(T_world_start)),
         front_end(make(session)) {}
 
   Session session;

@@ -80,8 +80,7 @@ class PacketConversion {
 // Throws ReadError where it is none.
 fs::path PacketConversion::capture_in(const fs::path& input) {
   std::error_code ignored;
-  const fs::path file =
-      fs::is_directory(input, ignored) ? only_capture(input).value_or(input) : input;
+  fs::path file = fs::is_directory(input, ignored) ? only_capture(input).value_or(input) : input;
   if (fs::is_regular_file(file, ignored) && kind_of(file) == FileKind::capture) return file;
   if (!fs::exists(file, ignored)) throw ReadError(file.string() + ": no such file or folder");
   throw ReadError(input.string() +

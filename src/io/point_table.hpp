@@ -39,6 +39,7 @@ struct Column {
 /// which must outlive the table. Movable; a copy would look into the original.
 struct PointTable {
   PointTable() = default;
+  ~PointTable() = default;
   PointTable(PointTable&&) = default;
   PointTable& operator=(PointTable&&) = default;
   PointTable(const PointTable&) = delete;

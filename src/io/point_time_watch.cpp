@@ -47,8 +47,8 @@ double azimuth_of(const Eigen::Vector3f& point) {
 /// Adds to a recording what its scans' times lack.
 class WatchedRecording : public RecordingFilter {
  public:
-  WatchedRecording(std::unique_ptr<Recording> recording, const OpenOptions& options)
-      : RecordingFilter(std::move(recording)), options_(options) {
+  WatchedRecording(std::unique_ptr<Recording> recording, OpenOptions options)
+      : RecordingFilter(std::move(recording)), options_(std::move(options)) {
     if (options_.time_direction == TimeDirection::backward) {
       note("point times: counted back from the stamp, as asked for");
     } else if (options_.time_direction == TimeDirection::none) {

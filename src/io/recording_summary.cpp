@@ -115,10 +115,10 @@ class Summariser {
     if (ranges.empty()) {
       note_oddity("no return at all", name);
     } else {
-      ranges_.push_back(spread_of(std::move(ranges)));
+      ranges_.push_back(spread_of(ranges));
     }
     if (!intensities.empty()) {
-      intensities_.push_back(spread_of(std::move(intensities)));
+      intensities_.push_back(spread_of(intensities));
     }
     if (not_finite > 0) {
       note_oddity("points that are NaN or infinite", name + ": " + std::to_string(not_finite));

@@ -26,7 +26,7 @@ struct Frame {
 Frame frame_of(const std::vector<Piece>& pieces, double cell, double range) {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
-  const float range2 = static_cast<float>(range * range);
+  const auto range2 = static_cast<float>(range * range);
   for (const Piece& piece : pieces) {
     const auto seen = cloud_of(piece);
     for (std::size_t i = 0; i < seen->points.size(); ++i) {
@@ -82,7 +82,7 @@ class Evidence {
   }
 
  private:
-  void count(const Eigen::Vector2d& at, std::vector<std::uint16_t>& counts) {
+  void count(const Eigen::Vector2d& at, std::vector<std::uint16_t>& counts) const {
     const Eigen::Vector2d index = (at - frame_.low) / cell_;
     if (!(index.x() >= 0.0 && index.y() >= 0.0 && index.x() < frame_.width &&
           index.y() < frame_.height)) {

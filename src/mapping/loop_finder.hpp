@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "mapping/drift_model.hpp"
@@ -44,7 +45,7 @@ struct Loop {
 
 class LoopFinder {
  public:
-  explicit LoopFinder(const LoopOptions& options) : options_(options) {}
+  explicit LoopFinder(LoopOptions options) : options_(std::move(options)) {}
 
   /// Looks for the piece before this one, whose neighbours are all there now.
   void add(Piece piece);

@@ -46,6 +46,7 @@ std::vector<SubmapAlignment> align_all(const RegistrationSubmap& target,
                                        const RegistrationSubmap& source,
                                        const std::vector<Pose>& starts, bool quickly) {
   std::vector<SubmapAlignment> rough;
+  rough.reserve(starts.size());
   for (const Pose& start : starts) rough.push_back(align_roughly(target, source, start));
   const auto better = [](const SubmapAlignment& a, const SubmapAlignment& b) {
     return a.matched > b.matched;
@@ -186,6 +187,7 @@ LoopCheck check_places(const VerifiableSubmap& place, const VerifiableSubmap& qu
   std::vector<SubmapAlignment> backward;
   if (!limits.partial) {
     std::vector<Pose> inverse;
+    inverse.reserve(starts.size());
     for (const Pose& start : starts) inverse.push_back(start.inverse());
     backward = align_all(source, target, inverse, false);
     check.overlap = std::min(check.overlap, backward.front().matched);

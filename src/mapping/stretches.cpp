@@ -269,6 +269,7 @@ std::vector<Loop> last_answers(const std::vector<Loop>& compared) {
     answers[std::minmax(loop.place, loop.query)] = loop;
   }
   std::vector<Loop> result;
+  result.reserve(answers.size());
   for (auto& [pair, loop] : answers) result.push_back(loop);
   return result;
 }

@@ -76,23 +76,23 @@ Pose WalkMapper::correction(std::int64_t time_ns) const {
   return correction_at(pieces(), graph_.poses, time_ns);
 }
 
-Pose correction_at(const std::vector<Piece>& all, const std::vector<Pose>& corrected,
+Pose correction_at(const std::vector<Piece>& pieces, const std::vector<Pose>& corrected,
                    std::int64_t time_ns) {
-  if (all.empty() || corrected.size() != all.size()) return {};
-  const auto at = [&](std::size_t i) { return corrected[i] * all[i].T_world_piece.inverse(); };
+  if (pieces.empty() || corrected.size() != pieces.size()) return {};
+  const auto at = [&](std::size_t i) { return corrected[i] * pieces[i].T_world_piece.inverse(); };
   const auto after = static_cast<std::size_t>(
-      std::upper_bound(all.begin(), all.end(), time_ns,
+      std::upper_bound(pieces.begin(), pieces.end(), time_ns,
                        [](std::int64_t time, const Piece& piece) { return time < piece.time_ns; }) -
-      all.begin());
+      pieces.begin());
   if (after == 0) return at(0);
-  if (after == all.size()) return at(after - 1);
-  if (all[after].restarted) return at(time_ns < all[after].begin_ns ? after - 1 : after);
+  if (after == pieces.size()) return at(after - 1);
+  if (pieces[after].restarted) return at(time_ns < pieces[after].begin_ns ? after - 1 : after);
   // The motion between the two corrected pieces, spread evenly over the odometry's: interpolated at
   // where the robot was, so that it does not matter how far away the world's origin is.
-  const double share =
-      static_cast<double>(time_ns - all[after - 1].time_ns) /
-      static_cast<double>(std::max<std::int64_t>(all[after].time_ns - all[after - 1].time_ns, 1));
-  const Pose& before_pose = all[after - 1].T_world_piece;
+  const double share = static_cast<double>(time_ns - pieces[after - 1].time_ns) /
+                       static_cast<double>(std::max<std::int64_t>(
+                           pieces[after].time_ns - pieces[after - 1].time_ns, 1));
+  const Pose& before_pose = pieces[after - 1].T_world_piece;
   const Pose correction_before = at(after - 1);
   const Pose correction_after = at(after);
   const Pose between =

@@ -25,8 +25,8 @@ constexpr double kAssumedRateHz = 10.0;
 
 class FolderRecording final : public Recording {
  public:
-  FolderRecording(FolderListing listing, bool is_folder, const OpenOptions& options)
-      : listing_(std::move(listing)), is_folder_(is_folder), options_(options) {
+  FolderRecording(FolderListing listing, bool is_folder, OpenOptions options)
+      : listing_(std::move(listing)), is_folder_(is_folder), options_(std::move(options)) {
     read_stamps_file();
     find_point_time_rule();
     set_other_stamps();
@@ -189,13 +189,13 @@ class FolderRecording final : public Recording {
       return;
     }
     if (rule_ && rule_->reference == TimeReference::absolute) {
-      notes_.push_back("stamps: from the points' absolute times");
+      notes_.emplace_back("stamps: from the points' absolute times");
       if (!are_counted(listing_.files)) put_in_order_of_times();
       return;
     }
     if (const auto named = stamps_from_names(listing_.files)) {
       stamps_ = *named;
-      notes_.push_back("stamps: from the file names");
+      notes_.emplace_back("stamps: from the file names");
       return;
     }
     const bool known = options_.rate_hz > 0.0;

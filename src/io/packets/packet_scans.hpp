@@ -37,6 +37,8 @@ class PacketScans {
   /// before it. Throws ReadError where that cannot be read, or the options' sensor is not known.
   explicit PacketScans(const OpenOptions& options, std::string metadata = {});
   ~PacketScans();
+  PacketScans(const PacketScans&) = delete;
+  PacketScans& operator=(const PacketScans&) = delete;
 
   /// @param arrival_ns when the packet was received: the capture's stamp, the message's stamp.
   /// @param payload of the UDP datagram, no longer needed afterwards. Any bytes are safe.
