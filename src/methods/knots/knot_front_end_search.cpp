@@ -144,6 +144,7 @@ double KnotFrontEnd::rival_in(const SearchRegion& region, std::size_t most, cons
   const PlaceTrials trials(scan, chosen, problem_here);
   const double disagreement = trials.disagreement_at(registered.bent);
   std::vector<PlaceStart> standing;
+  standing.reserve(places.size());
   for (const PlaceFit& place : places) standing.push_back({place.pose, Twist::Zero()});
   double rival = 0.0;
   for (const PlaceTrial& other : trials.from(standing, disagreement)) {
