@@ -36,7 +36,9 @@ void LocalizationRun::begin_anew(mapping::SavedMap map) {
 }
 
 void LocalizationRun::add(const Estimate& estimate, const mapping::ScanPoints& points) {
-  if (outcome_.scans++ == 0) first_stamp_ns_ = estimate.stamp_ns;
+  // A scan that is refused for its stamp says nothing of the time.
+  const bool counts = outcome_.scans++ == 0 || estimate.trusted();
+  const std::int64_t now_ns = counts ? clock_.next(estimate.stamp_ns) : 0;
   const std::string stamp = io::format_seconds(estimate.stamp_ns);
   if (!estimate.trusted()) {
     return write(fmt::format("{},0,,,,{}\n", stamp, to_string(estimate.status)));
@@ -48,7 +50,7 @@ void LocalizationRun::add(const Estimate& estimate, const mapping::ScanPoints& p
   }
   const Pose pose = *localizer_.T_map_world() * estimate.T_world_lidar;
   ++outcome_.found;
-  if (!outcome_.first_found) outcome_.first_found = seconds(estimate.stamp_ns - first_stamp_ns_);
+  if (!outcome_.first_found) outcome_.first_found = seconds(now_ns - clock_.begin_ns());
   poses_ << io::format_tum({{estimate.stamp_ns, pose * T_lidar_written_}});
   write(fmt::format("{},1,{:.4f},{:.4f},{:.4f},{}\n", stamp, pose.translation.x(),
                     pose.translation.y(), pose.translation.z(), outcome_.message));

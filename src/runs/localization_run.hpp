@@ -4,7 +4,6 @@
 // A run within a saved map: poses in the map's frame, and scan by scan whether the place is known.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "mapping/map_localizer.hpp"
 #include "mapping/placed_scans.hpp"
+#include "mapping/walk_clock.hpp"
 #include "runs/map_outcome.hpp"
 #include "surefoot/odometry.hpp"
 
@@ -43,7 +43,7 @@ class LocalizationRun {
   std::ofstream poses_;  // T_map_written
   std::ofstream csv_;
   LocalizationOutcome outcome_;
-  std::int64_t first_stamp_ns_ = 0;
+  mapping::WalkClock clock_;  // of the first scan, and of those whose stamps were believed
   mapping::PlacedScans placed_;
 };
 

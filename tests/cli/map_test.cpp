@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include "io/trajectory_files.hpp"
 #include "process.hpp"
@@ -197,6 +200,33 @@ TEST_F(MapCommand, IsFoundAgainByItsOwnRecording) {
   const Pose& last = found.back().pose;
   EXPECT_LT((last.translation - before.back().pose.translation).norm(), 0.2);
   EXPECT_EQ(lines_of(path("again/localization.csv")), 56U);  // its head and 55 scans
+}
+
+/// The first scans' clock was an hour ahead.
+TEST_F(MapCommand, IsFoundSoonWhereTheClockWasSetBack) {
+  const ProcessResult taken = surefoot({"convert", "in", "set_back"});
+  ASSERT_EQ(taken.exit_code, 0) << taken;
+  std::istringstream stamps(file_content(path("set_back/times.txt")));
+  std::string set_back;
+  std::size_t scans = 0;
+  for (std::string stamp; std::getline(stamps, stamp); ++scans) {
+    const std::size_t point = stamp.find('.');
+    ASSERT_NE(point, std::string::npos) << stamp;
+    const std::int64_t whole = std::stoll(stamp.substr(0, point)) + (scans < 5 ? 3600 : 0);
+    set_back += std::to_string(whole) + stamp.substr(point) + '\n';
+  }
+  ASSERT_GT(scans, 50U);
+  write_content(path("set_back/times.txt"), set_back);
+  const ProcessResult result =
+      surefoot({"run", "set_back", "-o", "later", "--no-repair-stamps", "--localize", "map",
+                "--no-report", "--no-picture", "--no-map"});
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const std::string told = "found in the map after ";
+  const std::size_t at = result.output.find(told);
+  ASSERT_NE(at, std::string::npos) << result;
+  const double after = std::stod(result.output.substr(at + told.size()));
+  EXPECT_GT(after, 0.0) << result;
+  EXPECT_LT(after, 8.0) << result;
 }
 
 TEST_F(MapCommand, OneThatIsCutShortOrMissingIsRefused) {
