@@ -41,8 +41,8 @@ bool is_better(const KnotRegistration& a, const KnotRegistration& b, double unse
   return a.solved && (!b.solved || a.disagreement(unseen_weight) < b.disagreement(unseen_weight));
 }
 
-/// Where other starts than the first lead. All of them together cost about as much as one
-/// registration. Most lead to where the first did.
+/// Where other starts than the first lead: mostly to where the first did. All of them together cost
+/// about three registrations.
 class Attempts {
  public:
   Attempts(const KnotPoints& points, const KnotProblem& problem, const KnotRegistration& first)
