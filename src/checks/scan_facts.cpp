@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -25,19 +24,6 @@ constexpr int kMostSteps = 20;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // Of a scan's returns, for its middle range.
 constexpr std::size_t kSample = 4000;
-
-// Not a checksum against forgery: equal points give equal numbers, others hardly ever.
-std::uint64_t number_of(const std::vector<Eigen::Vector3f>& points) {
-  std::uint64_t hash = 1469598103934665603ULL;
-  for (const Eigen::Vector3f& point : points) {
-    for (const float value : {point.x(), point.y(), point.z()}) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &value, sizeof(bits));
-      hash = (hash ^ bits) * 1099511628211ULL;
-    }
-  }
-  return hash;
-}
 
 std::size_t direction_of(const Eigen::Vector3f& point) {
   const double turn = std::atan2(static_cast<double>(point.y()), static_cast<double>(point.x())) /
@@ -170,7 +156,7 @@ ScanFacts ScanLooker::look(const io::ScanItem& item) {
   facts.seen_around = static_cast<double>(seen) / static_cast<double>(kDirections);
   facts.turned_deg = turn_between(profile_, profile);
   profile_ = std::move(profile);
-  const std::uint64_t points = facts.returns == 0 ? 0 : number_of(scan.points);
+  const std::uint64_t points = facts.returns == 0 ? 0 : io::number_of(scan.points);
   const bool came_before = seen_.came_before(scan);
   facts.sent_again = points != 0 && (came_before || points == last_points_);
   last_points_ = points;

@@ -14,21 +14,7 @@ namespace surefoot::io {
 namespace {
 
 constexpr std::size_t kRemembered = 10'000;
-constexpr std::size_t kSample = 4096;  // points that are looked at: no two scans agree in so many
-
-/// Not a checksum against forgery: equal points give equal numbers, others hardly ever.
-std::uint64_t number_of(const std::vector<Eigen::Vector3f>& points) {
-  std::uint64_t hash = 1469598103934665603ULL ^ points.size();
-  const std::size_t every = points.size() / kSample + 1;
-  for (std::size_t i = 0; i < points.size(); i += every) {
-    for (const float value : {points[i].x(), points[i].y(), points[i].z()}) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &value, sizeof(bits));
-      hash = (hash ^ bits) * 1099511628211ULL;
-    }
-  }
-  return hash;
-}
+constexpr std::size_t kSample = 4096;  // points that are compared
 
 class WithoutRepeated final : public RecordingFilter {
  public:
@@ -56,9 +42,21 @@ class WithoutRepeated final : public RecordingFilter {
 
 }  // namespace
 
+std::uint64_t number_of(const std::vector<Eigen::Vector3f>& points, std::size_t every) {
+  std::uint64_t hash = 1469598103934665603ULL ^ points.size();
+  for (std::size_t i = 0; i < points.size(); i += every) {
+    for (const float value : {points[i].x(), points[i].y(), points[i].z()}) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = (hash ^ bits) * 1099511628211ULL;
+    }
+  }
+  return hash;
+}
+
 bool SeenScans::came_before(const Scan& scan) {
   if (scan.points.empty()) return false;
-  const std::uint64_t number = number_of(scan.points);
+  const std::uint64_t number = number_of(scan.points, scan.points.size() / kSample + 1);
   const auto [seen, fresh] = numbers_.try_emplace(scan.stamp_ns, number);
   if (!fresh) return std::exchange(seen->second, number) == number;
   order_.push_back(scan.stamp_ns);

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "io/bags/bag_files.hpp"
 #include "io/trajectory_files.hpp"
@@ -171,11 +172,13 @@ std::vector<std::size_t> segment_begins(const fs::path& path) {
   if (io::is_bag_file(trajectory)) return begins;
   std::ifstream stream(trajectory);
   std::size_t poses = 0;
+  bool begun = false;
   for (std::string line; std::getline(stream, line);) {
-    const std::size_t begin = line.find_first_not_of(" \t\r");
-    if (begin != std::string::npos && line[begin] != '#') ++poses;
-    const bool begun = line.starts_with(kSegmentBegins) && poses > 0;
-    if (begun && (begins.empty() || begins.back() != poses)) begins.push_back(poses);
+    begun = begun || line.starts_with(kSegmentBegins);
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    if (std::exchange(begun, false) && poses > 0) begins.push_back(poses);
+    ++poses;
   }
   return begins;
 }

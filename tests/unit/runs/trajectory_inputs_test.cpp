@@ -22,6 +22,8 @@ TEST(TrajectoryInputs, TellWithWhichPosesAnotherSegmentBegins) {
   EXPECT_EQ(segments_of(file), 2U);
   std::ofstream(file) << "# segment 1: in a frame of its own\n1 0 0 0 0 0 0 1\n";
   EXPECT_TRUE(segment_begins(file).empty()) << "there is no pose before";
+  std::ofstream(file) << "1 0 0 0 0 0 0 1\n# segment 1: in a frame of its own\n";
+  EXPECT_TRUE(segment_begins(file).empty()) << "there is no pose after: the run was cut short";
 }
 
 }  // namespace
