@@ -135,9 +135,9 @@ def finer_grid():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
-def hard_walks():
+def hard_walks(name="hard_walks"):
     """Walks of a kind a row: what of them is lost and false by one default and by another."""
-    kept = Kept("hard_walks")
+    kept = Kept(name)
     lines = []
     for kind in dict.fromkeys(row[0] for row in kept.rows[1:]):
         rows = [row for row in kept.rows[1:] if row[0] == kind]
@@ -681,6 +681,7 @@ TABLES = {
     "reporting": lambda: reporting("reporting"),
     "bend": bend,
     "hard-walks": hard_walks,
+    "runners": lambda: hard_walks("runners"),
     "relative-change": relative_change,
     "before": before,
     "before-largest": before_largest,

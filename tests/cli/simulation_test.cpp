@@ -115,6 +115,22 @@ TEST(Simulation, BagsHoldWhatThePcdFilesHold) {
   }
 }
 
+// Of this runner the end of many a scan ran away by up to 14 degrees, and the scan after it, begun
+// there, was lost.
+TEST(Simulation, ARunnerWhoseScansEndUnlikeTheyBeginIsFollowed) {
+  const ScratchFolder scratch;
+  const ProcessResult made =
+      run_surefoot({"simulate", "forest", "--robot", "run", "--no-footprint", "--layout", "14026",
+                    "--seed", "14026", "--scans", "200", "-o", "in"},
+                   scratch.path());
+  ASSERT_EQ(made.exit_code, 0) << made;
+  const ProcessResult run = run_surefoot(
+      {"run", "in", "--start", "40", "-o", "out", "--no-report", "--no-picture", "--no-map"},
+      scratch.path());
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_EQ(run.output.find("lost"), std::string::npos) << run;
+}
+
 // Where nothing is flat, and who stands begins to turn by 90 deg/s within two scans: a registration
 // from the last velocity alone followed by a quarter of it, and called that ok.
 TEST(Simulation, WhoLooksAroundOnAGrownHilltopIsFollowed) {

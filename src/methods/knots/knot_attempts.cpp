@@ -3,7 +3,9 @@
 #include "methods/knots/knot_attempts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,6 +27,9 @@ constexpr double kFreer = 0.95;  // disagreements' ratio
 // Shares of the matches that are clouds, up to which planes and poles hold a scan, and from which
 // on nothing does.
 constexpr double kAllFirm = 0.3, kNoneFirm = 0.5;
+
+// So often an end that ran away is begun anew: each time it may hold some segments longer.
+constexpr int kMostEnds = 4;
 
 // A flight's treads look alike: between two of them a narrow kernel stays, a wider one goes on.
 constexpr double kWider = 2.5;
@@ -152,7 +157,54 @@ double most_of_usual(const KnotRegistration& found, const Config::Knots& config)
   return 1.0 + (config.suspicious - 1.0) * firmness(found);
 }
 
+/// Registers from the best of attempts, if there is one; whether that ended better.
+bool takes_better(const Attempts& attempts, KnotPoints& points, const KnotProblem& problem,
+                  KnotRegistration& found) {
+  const std::optional<Attempts::Best> best = attempts.best(problem.workers);
+  if (!best) return false;
+  for (KnotPoints::Point& point : points.points) point.place = {};
+  KnotRegistration again =
+      register_knots(points, best->problem, best->window, narrow_annealing(problem.config));
+  if (!is_better(again, found, problem.config.unseen_weight)) return false;
+  found = std::move(again);
+  return true;
+}
+
+/// From motions that end as they went on before their end ran away, or a segment before that: what
+/// is next to a bad segment is half astray itself.
+/// @return whether one ended better
+bool begins_end_anew(KnotPoints& points, const KnotProblem& problem, KnotRegistration& found) {
+  const std::size_t from = runs_away_from(found.misfits, problem.config.suspicious);
+  if (from == found.misfits.size()) return false;
+  const Annealing narrow = narrow_annealing(problem.config);
+  Attempts attempts(points, problem, found);
+  for (std::size_t last = from; last > 0 && last + 2 > from; --last) {
+    for (const bool changing : {false, true}) {
+      attempts.add(problem, found.window.going_on_after(last - 1, changing), narrow);
+    }
+  }
+  return takes_better(attempts, points, problem, found);
+}
+
 }  // namespace
+
+std::size_t runs_away_from(const std::vector<double>& misfits, double worse) {
+  const double all = std::accumulate(misfits.begin(), misfits.end(), 0.0);
+  const auto n = static_cast<double>(misfits.size());
+  std::size_t from = misfits.size();
+  double most = 0.0, before = 0.0;
+  for (std::size_t s = 1; s < misfits.size(); ++s) {
+    before += misfits[s - 1];
+    const auto m = static_cast<double>(s);
+    const double mean_before = before / m, mean_after = (all - before) / (n - m);
+    const double step = (mean_after - mean_before) * std::sqrt(m * (n - m));  // [K39]
+    if (step > most && mean_after > worse * mean_before) {
+      most = step;
+      from = s;
+    }
+  }
+  return from;
+}
 
 double firmness(const KnotRegistration& found) {
   const double clouds = static_cast<double>(found.clouds) / std::max(found.matches, 1);
@@ -180,7 +232,12 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
                                       const KnotWindow& predicted, const UsualFit& usual) {
   const Config::Knots& config = problem.config;
   KnotRegistration first = register_knots(points, problem, predicted, usual_annealing(config));
-  if (!config.second_attempt || !is_suspicious(first, usual, config)) return first;
+  if (!config.second_attempt) return first;
+  const auto suspicious = [&] { return is_suspicious(first, usual, config); };
+  for (int end = 0; end < kMostEnds && suspicious(); ++end) {
+    if (!begins_end_anew(points, problem, first)) break;
+  }
+  if (!suspicious()) return first;
 
   Attempts attempts(points, problem, first);
   add_swings(attempts, problem, predicted);
@@ -199,12 +256,8 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
     attempts.add(loose, predicted, patient);
     attempts.add(loose, steady, patient);
   }
-  const std::optional<Attempts::Best> best = attempts.best(problem.workers);
-  if (!best) return first;
-  for (KnotPoints::Point& point : points.points) point.place = {};
-  KnotRegistration again =
-      register_knots(points, best->problem, best->window, narrow_annealing(config));
-  return is_better(again, first, config.unseen_weight) ? again : first;
+  takes_better(attempts, points, problem, first);
+  return first;
 }
 
 }  // namespace surefoot

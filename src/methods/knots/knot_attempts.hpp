@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "methods/knots/knot_registration.hpp"
 
 namespace surefoot {
@@ -25,6 +28,11 @@ struct UsualFit {
 /// 1 where planes and poles hold a scan, less the more clouds do, 0 where these are half of its
 /// matches and more.
 [[nodiscard]] double firmness(const KnotRegistration& found);
+
+/// From which segment on a scan's last ones fit worse than those before them, by their misfits: its
+/// end ran away there, the motion within the scan having changed. Their number if none do.
+/// @param worse so many times, in the mean, or it is none
+[[nodiscard]] std::size_t runs_away_from(const std::vector<double>& misfits, double worse);
 
 /// The best of as many registrations as the scan needs. Most need one. One that ends worse than
 /// usual is tried again from several motions: a map has many wrong places where a scan almost fits.

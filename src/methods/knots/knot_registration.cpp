@@ -178,7 +178,12 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
     if (result.converged || t == annealing.max_iterations) {
       result.covariance = system.covariance();
       result.last_two = system.last_two_information();
-      for (const SegmentSum& sum : sums) result.neighbours.push_back(sum.surfels.neighbours);
+      for (std::size_t s = 0; s < sums.size(); ++s) {
+        const auto of_segment = static_cast<double>(points.begins[s + 1] - points.begins[s]);
+        const double misfit = sums[s].surfels.misfit + config.unseen_weight * sums[s].unseen;
+        result.misfits.push_back(misfit / std::max(of_segment, 1.0));
+        result.neighbours.push_back(sums[s].surfels.neighbours);
+      }
       result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);
       return result;
     }

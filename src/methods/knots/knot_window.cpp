@@ -45,9 +45,21 @@ Twist KnotWindow::velocity(std::size_t from_knot) const {
 }
 
 KnotWindow KnotWindow::at_velocity(const Twist& velocity) const {
+  return moved_on(1, velocity, Twist::Zero());
+}
+
+KnotWindow KnotWindow::going_on_after(std::size_t segment, bool changing) const {
+  const Twist own = velocity(segment + 1);
+  if (!changing) return moved_on(segment + 2, own, Twist::Zero());
+  const Twist change = own - velocity(segment);
+  return moved_on(segment + 2, own + change, change);
+}
+
+KnotWindow KnotWindow::moved_on(std::size_t from_knot, Twist velocity, const Twist& change) const {
   KnotWindow moved = *this;
-  for (std::size_t k = 2; k < knots.size(); ++k) {
+  for (std::size_t k = from_knot + 1; k < knots.size(); ++k) {
     moved.knots[k] = displaced(moved.knots[k - 1], step * velocity);
+    velocity += change;
   }
   return moved;
 }

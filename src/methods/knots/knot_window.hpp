@@ -32,12 +32,20 @@ struct KnotWindow {
   [[nodiscard]] Twist velocity(std::size_t from_knot) const;
   /// The new scan's knots moved on at one velocity.
   [[nodiscard]] KnotWindow at_velocity(const Twist& velocity) const;
+  /// Likewise those of them after a segment, at its own velocity; or, `changing`, at one that goes
+  /// on changing as it did from the segment before to this one.
+  [[nodiscard]] KnotWindow going_on_after(std::size_t segment, bool changing) const;
   /// Mean velocity over the new scan, likewise.
   [[nodiscard]] Twist mean_velocity() const;
   /// The new scan's motion.
   [[nodiscard]] ScanTrajectory trajectory() const;
   /// The part of it between two instants, with as many segments.
   [[nodiscard]] ScanTrajectory trajectory(std::int64_t from_ns, std::int64_t until_ns) const;
+
+ private:
+  /// The knots after one, the velocity changing by so much from each step to the next.
+  [[nodiscard]] KnotWindow moved_on(std::size_t from_knot, Twist velocity,
+                                    const Twist& change) const;
 };
 
 /// How far one pose is from another: translation in the map's axes [m], rotation about the sensor

@@ -87,6 +87,27 @@ TEST(KnotWindow, AtAVelocityItGoesOnFromItsFirstTwoKnots) {
   for (std::size_t k = 1; k < 8; ++k) EXPECT_LT((moved.velocity(k) - velocity).norm(), 1e-11);
 }
 
+TEST(KnotWindow, AfterASegmentItGoesOnAsThatOneDid) {
+  Random random(6);
+  KnotWindow window = steady(random.pose(20.0, 3.0), random.twist(2.0, 2.0));
+  for (Pose& knot : window.knots) knot = displaced(knot, random.twist(0.02, 0.02));
+  for (const std::size_t segment : {0U, 3U, 6U}) {
+    const Twist own = window.velocity(segment + 1), change = own - window.velocity(segment);
+    const KnotWindow steadily = window.going_on_after(segment, false);
+    const KnotWindow changing = window.going_on_after(segment, true);
+    ASSERT_EQ(steadily.knots.size(), window.knots.size());
+    for (std::size_t k = 0; k <= segment + 2; ++k) {
+      EXPECT_EQ(steadily.knots[k].matrix(), window.knots[k].matrix());
+      EXPECT_EQ(changing.knots[k].matrix(), window.knots[k].matrix());
+    }
+    for (std::size_t k = segment + 2; k < 8; ++k) {
+      const auto later = static_cast<double>(k - segment - 1);
+      EXPECT_LT((steadily.velocity(k) - own).norm(), 1e-10);
+      EXPECT_LT((changing.velocity(k) - own - later * change).norm(), 1e-10);
+    }
+  }
+}
+
 TEST(KnotWindow, TrajectoryIsTheNewScansPartOfIt) {
   Random random(4);
   KnotWindow window = steady(random.pose(20.0, 3.0), random.twist(2.0, 2.0));
