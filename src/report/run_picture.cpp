@@ -38,9 +38,9 @@ void find_map_ranges(DrawnRun& run) {
       values[axis].push_back(point[static_cast<Eigen::Index>(axis)]);
     }
   }
-  run.map_x = range_within(std::move(values[0]), kTail);
-  run.map_y = range_within(std::move(values[1]), kTail);
-  run.heights = padded(range_within(std::move(values[2]), kTail), 0.0, 0.1);
+  run.map_x = range_within(values[0], kTail);
+  run.map_y = range_within(values[1], kTail);
+  run.heights = padded(range_within(values[2], kTail), 0.0, 0.1);
 }
 
 double path_length(const DrawnRun& run) {

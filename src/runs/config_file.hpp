@@ -31,8 +31,8 @@ void load_config_file(const std::filesystem::path& path, Config& config);
 /// does not read.
 void apply_settings(const std::vector<std::string>& settings, Config& config);
 
-/// Parameters (name, value) as nested YAML maps, which load_config_file takes back.
+/// Parameters' `values` (name, value) as nested YAML maps, which load_config_file takes back.
 void emit_parameters(YAML::Emitter& out,
-                     const std::vector<std::pair<std::string, std::string>>& parameters);
+                     const std::vector<std::pair<std::string, std::string>>& values);
 
 }  // namespace surefoot::runs

@@ -45,8 +45,8 @@ DeskewSample sample_of(std::size_t line, const Scan& scan, const Estimate& estim
     if (!drawable(scan.points[i])) continue;
     const Eigen::Vector3d point = scan.points[i].cast<double>();
     const std::int64_t instant = scan.stamp_ns + scan.times_ns[i];
-    sample.measured.push_back((estimate.T_world_lidar * point).cast<float>());
-    sample.deskewed.push_back((estimate.pose_at(instant) * point).cast<float>());
+    sample.measured.emplace_back((estimate.T_world_lidar * point).cast<float>());
+    sample.deskewed.emplace_back((estimate.pose_at(instant) * point).cast<float>());
     sample.times.push_back(static_cast<float>(estimate.trajectory.tau(instant)));
   }
   return sample;

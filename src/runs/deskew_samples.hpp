@@ -26,7 +26,7 @@ class DeskewSamples {
 
  private:
   struct Kept {
-    double motion;  // [m]
+    double motion = 0.0;  // [m]
     report::DeskewSample sample;
   };
   std::vector<Kept> kept_;  // by line

@@ -183,13 +183,13 @@ std::vector<std::size_t> segment_begins(const fs::path& path) {
   return begins;
 }
 
-std::vector<std::string> estimate_names(const std::vector<fs::path>& files) {
+std::vector<std::string> estimate_names(const std::vector<fs::path>& paths) {
   std::map<std::string, int> uses;
-  for (const fs::path& file : files) ++uses[name_of(file)];
+  for (const fs::path& path : paths) ++uses[name_of(path)];
   std::vector<std::string> names;
-  for (const fs::path& file : files) {
-    const std::string name = name_of(file);
-    names.push_back(uses[name] == 1 ? name : file.string());
+  for (const fs::path& path : paths) {
+    const std::string name = name_of(path);
+    names.push_back(uses[name] == 1 ? name : path.string());
   }
   return names;
 }

@@ -36,7 +36,7 @@ class LayoutDraws {
   }
   /// Whole numbers, both ends included.
   [[nodiscard]] constexpr int whole(std::uint64_t number, int first, int low, int high) const {
-    const auto choices = static_cast<std::uint64_t>(high - low + 1);
+    const auto choices = static_cast<std::uint64_t>(high - low) + 1;
     return first_ ? first : low + static_cast<int>(random_.bits(number) % choices);
   }
 

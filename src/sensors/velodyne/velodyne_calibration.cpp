@@ -20,7 +20,7 @@ double number(const YAML::Node& laser, const char* key, bool required) {
     }
     return 0.0;
   }
-  const double value = node.as<double>();
+  const auto value = node.as<double>();
   if (!std::isfinite(value) || std::abs(value) > 100.0) {
     throw CalibrationError(std::string("'") + key + "' of a laser is out of range");
   }
@@ -55,7 +55,7 @@ void apply(const YAML::Node& root, VelodyneModel& model) {
     laser.horizontal_offset = number(one, "horiz_offset_correction", false);
   }
   if (const YAML::Node unit = root["distance_resolution"]; unit && model.name != "VLS-128") {
-    const double metres = unit.as<double>();
+    const auto metres = unit.as<double>();
     if (metres >= 0.001 && metres <= 0.01) {
       model.distance_unit = metres;
     }
