@@ -115,19 +115,27 @@ TEST(Simulation, BagsHoldWhatThePcdFilesHold) {
   }
 }
 
+/// A scene's recording `in`, and what is run of it into `out`.
+ProcessResult run_of_simulated(const ScratchFolder& scratch, std::vector<std::string> scene,
+                               std::vector<std::string> part) {
+  scene.insert(scene.begin(), "simulate");
+  scene.insert(scene.end(), {"--no-footprint", "-o", "in"});
+  const ProcessResult made = run_surefoot(scene, scratch.path());
+  EXPECT_EQ(made.exit_code, 0) << made;
+  part.insert(part.begin(), {"run", "in", "-o", "out", "--no-report", "--no-picture"});
+  ProcessResult run = run_surefoot(part, scratch.path());
+  EXPECT_EQ(run.exit_code, 0) << run;
+  return run;
+}
+
 // Of this runner the end of many a scan ran away by up to 14 degrees, and the scan after it, begun
 // there, was lost.
 TEST(Simulation, ARunnerWhoseScansEndUnlikeTheyBeginIsFollowed) {
   const ScratchFolder scratch;
-  const ProcessResult made =
-      run_surefoot({"simulate", "forest", "--robot", "run", "--no-footprint", "--layout", "14026",
-                    "--seed", "14026", "--scans", "200", "-o", "in"},
-                   scratch.path());
-  ASSERT_EQ(made.exit_code, 0) << made;
-  const ProcessResult run = run_surefoot(
-      {"run", "in", "--start", "40", "-o", "out", "--no-report", "--no-picture", "--no-map"},
-      scratch.path());
-  ASSERT_EQ(run.exit_code, 0) << run;
+  const ProcessResult run = run_of_simulated(
+      scratch,
+      {"forest", "--robot", "run", "--layout", "14026", "--seed", "14026", "--scans", "200"},
+      {"--start", "40", "--no-map"});
   EXPECT_EQ(run.output.find("lost"), std::string::npos) << run;
 }
 
@@ -135,15 +143,10 @@ TEST(Simulation, ARunnerWhoseScansEndUnlikeTheyBeginIsFollowed) {
 // from the last velocity alone followed by a quarter of it, and called that ok.
 TEST(Simulation, WhoLooksAroundOnAGrownHilltopIsFollowed) {
   const ScratchFolder scratch;
-  const ProcessResult made =
-      run_surefoot({"simulate", "hilltop", "--robot", "trot", "--no-footprint", "--layout", "7903",
-                    "--seed", "7903", "--scans", "275", "-o", "in"},
-                   scratch.path());
-  ASSERT_EQ(made.exit_code, 0) << made;
-  const ProcessResult run = run_surefoot(
-      {"run", "in", "--start", "230", "--count", "45", "-o", "out", "--no-report", "--no-picture"},
-      scratch.path());
-  ASSERT_EQ(run.exit_code, 0) << run;
+  const ProcessResult run = run_of_simulated(
+      scratch,
+      {"hilltop", "--robot", "trot", "--layout", "7903", "--seed", "7903", "--scans", "275"},
+      {"--start", "230", "--count", "45"});
   EXPECT_EQ(run.output.find("lost"), std::string::npos) << run;
   const ProcessResult eval =
       run_surefoot({"eval", "in/gt.tum", "out", "--pair", "interpolate", "--csv"}, scratch.path());

@@ -174,8 +174,8 @@ bool takes_better(const Attempts& attempts, KnotPoints& points, const KnotProble
 /// is next to a bad segment is half astray itself.
 /// @return whether one ended better
 bool begins_end_anew(KnotPoints& points, const KnotProblem& problem, KnotRegistration& found) {
-  const std::size_t from = runs_away_from(found.misfits, problem.config.suspicious);
-  if (from == found.misfits.size()) return false;
+  const std::size_t from = runs_away_from(found.disagreements, problem.config.suspicious);
+  if (from == found.disagreements.size()) return false;
   const Annealing narrow = narrow_annealing(problem.config);
   Attempts attempts(points, problem, found);
   for (std::size_t last = from; last > 0 && last + 2 > from; --last) {
@@ -188,13 +188,13 @@ bool begins_end_anew(KnotPoints& points, const KnotProblem& problem, KnotRegistr
 
 }  // namespace
 
-std::size_t runs_away_from(const std::vector<double>& misfits, double worse) {
-  const double all = std::accumulate(misfits.begin(), misfits.end(), 0.0);
-  const auto n = static_cast<double>(misfits.size());
-  std::size_t from = misfits.size();
+std::size_t runs_away_from(const std::vector<double>& disagreements, double worse) {
+  const double all = std::accumulate(disagreements.begin(), disagreements.end(), 0.0);
+  const auto n = static_cast<double>(disagreements.size());
+  std::size_t from = disagreements.size();
   double most = 0.0, before = 0.0;
-  for (std::size_t s = 1; s < misfits.size(); ++s) {
-    before += misfits[s - 1];
+  for (std::size_t s = 1; s < disagreements.size(); ++s) {
+    before += disagreements[s - 1];
     const auto m = static_cast<double>(s);
     const double mean_before = before / m, mean_after = (all - before) / (n - m);
     const double step = (mean_after - mean_before) * std::sqrt(m * (n - m));  // [K39]

@@ -29,10 +29,11 @@ struct UsualFit {
 /// matches and more.
 [[nodiscard]] double firmness(const KnotRegistration& found);
 
-/// From which segment on a scan's last ones fit worse than those before them, by their misfits: its
-/// end ran away there, the motion within the scan having changed. Their number if none do.
+/// From which segment on a scan's last ones fit worse than those before them: its end ran away
+/// there, the motion within the scan having changed. Their number if none do.
+/// @param disagreements of the segments
 /// @param worse so many times, in the mean, or it is none
-[[nodiscard]] std::size_t runs_away_from(const std::vector<double>& misfits, double worse);
+[[nodiscard]] std::size_t runs_away_from(const std::vector<double>& disagreements, double worse);
 
 /// The best of as many registrations as the scan needs. Most need one. One that ends worse than
 /// usual is tried again from several motions: a map has many wrong places where a scan almost fits.

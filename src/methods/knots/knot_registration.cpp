@@ -180,8 +180,8 @@ KnotRegistration register_knots(KnotPoints& points, const KnotProblem& problem,
       result.last_two = system.last_two_information();
       for (std::size_t s = 0; s < sums.size(); ++s) {
         const auto of_segment = static_cast<double>(points.begins[s + 1] - points.begins[s]);
-        const double misfit = sums[s].surfels.misfit + config.unseen_weight * sums[s].unseen;
-        result.misfits.push_back(misfit / std::max(of_segment, 1.0));
+        const double sum = sums[s].surfels.misfit + config.unseen_weight * sums[s].unseen;
+        result.disagreements.push_back(sum / std::max(of_segment, 1.0));
         result.neighbours.push_back(sums[s].surfels.neighbours);
       }
       result.solved = count_in_full(assumed, surfels, sums, steps, config.independence, result);

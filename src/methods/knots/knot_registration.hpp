@@ -59,7 +59,7 @@ struct KnotRegistration {
   NormalEquations<6> rigid;            ///< of the scan as one rigid body, at the last iteration
   Matrix6 doubtful = Matrix6::Zero();  ///< of its H, what clouds claim and are not worth
   double squared_distance = 0.0;       ///< weighted sum of |s|^2 over the matches
-  std::vector<double> misfits;         ///< of each segment, at the last iteration
+  std::vector<double> disagreements;   ///< disagreement() of each segment, at the last iteration
   /// SegmentSums::neighbours of each segment, likewise.
   std::vector<std::array<Twist, 3>> neighbours;
 

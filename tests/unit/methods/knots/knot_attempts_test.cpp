@@ -106,7 +106,7 @@ TEST(KnotAttempts, WhereTheyLeadToTheSamePlaceTheyCostLittle) {
   const KnotPrior prior = prior_at(truth, 0.01);
   const KnotRegistration one = register_from(truth, prior);
   ASSERT_TRUE(one.converged);
-  ASSERT_LT(runs_away_from(one.misfits, Config().knots.suspicious), one.misfits.size());
+  ASSERT_LT(runs_away_from(one.disagreements, Config().knots.suspicious), one.disagreements.size());
   UsualFit usual;
   usual.learn(one, 1.0, Config().knots);
   usual.disagreement *= 0.5;
@@ -135,10 +135,10 @@ TEST(KnotAttempts, WhatIsFarWorseIsTriedWithALooserModel) {
   EXPECT_LE(searches_with - searches, 2 * 37);
 }
 
-// Segments' misfits as they were seen of a runner in a forest, whose end ran away.
+// Segments' disagreements as they were seen of a runner in a forest, whose end ran away.
 TEST(KnotAttempts, AnEndRunsAwayFromWhereItsSegmentsFitWorse) {
-  using Misfits = std::vector<double>;
-  const auto from = [](const Misfits& misfits) { return runs_away_from(misfits, 1.25); };
+  using Segments = std::vector<double>;
+  const auto from = [](const Segments& segments) { return runs_away_from(segments, 1.25); };
   EXPECT_EQ(from({0.11, 0.15, 0.13, 0.12, 0.32, 0.38, 0.38, 0.47}), 4U);
   EXPECT_EQ(from({0.10, 0.17, 0.16, 0.12, 0.10, 0.33, 0.43, 0.47}), 5U);
   EXPECT_EQ(from({0.10, 0.12, 0.11, 0.07, 0.08, 0.12, 0.36, 0.43}), 6U);
@@ -146,7 +146,7 @@ TEST(KnotAttempts, AnEndRunsAwayFromWhereItsSegmentsFitWorse) {
   EXPECT_EQ(from({0.37, 0.13, 0.11, 0.09, 0.09, 0.14, 0.44, 0.49}), 6U);  // the begin, too
   // None: it begins badly, fits alike, or hardly worse.
   EXPECT_EQ(from({0.39, 0.13, 0.11, 0.09, 0.09, 0.08, 0.09, 0.08}), 8U);
-  EXPECT_EQ(from(Misfits(8, 0.1)), 8U);
+  EXPECT_EQ(from(Segments(8, 0.1)), 8U);
   EXPECT_EQ(from({0.10, 0.10, 0.10, 0.10, 0.12, 0.12, 0.12, 0.12}), 8U);
   EXPECT_EQ(from({0.10, 0.10, 0.10, 0.10, 0.13, 0.13, 0.13, 0.13}), 4U);
   EXPECT_EQ(from({0.3}), 1U);
