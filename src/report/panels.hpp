@@ -4,6 +4,7 @@
 // The panels of a run's picture, each drawn into its rectangle, and what they share.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "report/canvas.hpp"
@@ -36,6 +37,7 @@ struct DrawnRun {
   std::vector<int> segments;    // likewise
   Trajectory reference;
   DrawnLoops loops;
+  std::int64_t first_ns = 0, last_ns = 0;       // of the path, whose clock may have been set back
   std::span<const Eigen::Vector3f> map_points;  // may hold points that cannot be drawn
   Range map_x, map_y;  // where nearly all of the map's points are, empty ([0, 0]) without a map
   Range heights;       // z of the colour map

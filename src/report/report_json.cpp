@@ -203,12 +203,12 @@ Json table_json(const ReportTable& table) {
   return json;
 }
 
-/// The first stamp of any run of the recording.
+/// The least stamp of any run of the recording: a clock may have been set back.
 std::int64_t start_of(const Report& report, std::size_t recording) {
   std::int64_t start = std::numeric_limits<std::int64_t>::max();
   for (const ReportRun& run : report.runs) {
     if (run.recording == recording && run.scans.size() > 0) {
-      start = std::min(start, run.scans.stamps_ns.front());
+      start = std::min(start, std::ranges::min(run.scans.stamps_ns));
     }
   }
   return start == std::numeric_limits<std::int64_t>::max() ? 0 : start;

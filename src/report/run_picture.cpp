@@ -64,8 +64,8 @@ std::string summary(const DrawnRun& run) {
   std::string text = with_thousands(run.path.size() - lost) + " poses";
   if (lost > 0) text += "  \u00b7  " + with_thousands(lost) + " not trusted";
   if (!run.path.empty()) {
-    const double seconds = 1e-9 * (static_cast<double>(run.path.back().stamp_ns) -
-                                   static_cast<double>(run.path.front().stamp_ns));
+    const double seconds =
+        1e-9 * (static_cast<double>(run.last_ns) - static_cast<double>(run.first_ns));
     std::array<char, 96> numbers{};
     std::snprintf(numbers.data(), numbers.size(), "  \u00b7  %.1f s  \u00b7  %.1f m", seconds,
                   path_length(run));
@@ -145,6 +145,11 @@ DrawnRun prepare_run(const PictureInput& input) {
     run.path.push_back(input.trajectory[i]);
     run.untrusted.push_back(!input.untrusted.empty() && input.untrusted[i]);
     run.segments.push_back(input.segments.empty() ? 0 : input.segments[i]);
+  }
+  if (!run.path.empty()) {
+    const auto [first, last] = std::ranges::minmax(run.path, {}, &StampedPose::stamp_ns);
+    run.first_ns = first.stamp_ns;
+    run.last_ns = last.stamp_ns;
   }
   std::copy_if(input.reference.begin(), input.reference.end(), std::back_inserter(run.reference),
                [](const StampedPose& stamped) { return is_drawable_pose(stamped.pose); });

@@ -72,10 +72,9 @@ void shade_untrusted(Canvas& canvas, const PlotArea& area, const std::vector<dou
 
 void draw_quantity(Canvas& canvas, const Rect& rect, const DrawnRun& run, const Quantity& quantity,
                    const std::string& time_label) {
-  const std::int64_t start = run.path.empty() ? 0 : run.path.front().stamp_ns;
-  const Series path = series_of(run.path, start, quantity);
+  const Series path = series_of(run.path, run.first_ns, quantity);
   const Range time = padded(range_of(path.times), 0.0, 1.0);
-  Series reference = series_of(run.reference, start, quantity);
+  Series reference = series_of(run.reference, run.first_ns, quantity);
   std::vector<double> values = path.values;
   for (std::size_t i = 0; i < reference.times.size(); ++i) {
     const bool beside = reference.times[i] >= time.low && reference.times[i] <= time.high;

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "io/decimal_time.hpp"
-#include "io/printable.hpp"
 #include "io/scan_selection.hpp"
 #include "mapping/walk_clock.hpp"
 #include "process/machine.hpp"
@@ -23,6 +22,7 @@
 #include "runs/output_checks.hpp"
 #include "runs/output_folder.hpp"
 #include "runs/report_maker.hpp"
+#include "runs/run_account.hpp"
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_output.hpp"
@@ -69,7 +69,8 @@ class OdometryRun final : public RunControl {
         scans_(recording, options),
         odometry_(config_, options.threads),
         T_lidar_written_(written_frame(options, config_)),
-        map_(options.map_voxel) {
+        map_(options.map_voxel),
+        account_(listener, outcome_) {
     observe();
   }
 
@@ -82,15 +83,12 @@ class OdometryRun final : public RunControl {
   void observe() {
     odometry_.set_step_observer([this](Step step) { times_.begin(step); });
   }
-  void say_new_notes();
   [[nodiscard]] std::optional<io::ScanItem> first_scan();
   void for_all(std::optional<io::ScanItem> item,
                const std::function<void(const io::ScanItem&)>& use);
   void check_truth(const RunOutput& output);
   void know_all(Reference reference, std::optional<io::ScanItem>& item);
   void use(const io::ScanItem& item, RunOutput& output);
-  void tell(const io::ScanItem& item, const Estimate& estimate);
-  void count(Status status);
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void open_bags();
   void begin_map();
@@ -112,13 +110,10 @@ class OdometryRun final : public RunControl {
   std::optional<LocalizationRun> localization_;
   std::filesystem::path localized_in_;  ///< the map that was asked for last
   RunOutcome outcome_;
-  std::vector<std::string> notes_;      ///< the recording's that were said
-  std::vector<std::string> own_notes_;  ///< the run's
-  Shares shares_;                       ///< what has been done, and is done after this
-  Status last_status_ = Status::ok;
+  RunAccount account_;
+  Shares shares_;          ///< what has been done, and is done after this
   int first_segment_ = 0;  ///< since it began anew
   int last_segment_ = -1;
-  int told_segment_ = 0;      ///< of the last trusted scan
   mapping::WalkClock clock_;  ///< of the scans in the map
 };
 
@@ -147,7 +142,7 @@ RunOutcome OdometryRun::execute() {
   open_bags();
   begin_map();
   for_all(std::move(item), [&](const io::ScanItem& one) { use(one, output); });
-  say_new_notes();
+  account_.say_notes_of(scans_.recording());
   map_ = map_.without_forgotten();
   if (map_run_) finish_map();
   check_truth(output);
@@ -167,8 +162,8 @@ std::optional<io::ScanItem> OdometryRun::first_scan() {
   std::optional<io::ScanItem> item = scans_.first();
   if (scans_.left_out().empty()) return item;
   ++outcome_.partial;
-  own_notes_.push_back(scans_.left_out());
-  listener_.say(own_notes_.back());
+  account_.note(scans_.left_out());
+  listener_.say(scans_.left_out());
   return item;
 }
 
@@ -189,7 +184,7 @@ void OdometryRun::check_truth(const RunOutput& output) {
     why = error.what();
   }
   if (why.empty()) return;
-  own_notes_.push_back(why);
+  account_.note(why);
   listener_.complain ? listener_.complain("note: " + why) : listener_.say("note: " + why);
 }
 
@@ -197,7 +192,7 @@ void OdometryRun::for_all(std::optional<io::ScanItem> item,
                           const std::function<void(const io::ScanItem&)>& use) {
   std::size_t done = 0;
   while (item && !listener_.interrupted()) {
-    say_new_notes();
+    account_.say_notes_of(scans_.recording());
     use(*item);
     ++done;
     listener_.progress(done, shares_.of(scans_.progress(done)));
@@ -223,17 +218,14 @@ void OdometryRun::know_all(Reference reference, std::optional<io::ScanItem>& ite
   odometry_ = reference.replay();
   observe();
   shares_ = kWriting;
-  own_notes_.emplace_back("a reference: every scan against the map of all of them");
+  account_.note("a reference: every scan against the map of all of them");
   scans_.begin_again(io::open_recording(options_.input, options_.reader));
   item = scans_.first();
 }
 
 void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (!item.scan) {
-    constexpr std::size_t kMostNoted = 10;
-    const std::string text = "left out: " + io::printable(item.error);
-    if (++outcome_.unreadable <= kMostNoted) own_notes_.push_back(text);
-    listener_.complain ? listener_.complain(text) : listener_.say(text);
+    account_.leave_out(item);
     return;
   }
   const std::vector<std::int64_t>& resets = options_.reset_before;
@@ -263,8 +255,7 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (map_run_ && estimate.trusted()) {
     map_run_->add(estimate, T_lidar_written_, odometry_.deskewed_scan());
   }
-  tell(item, estimate);
-  count(estimate.status);
+  account_.add(item, estimate, times_.total());
 }
 
 void OdometryRun::reset() {
@@ -296,55 +287,18 @@ void OdometryRun::localize(const std::filesystem::path& map) {
   localized_in_ = wanted;
 }
 
-/// Each trouble once, when it begins.
-void OdometryRun::tell(const io::ScanItem& item, const Estimate& estimate) {
-  const bool serious = !estimate.trusted() || estimate.status == Status::first_scan;
-  if (serious && estimate.status != last_status_) {
-    listener_.say(
-        fmt::format("{}: {}: {}", item.name, to_string(estimate.status), estimate.message));
-  }
-  last_status_ = estimate.status;
-  if (!estimate.trusted()) return;
-  if (estimate.segment < told_segment_) {
-    listener_.say(
-        fmt::format("{}: came home: it goes on in segment {}", item.name, estimate.segment));
-  }
-  told_segment_ = estimate.segment;
-}
-
-void OdometryRun::count(Status status) {
-  constexpr std::size_t kMostTimes = 100'000;
-  ++outcome_.statuses[status];
-  std::vector<double>& times = outcome_.milliseconds;
-  if (times.size() < kMostTimes) times.emplace_back();
-  times[outcome_.used++ % kMostTimes] = times_.total();
-}
-
-void OdometryRun::say_new_notes() {
-  const std::vector<std::string>& all = scans_.recording().notes();
-  for (; notes_.size() < all.size(); notes_.push_back(all[notes_.size()])) {
-    listener_.say("note: " + io::printable(all[notes_.size()]));
-  }
-}
-
 RunDescription OdometryRun::description(const RunOutput& output) const {
-  const auto untrusted = [this](Status status) {
-    const auto found = outcome_.statuses.find(status);
-    return found == outcome_.statuses.end() ? 0 : found->second;
-  };
   RunDescription run;
   run.version = options_.version.empty() ? SUREFOOT_VERSION : options_.version;
   run.method = method_;
   run.input = options_.is_live ? options_.input.string()
                                : std::filesystem::absolute(options_.input).string();
   run.content = scans_.recording().description();
-  run.notes = notes_;
-  run.notes.insert(run.notes.end(), own_notes_.begin(), own_notes_.end());
+  run.notes = account_.notes();
   run.options = options_.given;
   run.scans = std::to_string(outcome_.scans());
   run.unreadable = std::to_string(outcome_.unreadable);
-  run.untrusted = std::to_string(untrusted(Status::too_few_matches) + untrusted(Status::diverged) +
-                                 untrusted(Status::lost) + untrusted(Status::rejected));
+  run.untrusted = std::to_string(account_.untrusted());
   run.segments = lines_of(output.segments());
   run.interrupted = outcome_.interrupted ? "true" : "false";
   run.level = odometry_.level().message;
@@ -381,8 +335,7 @@ void OdometryRun::finish_map() {
   outcome_.map = map_run_->finish(outcome_.folder, map_, save);
   const std::optional<JoinOutcome>& join = outcome_.map->join;
   if (!join || join->joined) return;
-  own_notes_.push_back(
-      fmt::format("{} is not continued: {}", options_.continued.string(), join->message));
+  account_.note(fmt::format("{} is not continued: {}", options_.continued.string(), join->message));
 }
 
 /// The page is an extra: without it the run is whole all the same.

@@ -95,6 +95,16 @@ TEST(ReportJson, TimesStartWithTheRecording) {
   EXPECT_FLOAT_EQ(numbers<float>(data["recordings"][0]["truth"]["times"]).at(0), 0.1F);
 }
 
+TEST(ReportJson, TimesStartWithTheLeastStampOfAClockThatWasSetBack) {
+  Report report = one_run();
+  report.runs[0].scans.stamps_ns[1] = kStart - kStep;
+  const json data = json::parse(to_json(report));
+  const auto times = numbers<float>(data["runs"][0]["scans"]["times"]);
+  ASSERT_EQ(times.size(), 3U);
+  EXPECT_FLOAT_EQ(times[0], 0.1F);
+  EXPECT_EQ(times[1], 0.0F);
+}
+
 TEST(ReportJson, PosesInMetresAndDegreesAndNoneForARejectedScan) {
   const json data = json::parse(to_json(one_run()));
   const auto positions = numbers<float>(data["runs"][0]["path"]["positions"]);

@@ -13,6 +13,8 @@
 #include <set>
 #include <utility>
 
+#include "report/panels.hpp"
+
 // fontconfig keeps a few patterns of its font cache until the process ends.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
@@ -282,6 +284,13 @@ TEST_F(RunPicture, TheSameInputGivesTheSameBytes) {
   draw_run_picture(input, folder_ / "a.png");
   draw_run_picture(input, folder_ / "b.png");
   EXPECT_EQ(bytes_of_picture(folder_ / "a.png"), bytes_of_picture(folder_ / "b.png"));
+}
+
+TEST(DrawnRun, LastsFromTheLeastStampToTheGreatest) {
+  PictureInput input{.trajectory = {{5'000, {}}, {9'000, {}}, {2'000, {}}, {4'000, {}}}};
+  const DrawnRun run = prepare_run(input);  // its clock was set back
+  EXPECT_EQ(run.first_ns, 2'000);
+  EXPECT_EQ(run.last_ns, 9'000);
 }
 
 TEST_F(RunPicture, SvgIsWrittenByExtension) {
