@@ -145,15 +145,20 @@ OccupancyGrid draw_occupancy(const std::vector<Piece>& pieces, const GridOptions
   return grid;
 }
 
+// As map_server reads a pixel, its cell is taken with (255 - pixel) / 255: free below
+// `free_thresh`, occupied above the other. Unknown's 0.19608 must lie between.
+constexpr int kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
+constexpr const char* kThresholds = "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
 std::string format_pgm(const OccupancyGrid& grid) {
   std::string text =
       "P5\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
   for (int y = grid.height - 1; y >= 0; --y) {  // an image begins at the top
     for (int x = 0; x < grid.width; ++x) {
       const std::uint8_t cell = grid.at(x, y);
-      text += static_cast<char>(cell == OccupancyGrid::kFree       ? 254
-                                : cell == OccupancyGrid::kOccupied ? 0
-                                                                   : 205);
+      text += static_cast<char>(cell == OccupancyGrid::kFree       ? kFreePixel
+                                : cell == OccupancyGrid::kOccupied ? kOccupiedPixel
+                                                                   : kUnknownPixel);
     }
   }
   return text;
@@ -167,7 +172,8 @@ std::string format_grid_yaml(const OccupancyGrid& grid, const std::string& image
   out.imbue(std::locale::classic());
   out.precision(kExact);
   out << "image: " << image << "\nresolution: " << grid.cell << "\norigin: [" << grid.low.x()
-      << ", " << grid.low.y() << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
+      << ", " << grid.low.y() << ", 0.0]\nnegate: 0\n"
+      << kThresholds;
   return out.str();
 }
 

@@ -88,6 +88,24 @@ TEST(OccupancyGridTest, ImageAndYamlAreThoseOfMapServer) {
             std::string::npos);
 }
 
+/// The number behind a key of the grid's YAML.
+double yaml_number(const std::string& yaml, const std::string& key) {
+  const std::size_t at = yaml.find('\n' + key + ": ");
+  return at == std::string::npos ? -1.0 : std::stod(yaml.substr(at + key.size() + 3));
+}
+
+// map_server takes cells from pixels with (255 - pixel) / 255.
+TEST(OccupancyGridTest, WhatWasNotSeenIsNeitherFreeNorOccupiedToMapServer) {
+  const std::string yaml = format_grid_yaml(draw_occupancy({room()}, {}), "map.pgm");
+  const double free = yaml_number(yaml, "free_thresh");
+  const double occupied = yaml_number(yaml, "occupied_thresh");
+  const auto taken = [](int pixel) { return (255 - pixel) / 255.0; };
+  EXPECT_LT(taken(254), free);
+  EXPECT_GT(taken(205), free);
+  EXPECT_LT(taken(205), occupied);
+  EXPECT_GT(taken(0), occupied);
+}
+
 TEST(OccupancyGridTest, NothingSeenIsAnEmptyGridAndTooMuchIsRefused) {
   EXPECT_EQ(draw_occupancy({}, {}).cells.size(), 0U);
   Piece far = room();
