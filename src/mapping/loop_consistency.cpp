@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/se3.hpp"
+#include "mapping/held_pieces.hpp"
 
 namespace surefoot::mapping {
 
@@ -50,7 +51,8 @@ class Chain {
         systematic_(graph.systematic.cwiseAbs2().asDiagonal()) {
     std::vector<const PoseEdge*> step(graph.poses.size(), nullptr);
     for (const PoseEdge& edge : graph.edges) {
-      if (edge.inlier && edge.to == edge.from + 1) step[edge.from] = &edge;
+      // By what may be anything nothing agrees, and beside it all sums would lose their digits.
+      if (edge.inlier && edge.to == edge.from + 1 && holds(edge)) step[edge.from] = &edge;
     }
     if (sum_.empty()) return;
     sum_.front().setZero();

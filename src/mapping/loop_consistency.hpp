@@ -17,7 +17,8 @@ namespace surefoot::mapping {
 /// For every edge that is no inlier, whether another one agrees with it: round the cycle of the two
 /// and the inliers between their ends the motions cancel, within chi-squared 0.99. Asked of loops
 /// whose ends lie at most `reach` inliers apart, so that the cycle is short enough to say
-/// something. Inliers lead from each pose to the next.
+/// something. Inliers lead from each pose to the next; what hold nothing, where the odometry began
+/// anew, are none.
 [[nodiscard]] std::vector<bool> supported_loops(const PoseGraph& graph, std::size_t reach);
 
 /// Which of the edges `loops` agree with each other, asked of all pairs.

@@ -125,7 +125,39 @@ TEST(LoopConsistency, LoopsBetweenPlacesApartAgreeAsTheirMotionsSay) {
   EXPECT_FALSE(agree[0][3] || agree[1][3]);
 }
 
-/// Against all subsets.
+/// Where the odometry began anew, 3 km from the first pose: that anything may lie between is no
+/// sign that loops agree behind it, nor does it take the digits of what is known there.
+TEST(LoopConsistency, ContradictingLoopsBehindABeginningAnewDoNotAgree) {
+  constexpr std::size_t kBefore = 2;
+  const PoseGraph laps = two_laps();
+  PoseGraph graph;
+  Pose far;
+  far.translation = {3000.0, 0.0, 0.0};
+  graph.poses = {{}, far};
+  PoseEdge edge;
+  edge.to = 1;
+  edge.T_from_to = far;
+  edge.information = 400.0 * Matrix6::Identity();
+  graph.edges.push_back(edge);
+  edge = {1, 2, {}, 1e-9 * Matrix6::Identity()};  // as odometry_edge() has it
+  graph.edges.push_back(edge);
+  for (const Pose& pose : laps.poses) graph.poses.push_back(far * pose);
+  for (PoseEdge step : laps.edges) {
+    step.from += kBefore;
+    step.to += kBefore;
+    graph.edges.push_back(step);
+  }
+  const std::size_t first = graph.edges.size();
+  Pose aside;
+  aside.translation = {4.0, 2.0, 0.0};
+  graph.edges.push_back(loop(kBefore + 2, kBefore + 22, {}));
+  graph.edges.push_back(loop(kBefore + 4, kBefore + 24, aside));
+  graph.edges.push_back(loop(kBefore + 6, kBefore + 26, {}));
+  const auto agree = pairwise_agreement(graph, {first, first + 1, first + 2});
+  EXPECT_FALSE(agree[0][1] || agree[1][2]);
+  EXPECT_TRUE(agree[0][2]);
+}
+
 /// More loops than are asked in pairs: the others are judged by those that agree.
 TEST(KeepConsistent, OfManyLoopsKeepsTheRightOnes) {
   constexpr std::size_t kLap = 900;
@@ -164,6 +196,7 @@ TEST(KeepConsistent, OfManyLoopsKeepsTheRightOnes) {
   }
 }
 
+/// Against all subsets.
 TEST(LargestClique, IsTheLargest) {
   std::mt19937 random(4);
   for (int round = 0; round < 30; ++round) {
