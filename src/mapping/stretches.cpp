@@ -164,11 +164,12 @@ bool tighten(SavedMap& joint, std::vector<Loop>& loops, const std::optional<Pose
   return holds;
 }
 
-/// Both as one in `group`, if they can be joined; the loops that were compared go to `compared`.
-/// What was walked first stays where it is.
+/// Both as one in `group`, if they can be joined, else both as they were; the loops that were
+/// compared go to `compared`. What was walked first stays where it is.
 bool join(const std::vector<Piece>& walk, Group& group, Group& other, const MergeOptions& options,
           std::vector<Loop>& compared) {
-  if (other.pieces.front() < group.pieces.front()) std::swap(group, other);
+  const bool swapped = other.pieces.front() < group.pieces.front();
+  if (swapped) std::swap(group, other);
   MapJoin joined = join_maps(group.map, other.map, options);
   std::vector<std::size_t> numbers = group.pieces;
   numbers.insert(numbers.end(), other.pieces.begin(), other.pieces.end());
@@ -185,7 +186,10 @@ bool join(const std::vector<Piece>& walk, Group& group, Group& other, const Merg
     loop.query = numbers[loop.query];
     compared.push_back(std::move(loop));
   }
-  if (!whole) return false;
+  if (!whole) {
+    if (swapped) std::swap(group, other);
+    return false;
+  }
   group.map = std::move(*joined.joint);
   group.pieces = std::move(numbers);
   return true;

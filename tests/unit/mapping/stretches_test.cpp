@@ -252,6 +252,48 @@ TEST_F(Stretches, UnderARoofAreNotJoined) {
   EXPECT_GE(compared_between(mapper, LoopVerdict::other_storey), 1U);
 }
 
+/// Four stretches: a way's first part, another place, the way's last part, which shares nothing
+/// with the first, and the whole way. What the last one joins to the first is held against the
+/// others.
+TEST_F(Stretches, ThatWereJoinedAreComparedWithEachThatWaits) {
+  SceneWalk walk;
+  const auto append = [&](const SceneWalk& part) {
+    const int frame = walk.scans.empty() ? 0 : walk.scans.back().frame + 1;
+    const std::int64_t begin_ns = walk.scans.empty() ? 0 : walk.scans.back().stamp_ns + 400 * kScan;
+    for (std::size_t i = 0; i < part.scans.size(); ++i) {
+      walk.scans.push_back(part.scans[i]);
+      walk.scans.back().restarted = frame > 0 && i == 0;
+      walk.scans.back().frame = frame;
+      walk.scans.back().stamp_ns += begin_ns;
+    }
+    walk.points.insert(walk.points.end(), part.points.begin(), part.points.end());
+    walk.truth.insert(walk.truth.end(), part.truth.begin(), part.truth.end());
+  };
+  const auto campus = [](double from, double length) {
+    WalkOptions options;
+    options.from = from;
+    options.length = length;
+    options.unknown_start = true;
+    return test::walk_through("campus", 46, options);
+  };
+  WalkOptions elsewhere;
+  elsewhere.length = 10.0;
+  append(campus(0.0, 25.0));
+  append(test::walk_through("forest", 7, elsewhere));
+  append(campus(60.0, 25.0));
+  append(campus(0.0, 85.0));
+  const WalkMapper mapper = mapped(walk);
+  ASSERT_EQ(stretches_of(mapper.pieces()).back(), 3U);
+  HeldPieces held(mapper.graph());
+  std::vector<bool> whole;
+  const std::vector<std::size_t> stretches = stretches_of(mapper.pieces());
+  for (std::size_t stretch = 1; stretch <= 3; ++stretch) {
+    const auto first = std::find(stretches.begin(), stretches.end(), stretch) - stretches.begin();
+    whole.push_back(held.set_of(static_cast<std::size_t>(first)) == held.set_of(0));
+  }
+  EXPECT_EQ(whole, (std::vector<bool>{false, true, true}));
+}
+
 /// Under a roof no loop joins stretches; who came home is known to be there.
 TEST_F(Stretches, AreJoinedByTheOdometryThatCameHome) {
   WalkOptions options;
