@@ -116,10 +116,12 @@ meanwhile. Before finish() all but add() raises RuntimeError, after it add() doe
       .def(
           "T_map_world",
           [](Self& self, std::int64_t stamp_ns) {
-            return python::matrix_of(
+            return matrix_of(
                 alone(self, [&](const Mapper& mapper) { return mapper.T_map_world(stamp_ns); }));
           },
-          py::arg("stamp_ns"), "(4, 4), from the odometry's world to the map, at an instant.")
+          py::arg("stamp_ns"),
+          "(4, 4), from the odometry's world to the map, at an instant; None in stretches that "
+          "nothing holds to a map that it was joined to.")
       .def_property_readonly(
           "loops",
           [](Self& self) { return alone(self, [](const Mapper& m) { return m.loops(); }); },

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "surefoot/estimate.hpp"
@@ -69,8 +70,9 @@ class Mapper {
   [[nodiscard]] Trajectory trajectory() const;
   /// T_map_world at an instant [ns, the sensor's epoch]: from the odometry's world to the map,
   /// smooth between instants. At the nearest end of the walk where the instant lies outside of it;
-  /// for the last time, where the sensor's clock was set back and showed it twice.
-  [[nodiscard]] Pose T_map_world(std::int64_t stamp_ns) const;
+  /// for the last time, where the sensor's clock was set back and showed it twice. None in those
+  /// stretches.
+  [[nodiscard]] std::optional<Pose> T_map_world(std::int64_t stamp_ns) const;
   /// How many loops within the walk were taken, of so many places that were compared.
   [[nodiscard]] std::size_t loops() const;
   [[nodiscard]] std::size_t compared() const;

@@ -70,7 +70,12 @@ MapJoin FinishedWalk::join(const SavedMap& map) {
   return join;
 }
 
-Pose FinishedWalk::correction(std::int64_t time_ns) const {
+std::optional<Pose> FinishedWalk::correction(std::int64_t time_ns) const {
+  const auto next =
+      std::upper_bound(pieces_.begin(), pieces_.end(), time_ns,
+                       [](std::int64_t time, const Piece& piece) { return time < piece.begin_ns; });
+  const auto piece = std::max<std::ptrdiff_t>(next - pieces_.begin() - 1, 0);
+  if (!placed_.empty() && !placed_[static_cast<std::size_t>(piece)]) return std::nullopt;
   return correction_at(pieces_, poses_, time_ns);
 }
 
@@ -78,13 +83,8 @@ Trajectory FinishedWalk::corrected(const Trajectory& measured) const {
   Trajectory result;
   WalkClock clock;
   for (const StampedPose& pose : measured) {
-    const std::int64_t time_ns = clock.next(pose.stamp_ns);
-    const auto next = std::upper_bound(
-        pieces_.begin(), pieces_.end(), time_ns,
-        [](std::int64_t time, const Piece& piece) { return time < piece.begin_ns; });
-    const auto piece = std::max<std::ptrdiff_t>(next - pieces_.begin() - 1, 0);
-    if (!placed_.empty() && !placed_[static_cast<std::size_t>(piece)]) continue;
-    result.push_back({pose.stamp_ns, correction(time_ns) * pose.pose});
+    const std::optional<Pose> T_map_odometry = correction(clock.next(pose.stamp_ns));
+    if (T_map_odometry) result.push_back({pose.stamp_ns, *T_map_odometry * pose.pose});
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mapping/map_merge.hpp"
@@ -33,10 +34,10 @@ class FinishedWalk {
   /// Joins it to a map: then all that follows is in that map's frame. Else nothing changes.
   MapJoin join(const SavedMap& map);
 
-  /// T_map_odometry at a time along the walk; smooth between the pieces.
-  [[nodiscard]] Pose correction(std::int64_t time_ns) const;
-  /// The odometry's poses, all that the mapper was given, corrected; without those of pieces that
-  /// nothing holds to the map that it was joined to.
+  /// T_map_odometry at a time along the walk; smooth between the pieces. None where nothing holds
+  /// the piece to the map that it was joined to.
+  [[nodiscard]] std::optional<Pose> correction(std::int64_t time_ns) const;
+  /// The odometry's poses, all that the mapper was given, corrected; without those that have none.
   [[nodiscard]] Trajectory corrected(const Trajectory& measured) const;
   [[nodiscard]] const SavedMap& map() const { return map_; }
   [[nodiscard]] PoseGraph graph() const;

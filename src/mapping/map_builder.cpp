@@ -39,17 +39,19 @@ void MapBuilder::forget(const Cubes& cubes, double seconds) {
   }
 }
 
-MapBuilder MapBuilder::corrected(const std::function<Pose(double seconds)>& correction) const {
+MapBuilder MapBuilder::corrected(
+    const std::function<std::optional<Pose>(double seconds)>& correction) const {
   MapBuilder moved(voxel_);
   moved.has_intensities_ = has_intensities_;
   float time = std::numeric_limits<float>::quiet_NaN();  // points come scan by scan
-  Pose by;
+  std::optional<Pose> by;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (first_seen_[i] != time) {
       time = first_seen_[i];
       by = correction(time);
     }
-    const Eigen::Vector3d point = by * points_[i].cast<double>();
+    if (!by) continue;
+    const Eigen::Vector3d point = *by * points_[i].cast<double>();
     std::uint32_t& taken_by = moved.taken_.at(voxel_index(point, inverse_voxel_));
     if (taken_by != CubeTable::kNone) continue;
     taken_by = static_cast<std::uint32_t>(moved.points_.size());

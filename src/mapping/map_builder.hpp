@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -29,8 +30,9 @@ class MapBuilder {
   [[nodiscard]] MapBuilder without_forgotten() const;
 
   /// With every point moved by the correction of the time when it was first seen [s], and one kept
-  /// a cube: what was seen on two visits comes together.
-  [[nodiscard]] MapBuilder corrected(const std::function<Pose(double seconds)>& correction) const;
+  /// a cube: what was seen on two visits comes together. Without those of times that have none.
+  [[nodiscard]] MapBuilder corrected(
+      const std::function<std::optional<Pose>(double seconds)>& correction) const;
 
   [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   /// Empty if any scan had no intensities.

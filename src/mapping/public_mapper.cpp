@@ -56,7 +56,7 @@ JoinReport Mapper::join(const std::filesystem::path& map) {
 
 Trajectory Mapper::trajectory() const { return state_->walk().corrected(state_->measured); }
 
-Pose Mapper::T_map_world(std::int64_t stamp_ns) const {
+std::optional<Pose> Mapper::T_map_world(std::int64_t stamp_ns) const {
   return state_->walk().correction(state_->clock.at(stamp_ns));
 }
 

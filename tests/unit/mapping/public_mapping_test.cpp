@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -83,10 +84,39 @@ TEST_F(PublicMapping, AMapIsJoinedToASavedOneAndIsInItsFrame) {
     ASSERT_LT((trajectory[i].pose.translation - walk.truth[i].translation).norm(), 0.1) << i;
   }
   const Pose last =
-      mapper.T_map_world(walk.scans.back().stamp_ns) * walk.scans.back().T_world_lidar;
+      mapper.T_map_world(walk.scans.back().stamp_ns).value() * walk.scans.back().T_world_lidar;
   EXPECT_EQ(last.translation, trajectory.back().pose.translation);
   mapper.save(folder() / "joint.surefoot");
   EXPECT_GT(fs::file_size(folder() / "joint.surefoot"), fs::file_size(file()));
+}
+
+/// It began elsewhere, in a frame of its own: where that lies in the map nothing says.
+TEST_F(PublicMapping, WhatNothingHoldsToTheSavedMapHasNoPlaceInIt) {
+  if (!mapping::has_solver()) GTEST_SKIP() << "built without Ceres";
+  constexpr std::int64_t kPause = 100'000'000'000;
+  WalkOptions options;
+  options.length = 10.0;
+  const SceneWalk elsewhere = test::walk_through("forest", 7, options);
+  const SceneWalk walk = later_day();
+  Mapper mapper;
+  for (std::size_t i = 0; i < elsewhere.scans.size(); ++i) {
+    mapper.add(estimate_of(elsewhere.scans[i]), elsewhere.points[i]);
+  }
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+    Estimate estimate = estimate_of(walk.scans[i]);
+    estimate.stamp_ns += kPause;
+    estimate.segment = 1;
+    mapper.add(estimate, walk.points[i]);
+  }
+  mapper.finish();
+  EXPECT_TRUE(mapper.T_map_world(elsewhere.scans[9].stamp_ns)) << "the walk's own map has it";
+  ASSERT_TRUE(mapper.join(folder()).joined);
+  EXPECT_EQ(mapper.trajectory().size(), walk.scans.size());
+  EXPECT_FALSE(mapper.T_map_world(elsewhere.scans[9].stamp_ns));
+  const std::optional<Pose> T_map_world = mapper.T_map_world(walk.scans[9].stamp_ns + kPause);
+  ASSERT_TRUE(T_map_world);
+  const Pose found = *T_map_world * walk.scans[9].T_world_lidar;
+  EXPECT_LT((found.translation - walk.truth[9].translation).norm(), 0.1);
 }
 
 TEST_F(PublicMapping, ARobotIsFoundInASavedMap) {
