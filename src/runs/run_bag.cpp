@@ -130,7 +130,9 @@ void RunBag::write_clouds(const Estimate& estimate, const Odometry& odometry) {
   cloud.intensities = odometry.deskewed_scan().intensities;
   bag_->write(topics_.scan, cloud.stamp_ns,
               io::format_point_cloud2(cloud, kLidar, bag_->flavour()));
-  if (any_map_ && estimate.stamp_ns < next_map_ns_) return;
+  // A stamp before the last one's is of a clock that was set back.
+  const bool soon = estimate.stamp_ns >= next_map_ns_ - kMapPeriodNs;
+  if (any_map_ && soon && estimate.stamp_ns < next_map_ns_) return;
   any_map_ = true;
   next_map_ns_ = estimate.stamp_ns + kMapPeriodNs;
   cloud.points.clear();

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -65,6 +66,22 @@ TEST_F(RunBagTest, OdomInAMapIsToldWhenItIsKnownAndWhenItMoves) {
   EXPECT_EQ(told(), 2U);
   bag_.place(std::nullopt);  // lost: the last one stands
   EXPECT_EQ(told(), 2U);
+}
+
+TEST_F(RunBagTest, TheMapIsToldOnceASecondAlsoWhereTheClockWasSetBack) {
+  const auto told_at = [&](double seconds) {
+    Estimate estimate;
+    estimate.status = Status::ok;
+    estimate.stamp_ns = std::llround(1e9 * seconds);
+    bag_.add("scan", estimate, odometry_);
+    return listeners_->heard["/surefoot/local_map"].size();
+  };
+  EXPECT_EQ(told_at(100.0), 1U);
+  EXPECT_EQ(told_at(100.9), 1U);
+  EXPECT_EQ(told_at(101.0), 2U);
+  EXPECT_EQ(told_at(50.0), 3U);
+  EXPECT_EQ(told_at(50.9), 3U);
+  EXPECT_EQ(told_at(51.1), 4U);
 }
 
 /// Six hours of ten scans a second.
