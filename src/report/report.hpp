@@ -85,7 +85,7 @@ struct ReportLoop {
 };
 
 /// Poses are given in the frame in which runs are shown: the truth's world where there is a truth,
-/// the run's own map otherwise. z is up.
+/// the run's own map otherwise, and near its origin: they are drawn as floats. z is up.
 struct ReportRun {
   std::string name;
   std::size_t recording = 0;  ///< index of Report::recordings

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "evaluation/ape.hpp"
@@ -45,7 +46,16 @@ report::ErrorSeries error_series(const AssociatedTrajectories& pairs) {
   return series;
 }
 
-/// From the run's frame to the truth's.
+/// Whole kilometres near the truth's begin: less these its coordinates, and those of runs in its
+/// world, are drawn to the millimetre, which a page's numbers cannot tell at 5000 km (UTM).
+Eigen::Vector3d origin_near(const Trajectory& truth) {
+  constexpr double kStep = 1000.0;  // [m]
+  if (truth.empty()) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d steps = truth.front().pose.translation / kStep;
+  return kStep * Eigen::Vector3d(steps.array().round());
+}
+
+/// From the run's frame to the truth's, less what it is drawn from.
 void move_run(const Pose& T_world_map, report::ReportRun& run) {
   for (std::vector<std::optional<Pose>>* poses : {&run.poses, &run.corrected}) {
     for (std::optional<Pose>& pose : *poses) {
@@ -64,17 +74,23 @@ void move_run(const Pose& T_world_map, report::ReportRun& run) {
   }
 }
 
-/// The figures are those of `surefoot eval --pair interpolate`; what is drawn is laid on the truth.
-void evaluate_run(const Trajectory& truth, const Trajectory& measured, report::ReportRun& run) {
+/// The figures are those of `surefoot eval --pair interpolate`; what is drawn is laid on the truth,
+/// less `origin`.
+void evaluate_run(const Trajectory& truth, const Trajectory& measured,
+                  const Eigen::Vector3d& origin, report::ReportRun& run) {
   evaluation::EvaluationOptions options;
   options.association = pairing_with(truth, measured);
   // Named as `surefoot eval` names it: by the file.
   const auto figures = evaluation::evaluate("trajectory", truth, measured, options);
   AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);
-  const Pose T_world_map = laid_on_truth(pairs);
+  Pose T_world_map = laid_on_truth(pairs);
   pairs.estimate = evaluation::aligned(pairs.estimate, {T_world_map});
   run.evaluation = {evaluation::json_of(figures).dump(), error_series(pairs)};
+  T_world_map.translation -= origin;
   move_run(T_world_map, run);
+  if (origin.isZero()) return;
+  run.facts.emplace_back("Coordinates", fmt::format("of the truth, less x {}, y {}, z {} m",
+                                                    origin.x(), origin.y(), origin.z()));
 }
 
 std::string name_of(const fs::path& path) {
@@ -89,6 +105,7 @@ std::size_t ReportMaker::recording_of(const fs::path& input) {
   const auto index = static_cast<std::size_t>(found - inputs_.begin());
   if (found == inputs_.end()) {
     inputs_.push_back(input);
+    origins_.emplace_back();
     report_.recordings.push_back({input.empty() ? "recording not known" : name_of(input), {}});
   }
   return index;
@@ -121,10 +138,13 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
     const Trajectory poses = read_truth_poses(truth_file);
     run.facts.emplace_back("Truth", truth_file.string());
     try {
-      evaluate_run(poses, read.measured, run);
+      std::optional<Eigen::Vector3d>& origin = origins_[run.recording];
+      if (!origin) origin = origin_near(poses);
+      evaluate_run(poses, read.measured, *origin, run);
       Trajectory& shown = report_.recordings[run.recording].truth;
       if (shown.empty() && run.scans.size() > 0) {
         shown = truth_between(poses, run.scans.stamps_ns.front(), run.scans.stamps_ns.back());
+        for (StampedPose& pose : shown) pose.pose.translation -= *origin;
       }
     } catch (const std::exception& error) {
       run.notes.push_back(fmt::format("not compared with the truth: {}", error.what()));

@@ -4,7 +4,9 @@
 // Folders of runs, evaluated and put together for the report.
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ class ReportMaker {
   std::filesystem::path truth_;
   report::Report report_;
   std::vector<std::filesystem::path> inputs_;  // of report_.recordings
+  std::vector<std::optional<Eigen::Vector3d>>
+      origins_;  // of the truths' worlds, where one is known
   std::vector<std::string> problems_;
 };
 

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+#include "runs/report_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "io/files/ply_writer.hpp"
+#include "io/trajectory_files.hpp"
+#include "runs/run_files.hpp"
+#include "runs/scans_csv.hpp"
+#include "support/scratch.hpp"
+
+namespace surefoot::runs {
+namespace {
+
+class ReportMakerTest : public test::Scratch {
+ protected:
+  /// A run of scans along a bend, whose map is a point above each pose, and its truth.
+  ReportMakerTest() {
+    Trajectory measured;
+    std::vector<Eigen::Vector3f> points;
+    std::string scans = scans_csv_header();
+    for (int i = 0; i < 40; ++i) {
+      Estimate estimate;
+      estimate.status = Status::ok;
+      estimate.stamp_ns = i * std::int64_t{100'000'000};
+      Pose pose;
+      pose.rotation = so3_exp({0.0, 0.0, 0.05 * i});
+      pose.translation = {0.3 * i, 0.01 * i * i, 0.02 * i};
+      estimate.T_world_lidar = pose;
+      measured.push_back({estimate.stamp_ns, pose});
+      points.emplace_back(pose.translation.cast<float>() + Eigen::Vector3f::UnitZ());
+      scans += scans_csv_line({static_cast<std::size_t>(i), "a", estimate, {}});
+      truth_.push_back({estimate.stamp_ns, T_utm_map_ * pose});
+    }
+    write("run/scans.csv", scans);
+    io::write_tum(run_ / kTrajectoryFile, measured);
+    io::write_tum(folder_ / "utm.tum", truth_);
+    io::write_kitti_poses(run_ / kKittiTrajectoryFile, measured);
+    io::write_ply(run_ / kMapFile, points, std::vector<io::PlyColumn>{});
+  }
+
+  std::filesystem::path run_ = folder_ / "run";
+  Pose T_utm_map_{so3_exp({0.0, 0.0, 1.0}), {512'345.678, 5'412'345.432, 123.456}};
+  Trajectory truth_;
+};
+
+float step_at(double value) {
+  const auto shown = static_cast<float>(value);
+  return std::nextafter(shown, std::numeric_limits<float>::infinity()) - shown;
+}
+
+/// At 5400 km floats are half a metre apart.
+TEST_F(ReportMakerTest, OfCoordinatesInUtmIsShownFromAnOriginNearby) {
+  ReportMaker maker;
+  maker.add_run(run_, {}, folder_ / "utm.tum");
+  const report::Report report = maker.take({});
+  const report::ReportRun& run = report.runs.at(0);
+  const Eigen::Vector3d origin(512'000.0, 5'412'000.0, 0.0);
+  const Trajectory& shown = report.recordings.at(0).truth;
+  ASSERT_EQ(shown.size(), truth_.size());
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    const Eigen::Vector3d expected = truth_[i].pose.translation - origin;
+    EXPECT_LT((shown[i].pose.translation - expected).norm(), 1e-5);
+    EXPECT_LT((run.poses[i]->translation - expected).norm(), 1e-4);
+    EXPECT_LT(step_at(run.poses[i]->translation.cwiseAbs().maxCoeff()), 1e-3F);
+    EXPECT_LT((run.map.points[i].cast<double>() - expected - Eigen::Vector3d::UnitZ()).norm(),
+              1e-3);
+  }
+  const report::Fact said{"Coordinates", "of the truth, less x 512000, y 5412000, z 0 m"};
+  EXPECT_NE(std::find(run.facts.begin(), run.facts.end(), said), run.facts.end());
+}
+
+TEST_F(ReportMakerTest, OfCoordinatesNearTheOriginIsShownAsTheyAre) {
+  for (StampedPose& pose : truth_) pose.pose = T_utm_map_.inverse() * pose.pose;
+  io::write_tum(folder_ / "near.tum", truth_);
+  ReportMaker maker;
+  maker.add_run(run_, {}, folder_ / "near.tum");
+  const report::Report report = maker.take({});
+  EXPECT_NEAR(report.recordings.at(0).truth.at(10).pose.translation.x(), 3.0, 1e-6);
+  for (const report::Fact& fact : report.runs.at(0).facts) EXPECT_NE(fact.first, "Coordinates");
+}
+
+}  // namespace
+}  // namespace surefoot::runs
