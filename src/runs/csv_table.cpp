@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/ascii_values.hpp"
 #include "io/file_reader.hpp"
@@ -32,7 +33,7 @@ std::vector<std::string> csv_fields(std::string_view line) {
   return fields;
 }
 
-std::size_t CsvTable::column(std::string_view name) const {
+std::size_t CsvHead::column(std::string_view name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     throw ReadError(fmt::format(
@@ -41,25 +42,39 @@ std::size_t CsvTable::column(std::string_view name) const {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-CsvTable read_csv_table(const std::filesystem::path& file) {
-  std::vector<std::byte> bytes;
-  io::read_whole_file(file, bytes);
-  std::string_view text = io::text_of(bytes);
-  text = text.substr(0, text.rfind('\n') + 1);
-  io::LineReader lines(text);
-  std::string_view line;
-  if (!lines.next(line)) {
-    throw ReadError(file.string() +
-                    ": its header line cannot be read; expected a table as surefoot run writes it");
-  }
-  CsvTable table{file.string(), csv_fields(line), {}};
-  while (lines.next(line)) {
-    table.rows.push_back(csv_fields(line));
-    if (const std::size_t seen = table.rows.back().size(); seen != table.names.size()) {
-      throw ReadError(fmt::format("{}: line {}: {} fields, {} expected", file.string(),
-                                  lines.line_number(), seen, table.names.size()));
+void read_csv_rows(const std::filesystem::path& file,
+                   const std::function<void(const CsvHead& head)>& begin,
+                   const std::function<void(const std::vector<std::string>& row)>& use) {
+  std::size_t line_number = 0;
+  std::size_t columns = 0;
+  const auto read = [&](std::string_view text) {
+    text = text.substr(0, text.rfind('\n') + 1);
+    io::LineReader lines(text, line_number);
+    for (std::string_view line; lines.next(line);) {
+      std::vector<std::string> fields = csv_fields(line);
+      if (lines.line_number() == 1) {
+        columns = fields.size();
+        begin({file.string(), std::move(fields)});
+      } else if (fields.size() == columns) {
+        use(fields);
+      } else {
+        throw ReadError(fmt::format("{}: line {}: {} fields, {} expected", file.string(),
+                                    lines.line_number(), fields.size(), columns));
+      }
     }
-  }
+    line_number = lines.line_number();
+  };
+  io::read_lines_in_parts(file, read);
+  if (line_number > 0) return;
+  throw ReadError(file.string() +
+                  ": its header line cannot be read; expected a table as surefoot run writes it");
+}
+
+CsvTable read_csv_table(const std::filesystem::path& file) {
+  CsvTable table;
+  read_csv_rows(
+      file, [&](const CsvHead& head) { static_cast<CsvHead&>(table) = head; },
+      [&](const std::vector<std::string>& row) { table.rows.push_back(row); });
   return table;
 }
 

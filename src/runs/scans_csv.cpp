@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "io/ascii_values.hpp"
@@ -162,43 +163,72 @@ bool is_text(const std::string& name) {
   });
 }
 
-/// Texts of a column; empty ones if an older program did not write it.
-std::vector<std::string> texts_of(const CsvTable& table, std::string_view name) {
-  const auto found = std::find(table.names.begin(), table.names.end(), name);
-  std::vector<std::string> texts(table.rows.size());
-  if (found == table.names.end()) return texts;
-  const auto column = static_cast<std::size_t>(found - table.names.begin());
-  for (std::size_t row = 0; row < texts.size(); ++row) texts[row] = table.rows[row][column];
-  return texts;
-}
+/// Takes scans.csv row by row: of each scan its numbers, and the few texts that are told.
+class ScanRows {
+ public:
+  void begin(const CsvHead& head) {
+    head_ = head;
+    stamp_ = head.column(kStamp);
+    (void)head.column(kStatus);
+    for (std::size_t column = 0; column < head.names.size(); ++column) {
+      const std::string& name = head.names[column];
+      if (!is_text(name)) numbers_.push_back(column);
+      if (name == kStages) stages_ = column;
+    }
+    // Texts that an older program did not write are empty.
+    for (const auto& [name, texts] :
+         {std::pair(kStatus, &scans_.statuses), std::pair(kMessage, &scans_.messages),
+          std::pair(kDegenerate, &scans_.degenerate)}) {
+      const auto found = std::find(head.names.begin(), head.names.end(), name);
+      const auto column = static_cast<std::size_t>(found - head.names.begin());
+      texts_.emplace_back(column, texts);
+    }
+    for (const std::size_t column : numbers_) scans_.columns.push_back({head.names[column], {}});
+  }
 
-/// A run has one method: the stages of whichever scan went through most of them.
-std::vector<std::string> stages_of(const CsvTable& table) {
-  std::vector<std::string> longest;
-  for (const std::string& names : texts_of(table, kStages)) {
+  void add(const std::vector<std::string>& row) {
+    const auto stamp = io::parse_decimal_seconds(row[stamp_]);
+    if (!stamp) refuse(stamp_, row[stamp_]);
+    scans_.stamps_ns.push_back(*stamp);
+    for (const auto& [column, texts] : texts_) {
+      texts->push_back(column < row.size() ? row[column] : std::string());
+    }
+    if (stages_) add_stages(row[*stages_]);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const std::string& field = row[numbers_[i]];
+      double value = std::numeric_limits<double>::quiet_NaN();
+      if (!field.empty() && !io::parse_real(field, value)) refuse(numbers_[i], field);
+      scans_.columns[i].values.push_back(static_cast<float>(value));
+    }
+  }
+
+  [[nodiscard]] report::ScanTable take() { return std::move(scans_); }
+
+ private:
+  /// A run has one method: the stages of whichever scan went through most of them.
+  void add_stages(const std::string& names) {
+    if (names == last_stages_) return;
+    last_stages_ = names;
     std::istringstream words(names);
     std::vector<std::string> stages{std::istream_iterator<std::string>(words), {}};
-    if (stages.size() > longest.size()) longest = std::move(stages);
+    if (stages.size() > scans_.stages.size()) scans_.stages = std::move(stages);
   }
-  return longest;
-}
 
-[[noreturn]] void refuse(const CsvTable& table, std::size_t row, std::string_view column,
-                         const std::string& field) {
-  throw ReadError(fmt::format("{}: line {}: {} is {}, no number", table.file, csv_line(row), column,
-                              io::in_quotes(field)));
-}
-
-report::ScanColumn numbers_of(const CsvTable& table, std::size_t column) {
-  report::ScanColumn numbers{table.names[column], {}};
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const std::string& field = table.rows[row][column];
-    double value = std::numeric_limits<double>::quiet_NaN();
-    if (!field.empty() && !io::parse_real(field, value)) refuse(table, row, numbers.name, field);
-    numbers.values.push_back(static_cast<float>(value));
+  /// Of the scan whose stamp was taken last, or refused.
+  [[noreturn]] void refuse(std::size_t column, const std::string& field) const {
+    const std::size_t row = scans_.size() - (column == stamp_ ? 0 : 1);
+    throw ReadError(fmt::format("{}: line {}: {} is {}, no number", head_.file, csv_line(row),
+                                head_.names[column], io::in_quotes(field)));
   }
-  return numbers;
-}
+
+  CsvHead head_;
+  std::size_t stamp_ = 0;
+  std::optional<std::size_t> stages_;
+  std::vector<std::pair<std::size_t, std::vector<std::string>*>> texts_;
+  std::vector<std::size_t> numbers_;  // columns of scans_.columns
+  std::string last_stages_;
+  report::ScanTable scans_;
+};
 
 /// The whole table's lines, each column by its own `value`.
 std::string joined(const std::function<std::string(const Column&)>& value) {
@@ -224,24 +254,11 @@ std::string scans_csv_line(const ScanRow& row) {
 }
 
 report::ScanTable read_scans_csv(const std::filesystem::path& file) {
-  const CsvTable table = read_csv_table(file);
-  const std::size_t stamp_column = table.column(kStamp);
-  (void)table.column(kStatus);
-  report::ScanTable scans;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const std::string& field = table.rows[row][stamp_column];
-    const auto stamp = io::parse_decimal_seconds(field);
-    if (!stamp) refuse(table, row, kStamp, field);
-    scans.stamps_ns.push_back(*stamp);
-  }
-  scans.statuses = texts_of(table, kStatus);
-  scans.messages = texts_of(table, kMessage);
-  scans.degenerate = texts_of(table, kDegenerate);
-  scans.stages = stages_of(table);
-  for (std::size_t column = 0; column < table.names.size(); ++column) {
-    if (!is_text(table.names[column])) scans.columns.push_back(numbers_of(table, column));
-  }
-  return scans;
+  ScanRows rows;
+  read_csv_rows(
+      file, [&](const CsvHead& head) { rows.begin(head); },
+      [&](const std::vector<std::string>& row) { rows.add(row); });
+  return rows.take();
 }
 
 ScansByStamp::ScansByStamp(const report::ScanTable& scans) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runs/scans_csv.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
+#include "io/recording.hpp"
 #include "runs/csv_table.hpp"
 #include "support/scratch.hpp"
 
@@ -148,6 +151,34 @@ TEST_F(ScansCsv, AFileNameIsTextWhateverItsBytes) {
   const std::string escaped = line("\xff\xc3.pcd");
   EXPECT_NE(escaped.find("\\xff\\xc3.pcd"), std::string::npos) << escaped;
   EXPECT_EQ(read_scans_csv(write("scans.csv", scans_csv_header() + escaped)).size(), 1U);
+}
+
+/// Far more than is read at once.
+TEST_F(ScansCsv, OfADayIsReadRowByRow) {
+  constexpr std::size_t kScans = 20'000;
+  const std::string message(80, 'm');
+  std::string text = kHeader;
+  for (std::size_t i = 0; i < kScans; ++i) {
+    text += fmt::format("{0},\"a\",{0}.5,ok,\"{1}{0}\",0.1,{0}.25\n", i, message);
+  }
+  ASSERT_GT(text.size(), 2U << 20U);
+  const auto file = write("scans.csv", text + "20000,\"cut");
+  const report::ScanTable scans = read_scans_csv(file);
+  ASSERT_EQ(scans.size(), kScans);
+  const std::vector<double> milliseconds = scan_milliseconds(scans, file);
+  for (std::size_t i = 0; i < kScans; ++i) {
+    ASSERT_EQ(scans.stamps_ns[i], static_cast<std::int64_t>(i) * 1'000'000'000 + 500'000'000);
+    ASSERT_EQ(scans.messages[i], message + std::to_string(i));
+    ASSERT_EQ(milliseconds[i], static_cast<double>(i) + 0.25);
+  }
+  (void)write("scans.csv", text + "20000,\"a\",soon,ok,,0.1,8.5\n");
+  try {
+    (void)read_scans_csv(file);
+    ADD_FAILURE() << "taken";
+  } catch (const io::ReadError& error) {
+    EXPECT_NE(std::string(error.what()).find("line 20002: stamp is 'soon'"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(ScansCsv, WhatIsWrongIsNamed) {
