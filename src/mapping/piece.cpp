@@ -122,7 +122,10 @@ void PieceBuilder::insert(const PlacedScan& scan, const ScanPoints& points) {
   // One scan that was placed badly bends the whole piece.
   if (spread(scan.covariance) > spread(covariance_)) covariance_ = scan.covariance;
   ++scans_;
-  stands_.push_back({scan.stamp_ns, now_ns_, scan.T_world_lidar, way_});
+  // One a place: of those that stood there unfinished() takes the first.
+  if (stands_.empty() || way_ != stands_.back().way) {
+    stands_.push_back({scan.stamp_ns, now_ns_, scan.T_world_lidar, way_});
+  }
   const double moved = (scan.T_world_lidar.translation - last_inserted_.translation).norm();
   const double turn = scan.T_world_lidar.rotation.angularDistance(last_inserted_.rotation);
   const bool taken = scans_ <= options_.always || moved > options_.step || turn > options_.turn;

@@ -94,6 +94,8 @@ class PieceBuilder {
   [[nodiscard]] std::optional<Piece> finish();
   /// What there is of the piece that is being walked; none before the first scan.
   [[nodiscard]] std::optional<Piece> unfinished() const;
+  /// Places that are remembered of it: no more where the robot stands for long.
+  [[nodiscard]] std::size_t places() const { return stands_.size(); }
 
  private:
   struct Cube {

@@ -28,7 +28,9 @@ bool PlaceAgreement::add(const Pose& T_map_world, double fit, double way,
 }
 
 void PlaceAgreement::add_missing(const Pose& T_map_world, double share, double way) {
+  constexpr std::size_t kMost = 1000;  // who stands asks the same places, over and over
   if (share > limits_.missing) missing_.push_back({T_map_world, way});
+  if (missing_.size() > kMost) missing_.erase(missing_.begin());
   std::erase_if(missing_, [&](const Missing& was) { return way - was.at > limits_.missing_way; });
 }
 

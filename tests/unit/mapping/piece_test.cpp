@@ -82,6 +82,27 @@ Piece stood(const PieceOptions& options) {
   return builder.finish().value();
 }
 
+/// Parked for an hour on the way.
+TEST(Piece, OfOneWhoStandsForLongIsNoLarger) {
+  PieceBuilder builder{PieceOptions{}};
+  DeskewedScan points;
+  points.points = {{1.0F, 0.0F, 0.0F}};
+  PlacedScan scan = scan_at(0.0, 0.001);
+  std::vector<std::size_t> places;
+  for (const double x : {0.0, 1.0, 2.0, 3.0}) {
+    scan.T_world_lidar.translation.x() = x;
+    for (int i = 0; i < (x == 2.0 ? 36'000 : 2); ++i) {
+      scan.stamp_ns += 100'000'000;
+      ASSERT_FALSE(builder.add(scan, points).has_value());
+    }
+    places.push_back(builder.places());
+  }
+  EXPECT_EQ(places, (std::vector<std::size_t>{1, 2, 3, 4}));
+  const Piece piece = builder.finish().value();
+  EXPECT_EQ(piece.T_world_piece.translation.x(), 1.0);
+  EXPECT_EQ(piece.stamp_ns, 300'000'000) << "the first scan there";
+}
+
 TEST(Piece, OfOneWhoStandsSeesWhoGoes) {
   PieceOptions options;
   EXPECT_EQ(stood(options).things, nullptr) << "nobody asked";

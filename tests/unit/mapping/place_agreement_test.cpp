@@ -60,6 +60,21 @@ TEST(PlaceAgreement, WhereWallsWereMissingIsNoPlaceForAWhile) {
   EXPECT_TRUE(add_to(agreement, 0.9, 10.1));
 }
 
+/// Who stands for hours asks the same places, over and over.
+TEST(PlaceAgreement, OfManyPlacesWithoutWallsTheLastThousandAreRemembered) {
+  PlaceAgreement agreement({});
+  const auto missing_at = [&](int x) {
+    Pose T_map_world;
+    T_map_world.translation.x() = x;
+    agreement.add_missing(T_map_world, 0.16, 0.0);
+  };
+  for (int x = 0; x <= 1000; ++x) missing_at(x);
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(add_to(agreement, 0.9, 0.0, 1.0));
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(add_to(agreement, 0.9, 0.0, 1000.0));
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(add_to(agreement, 0.9, 0.0, 0.0));
+  EXPECT_TRUE(add_to(agreement, 0.9, 0.0, 0.0)) << "the oldest of 1001";
+}
+
 TEST(PlaceAgreement, AnotherPlaceBeginsAnew) {
   PlaceAgreement agreement({});
   for (int i = 0; i < 2; ++i) EXPECT_FALSE(add_to(agreement, 0.9, 0.0));
