@@ -5,6 +5,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -102,7 +103,7 @@ fs::path ready_folder(const fs::path& asked, const fs::path& input) {
 }
 
 /// Whether there were any of an earlier run's.
-bool remove_run_files(const fs::path& folder, const fs::path& but) {
+bool remove_run_files(const fs::path& folder, const std::vector<fs::path>& but) {
   bool removed = false;
   std::vector<fs::path> segments;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -110,8 +111,11 @@ bool remove_run_files(const fs::path& folder, const fs::path& but) {
   }
   for (const fs::path& file : segments) removed |= fs::remove(file);
   for (const char* name : kRunFiles) {
-    std::error_code ignored;
-    if (fs::equivalent(folder / name, but, ignored)) continue;
+    const bool stays = std::any_of(but.begin(), but.end(), [&](const fs::path& kept) {
+      std::error_code ignored;
+      return fs::equivalent(folder / name, kept, ignored);
+    });
+    if (stays) continue;
     removed |= fs::remove(folder / name);
   }
   return removed;
@@ -120,12 +124,15 @@ bool remove_run_files(const fs::path& folder, const fs::path& but) {
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& asked, const fs::path& input, bool overwrite,
-                           const fs::path& continued)
-    : continued_(whole_path(continued)), path_(ready_folder(asked, input)), lock_(path_) {
+                           const fs::path& continued, const fs::path& localized)
+    : continued_(whole_path(continued)),
+      localized_(whole_path(localized)),
+      path_(ready_folder(asked, input)),
+      lock_(path_) {
   if (!overwrite) refuse_losses();
 }
 
-void OutputFolder::clear() { replaced_ = remove_run_files(path_, continued_); }
+void OutputFolder::clear() { replaced_ = remove_run_files(path_, {continued_, localized_}); }
 
 void OutputFolder::refuse_losses() const {
   std::error_code ignored;

@@ -17,9 +17,10 @@ class OutputFolder {
   /// to it. Throws std::runtime_error for a folder that another run is writing to, that the
   /// recording itself lies in, or, unless `overwrite`, that holds files of a run's names, or
   /// scans, which no run has left, a map to come back to, or the map file `continued` (empty:
-  /// none). That one stays.
+  /// none). That one stays, and so does the map file `localized` that the run is found in.
   OutputFolder(const std::filesystem::path& asked, const std::filesystem::path& input,
-               bool overwrite, const std::filesystem::path& continued = {});
+               bool overwrite, const std::filesystem::path& continued = {},
+               const std::filesystem::path& localized = {});
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Removes an earlier run's files, so that files of two runs never lie beside each other.
@@ -31,6 +32,7 @@ class OutputFolder {
   void refuse_losses() const;
 
   std::filesystem::path continued_;  // whole, before results/latest points elsewhere
+  std::filesystem::path localized_;  // likewise
   std::filesystem::path path_;
   process::FolderLock lock_;
   bool replaced_ = false;

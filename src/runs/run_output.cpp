@@ -22,14 +22,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path map_file_of(const fs::path& given) {
+  return given.empty() ? fs::path{} : saved_map_file(given);
+}
+
 /// An hour of ten scans a second, more than a picture can show.
 constexpr std::size_t kPicturePoses = 1 << 15;
 
 }  // namespace
 
 RunOutput::RunOutput(const RunOptions& options)
-    : folder_(options.output, options.input, options.overwrite,
-              options.continued.empty() ? fs::path{} : saved_map_file(options.continued)),
+    : folder_(options.output, options.input, options.overwrite, map_file_of(options.continued),
+              map_file_of(options.localize)),
       path_(kPicturePoses) {}
 
 void RunOutput::begin(const RunOptions& options) {

@@ -58,6 +58,18 @@ TEST_F(OutputFolderTest, AMapToComeBackToIsNotLost) {
   EXPECT_FALSE(fs::exists(taken.path() / kSavedMapFile));
 }
 
+TEST_F(OutputFolderTest, AMapThatIsReadStaysWhereTheRestIsOverwritten) {
+  for (const bool found_in : {false, true}) {
+    write("out/scans.csv", scans_csv_header());
+    const auto map = write(std::string("out/") + kSavedMapFile, "days of work");
+    OutputFolder taken(folder_ / "out", folder_ / "in", true, found_in ? fs::path{} : map,
+                       found_in ? map : fs::path{});
+    taken.clear();
+    EXPECT_TRUE(fs::exists(map)) << found_in;
+    EXPECT_FALSE(fs::exists(folder_ / "out/scans.csv"));
+  }
+}
+
 TEST_F(OutputFolderTest, WhatNoRunHasLeftIsRefused) {
   for (const char* name : {"trajectory.tum", "map.ply", "scans.csv", "000000.pcd", "cloud.ply"}) {
     const auto foreign = write("other/" + std::string(name), "mine");
