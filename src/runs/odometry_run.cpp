@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "io/decimal_time.hpp"
 #include "io/scan_selection.hpp"
+#include "mapping/pose_graph_solver.hpp"
 #include "mapping/walk_clock.hpp"
 #include "process/machine.hpp"
 #include "runs/input_checks.hpp"
@@ -59,6 +61,15 @@ struct Shares {
 // A reference's: the odometry takes about half the time, and the passes most of the rest.
 constexpr Shares kOdometry{0.0, 0.5}, kPasses{0.5, 0.85}, kWriting{0.85, 1.0};
 
+/// Without, the whole recording would be read for a map that cannot be finished.
+void require_solver(const RunOptions& options) {
+  const bool closes_loops = options.loop_closure && !options.no_loops;
+  if ((!closes_loops && options.continued.empty()) || mapping::has_solver()) return;
+  throw std::runtime_error(
+      "this program was built without Ceres (SUREFOOT_CERES): loops cannot be closed, nor maps "
+      "joined; surefoot map --no-loops makes one of the odometry's poses");
+}
+
 class OdometryRun final : public RunControl {
  public:
   OdometryRun(const RunOptions& options, const RunListener& listener, io::Recording& recording)
@@ -92,7 +103,7 @@ class OdometryRun final : public RunControl {
   [[nodiscard]] RunDescription description(const RunOutput& output) const;
   void open_bags();
   void begin_map();
-  void finish_map();
+  [[nodiscard]] std::exception_ptr finish_map();
   void write_page(const std::filesystem::path& folder) const;
 
   const RunOptions& options_;
@@ -118,6 +129,7 @@ class OdometryRun final : public RunControl {
 };
 
 RunOutcome OdometryRun::execute() {
+  require_solver(options_);
   check_outputs(options_);  // what needs no scan first: a live run's may be long in coming
   if (!options_.truth.empty()) (void)read_truth_poses(options_.truth);  // what is given must do
   if (!options_.localize.empty()) localize(options_.localize);
@@ -144,17 +156,18 @@ RunOutcome OdometryRun::execute() {
   for_all(std::move(item), [&](const io::ScanItem& one) { use(one, output); });
   account_.say_notes_of(scans_.recording());
   map_ = map_.without_forgotten();
-  if (map_run_) finish_map();
+  const std::exception_ptr map_failed = map_run_ ? finish_map() : nullptr;
   check_truth(output);
   const RunDescription run = description(output);
   if (localization_) outcome_.localization = localization_->finish();
-  output.finish(options_, run, map_, map_run_ ? map_run_->drawn() : report::DrawnLoops{});
+  output.finish(options_, run, map_, outcome_.map ? map_run_->drawn() : report::DrawnLoops{});
   for (RunBag& bag : bags_) bag.finish(run_yaml_text(run));
   outcome_.poses = output.poses();
   outcome_.length = output.length();
   outcome_.segments = std::max<std::size_t>(output.segments().size(), 1);
   outcome_.losses = scans_.recording().losses();
   write_page(outcome_.folder);
+  if (map_failed) std::rethrow_exception(map_failed);
   return std::move(outcome_);
 }
 
@@ -330,12 +343,21 @@ void OdometryRun::begin_map() {
   map_run_.emplace(options, truth_of_loops(options_, listener_.say), std::move(continued_));
 }
 
-void OdometryRun::finish_map() {
+/// What went wrong, if anything did: the odometry's own results are written all the same.
+std::exception_ptr OdometryRun::finish_map() {
   const bool save = options_.save_map || !options_.continued.empty();
-  outcome_.map = map_run_->finish(outcome_.folder, map_, save);
+  try {
+    outcome_.map = map_run_->finish(outcome_.folder, map_, save);
+  } catch (const std::exception& error) {
+    account_.note(fmt::format("no map after loops: {}", error.what()));
+    return std::current_exception();
+  }
   const std::optional<JoinOutcome>& join = outcome_.map->join;
-  if (!join || join->joined) return;
-  account_.note(fmt::format("{} is not continued: {}", options_.continued.string(), join->message));
+  if (join && !join->joined) {
+    account_.note(
+        fmt::format("{} is not continued: {}", options_.continued.string(), join->message));
+  }
+  return nullptr;
 }
 
 /// The page is an extra: without it the run is whole all the same.
