@@ -61,18 +61,36 @@ std::vector<double> distances_along(const DrawnRun& run) {
   return distances;
 }
 
+/// Where stretches of ascending stamps begin: first, and where a clock was set back; then the end.
+std::vector<std::size_t> ascents_of(const Trajectory& trajectory) {
+  std::vector<std::size_t> begins = {0};
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    if (trajectory[i].stamp_ns < trajectory[i - 1].stamp_ns) begins.push_back(i);
+  }
+  begins.push_back(trajectory.size());
+  return begins;
+}
+
 /// The reference, or the way after loops, is laid out by the path's distance at the same instant,
 /// since a denser or less shaken trajectory has another length. What it has before and after the
-/// path is left out.
+/// path is left out. Where the clock was set back in both, stretch by stretch.
 std::vector<Pixel> unrolled(const Trajectory& trajectory, const DrawnRun& run,
                             const std::vector<double>& distances, const PlotArea& area) {
   std::vector<Pixel> pixels;
-  std::size_t next = 0;
-  for (const StampedPose& stamped : trajectory) {
-    while (next < run.path.size() && run.path[next].stamp_ns < stamped.stamp_ns) ++next;
-    if (next == run.path.size()) break;
+  const std::vector<std::size_t> ascents = ascents_of(run.path);
+  const std::vector<std::size_t> of_its_own = ascents_of(trajectory);
+  const bool alike = ascents.size() == of_its_own.size();
+  std::size_t first = 0, next = 0, end = run.path.size();
+  for (std::size_t i = 0, ascent = 0; i < trajectory.size(); ++i) {
+    const StampedPose& stamped = trajectory[i];
+    if (alike && i == of_its_own[ascent]) {
+      first = next = ascents[ascent];
+      end = ascents[++ascent];
+    }
+    while (next < end && run.path[next].stamp_ns < stamped.stamp_ns) ++next;
+    if (next == end) continue;
     const bool exact = run.path[next].stamp_ns == stamped.stamp_ns;
-    if (next == 0 && !exact) continue;
+    if (next == first && !exact) continue;
     double distance = distances[next];
     if (!exact) {
       const auto before = static_cast<double>(run.path[next - 1].stamp_ns);

@@ -243,6 +243,26 @@ TEST_F(RunPicture, LoopsAreDrawnFromAboveAndTheWayAfterThemByHeight) {
   EXPECT_GT(image.count(kSide, loop), 300);
 }
 
+/// Ten metres along, and as many on once the clock was set back by half the time so far, 0.4 m
+/// higher after loops.
+TEST_F(RunPicture, TheWayAfterLoopsGoesOnWhereTheClockWasSetBack) {
+  PictureInput input{.title = ""};
+  for (int i = 0; i < 200; ++i) {
+    const std::int64_t stamp = (i < 100 ? i : i - 50) * 100'000'000LL;
+    const Eigen::Vector3d at(0.1 * i, 0.0, 0.0);
+    input.trajectory.push_back({stamp, {Eigen::Quaterniond::Identity(), at}});
+    input.loops.corrected.push_back(input.trajectory.back());
+    if (i >= 100) input.loops.corrected.back().pose.translation.z() = 0.4;
+  }
+  input.loops.taken = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()}};
+  draw_run_picture(input, folder_ / "run.png");
+  const Image image(folder_ / "run.png");
+  const Rgb loop{15, 138, 94};
+  const int half_width = kSide.width / 2, high = kSide.height / 2 - 10;
+  EXPECT_EQ(image.count({"", kSide.x, kSide.y, half_width - 8, high}, loop), 0);
+  EXPECT_GT(image.count({"", kSide.x + half_width, kSide.y, half_width, high}, loop), 100);
+}
+
 /// Up a ramp of a tenth that leads along y.
 TEST_F(RunPicture, ARampIsARampInWhicheverDirectionItLeads) {
   Trajectory ramp;
