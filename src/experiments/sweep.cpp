@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "evaluation/marked_table.hpp"
 #include "io/ascii_values.hpp"
 
 namespace surefoot::experiments {
@@ -46,6 +47,8 @@ std::vector<std::string> values_of_range(const std::string& range) {
 }
 
 void fill_row(const evaluation::Comparison& comparison, std::size_t method, SweepRow& row) {
+  double milliseconds = 0.0;
+  int timed = 0;  // runs that left times
   for (const evaluation::ComparedRecording& recording : comparison.recordings) {
     const evaluation::MethodResult& result = recording.results[method];
     SweepCell cell{.lost = result.verdict.text};
@@ -55,12 +58,15 @@ void fill_row(const evaluation::Comparison& comparison, std::size_t method, Swee
       if (step != nullptr) cell.step = step->rmse;
     }
     row.cells.push_back(cell);
-    row.milliseconds +=
-        result.runs.front().median_ms / static_cast<double>(comparison.recordings.size());
+    if (const auto& run = result.runs.front(); run.scans > 0) {
+      milliseconds += run.median_ms;
+      ++timed;
+    }
     for (const auto& [status, count] : evaluation::not_ok(result)) {
       if (status != "degenerate" && status != "first_scan") row.untrusted += count;
     }
   }
+  if (timed > 0) row.milliseconds = milliseconds / timed;
 }
 
 std::optional<double> ratio(const SweepRow& row, const SweepRow& base, double SweepCell::*error) {
@@ -150,9 +156,10 @@ std::string sweep_csv(const SweepResult& sweep) {
   for (const SweepRow& row : sweep.rows) {
     for (std::size_t r = 0; r < row.cells.size(); ++r) {
       const SweepCell& cell = row.cells[r];
-      text += fmt::format("{},{},", row.label, sweep.recordings[r]);
+      text += fmt::format("{},{},", evaluation::csv_field(row.label),
+                          evaluation::csv_field(sweep.recordings[r]));
       text += cell.lost.empty() ? fmt::format("{},{},\n", cell.ape, cell.step)
-                                : fmt::format(",,{}\n", cell.lost);
+                                : fmt::format(",,{}\n", evaluation::csv_field(cell.lost));
     }
   }
   return text;

@@ -36,7 +36,7 @@ struct SweepRow {
   std::vector<SweepCell> cells = {};  ///< one a recording
   /// Geometric means against the first row, over the recordings that neither has lost.
   std::optional<double> ape_ratio = {}, step_ratio = {};
-  double milliseconds = 0.0;  ///< mean over the recordings of the median time per scan
+  double milliseconds = 0.0;  ///< median time per scan, mean over the recordings that have one
   std::size_t untrusted = 0;  ///< scans without a measured pose
 };
 

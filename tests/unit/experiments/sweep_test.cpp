@@ -52,7 +52,7 @@ evaluation::MethodResult result_with(double ape, double step, double millisecond
   evaluation::MethodResult result;
   result.verdict = {evaluation::Outcome::whole, ""};
   result.evaluation = figures;
-  result.runs = {{.median_ms = milliseconds, .statuses = {{"ok", 5}, {"rejected", 2}}}};
+  result.runs = {{.scans = 7, .median_ms = milliseconds, .statuses = {{"ok", 5}, {"rejected", 2}}}};
   return result;
 }
 
@@ -81,6 +81,21 @@ TEST(SweepTest, RatiosAreGeometricMeansOverWhatNeitherLost) {
   const auto json = nlohmann::json::parse(sweep_json(sweep, comparison));
   EXPECT_EQ(json["rows"][1]["recordings"][0]["ape_rmse_m"], 0.2);
   EXPECT_EQ(json["rows"][1]["recordings"][2]["lost"], "stopped at 41 %");
+}
+
+TEST(SweepTest, RunsThatLeftNoTimesCountForNone) {
+  evaluation::MethodResult killed = result_with(1.0, 1.0, 0.0);
+  killed.verdict = {evaluation::Outcome::stopped, "no \"scans\""};
+  killed.runs.front().scans = 0;
+  evaluation::Comparison comparison;
+  comparison.methods = {{.label = "paper"}};
+  comparison.recordings = {{.name = "one", .results = {result_with(0.1, 0.2, 4.0)}},
+                           {.name = "two, again", .results = {killed}}};
+  const SweepResult sweep = sweep_of(comparison, {"unchanged"});
+  EXPECT_DOUBLE_EQ(sweep.rows[0].milliseconds, 4.0);
+  EXPECT_NE(sweep_csv(sweep).find("unchanged,\"two, again\",,,\"no \"\"scans\"\"\"\n"),
+            std::string::npos)
+      << sweep_csv(sweep);
 }
 
 }  // namespace
