@@ -62,9 +62,14 @@ SavedMap load_map(const std::filesystem::path& path) {
 void store_map(const std::filesystem::path& file, const SavedMap& map) {
   std::filesystem::path part = file;
   part += ".surefoot-part";
-  std::error_code error;
+  std::error_code error, ignored;
   std::ofstream stream(part, std::ios::binary);
-  write_map(stream, map);
+  try {
+    write_map(stream, map);
+  } catch (...) {
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
   stream.close();
   const bool written = stream && reaches_disk(part);
   if (written) std::filesystem::rename(part, file, error);
@@ -73,7 +78,6 @@ void store_map(const std::filesystem::path& file, const SavedMap& map) {
     return;
   }
   const int why = errno;
-  std::error_code ignored;
   std::filesystem::remove(part, ignored);
   throw std::runtime_error(file.string() + ": cannot be written" + ": " +
                            (error ? error.message() : std::strerror(why)));

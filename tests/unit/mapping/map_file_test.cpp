@@ -5,10 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
 
+#include "mapping/map_on_disk.hpp"
 #include "mapping/submap.hpp"
 #include "support/random.hpp"
+#include "support/scratch.hpp"
 
 namespace surefoot::mapping {
 namespace {
@@ -80,6 +86,22 @@ TEST(MapFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.edges[0].to, 2U);
   EXPECT_FALSE(back.edges[0].inlier);
   EXPECT_EQ(back.edges[0].T_from_to.translation, map.edges[0].T_from_to.translation);
+}
+
+class MapOnDisk : public test::Scratch {};
+
+TEST_F(MapOnDisk, LeavesNothingWhereItCannotBeWritten) {
+  const auto file = folder_ / "map.surefoot";
+  SavedMap map = small_map();
+  store_map(file, map);
+  const auto size = std::filesystem::file_size(file);
+  // The file that a piece's points were put away in is shorter than it was.
+  map.pieces[1].stored =
+      std::make_shared<const StoredCloud>(StoredBytes(CloudFile::make(folder_), 1'000'000, 100));
+  EXPECT_THROW(store_map(file, map), std::runtime_error);
+  EXPECT_EQ(std::filesystem::file_size(file), size) << "the old one stays";
+  const std::filesystem::directory_iterator entries(folder_);
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
 }
 
 TEST(MapFile, WhatIsCutShortOrChangedIsRefused) {
