@@ -33,6 +33,14 @@ def write_whole(file, text):
     fresh.replace(file)
 
 
+def files_beside(recording):
+    """What surefoot may read with a file: its truth, and by their names its sensor's calibration."""
+    begin = recording.name.split(".")[0]
+    named = [file for file in sorted(recording.parent.glob("*.json"))
+             if file.stem.startswith(begin) or recording.name.startswith(file.stem)]
+    return [file for file in (recording.parent / "gt.tum", *named) if file.is_file()]
+
+
 class Hashes:
     """SHA-256 of files and folders; read again when a size or a time of change is another."""
 
@@ -62,9 +70,15 @@ class Hashes:
         return found.hexdigest()
 
     def of_recording(self, path):
-        truth = pathlib.Path(path).parent / "gt.tum"
-        with_truth = pathlib.Path(path).is_file() and truth.exists()
-        return [self.of(path), self.of(truth) if with_truth else ""]
+        beside = files_beside(pathlib.Path(path)) if pathlib.Path(path).is_file() else []
+        return [self.of(path), [[file.name, self.of(file)] for file in beside]]
+
+    def of_option(self, word):
+        """Of a file that is named in it, or of the map in a folder that is; else nothing."""
+        file = pathlib.Path(file_named_in(word))
+        if file.is_dir():
+            file = file / "map.surefoot"
+        return self.of(file) if file.is_file() else ""
 
     def keep(self):
         write_whole(self.file, json.dumps(self.known, indent=1))
@@ -137,8 +151,7 @@ def make(settings, hashes):
     """Throws SettingsError."""
     comparison = settings["command"] in COMPARISONS
     program = hashes.of(settings["program"])
-    options = [[word, hashes.of(file) if os.path.isfile(file) else ""]
-               for word in settings["options"] for file in [file_named_in(word)]]
+    options = [[word, hashes.of_option(word)] for word in settings["options"]]
     contents = {path: hashes.of_recording(path) for path in settings["recordings"]}
     runs = {}
     for run in comparison_runs(settings) if comparison else single_runs(settings):

@@ -20,6 +20,7 @@ from plan import COMPARISONS, write_whole
 
 INTERRUPTED = (130, -signal.SIGINT, -signal.SIGTERM)
 WORKED = (0, 1)  # 1: but for what is named
+OURS = "this folder is the fleet's"  # in a run's lock
 MOST_SHOWN = 100  # runs on one page: a thousand are 140 MB, which no browser likes
 
 
@@ -59,11 +60,24 @@ def remove_tiles(folder):
         shutil.rmtree(folder)
 
 
+def is_filled(folder):
+    return folder.is_dir() and any(folder.iterdir())
+
+
+def make_ours(lock):
+    """Known before the run, which may be killed."""
+    lock.write(OURS)
+    lock.flush()
+    return True
+
+
 def do_run(plan, mark):
-    """Leaves its mark, also of a run that failed: it would fail again."""
+    """Leaves its mark, also of a run that failed: it would fail again. A folder that a fleet has
+    made or filled it fills again, whatever map is there; another's map is no fleet's to lose."""
     run = plan["runs"][mark]
+    folder = pathlib.Path(plan["output"], run["folder"])
     done = pathlib.Path(plan["output"], "fleet/done", mark)
-    with (done.parent / "lock").open("w") as lock:
+    with (done.parent / "lock").open("a+") as lock:
         # What a fleet that was killed has left running is waited for.
         with contextlib.suppress(OSError):
             fcntl.flock(lock, fcntl.LOCK_EX)
@@ -72,9 +86,16 @@ def do_run(plan, mark):
         for other in done.parent.iterdir():  # what was in the run's folder up to now
             if other.name != "lock":
                 other.unlink()
-        remove_tiles(pathlib.Path(plan["output"], run["folder"], "tiles"))
+        remove_tiles(folder / "tiles")
+        lock.seek(0)
+        is_ours = lock.read() == OURS
+        if not is_ours and not is_filled(folder):
+            is_ours = make_ours(lock)
+        again = ["--overwrite"] if is_ours and plan["command"] not in COMPARISONS else []
         begin = time.monotonic()
-        code, _, errors = call(plan, [*plan["common"], *run["arguments"]], lock)
+        code, _, errors = call(plan, [*plan["common"], *run["arguments"], *again], lock)
+        if code in WORKED and not is_ours:
+            make_ours(lock)
         if code in WORKED and run["then"]:
             further, _, more = call(plan, run["then"], lock)
             code, errors = worse(code, further), errors + more

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Surefoot authors
+# SPDX-License-Identifier: MIT
+"""What of the workflow for many machines needs no Snakemake: keys, jobs, Slurm's words.
+
+    parts_test.py PROGRAM FOLDER-OF-THE-WORKFLOW
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, FLEET = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(FLEET))
+import plan as planning  # noqa: E402  (where it lies is told by the caller)
+
+
+class Scratch(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def write(self, name, text):
+        file = self.folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        return str(file)
+
+    def plan(self, recordings, **given):
+        settings = {"command": "map", "recordings": [str(path) for path in recordings],
+                    "output": str(self.folder / "out"), "options": [], "program": str(PROGRAM),
+                    "retry_failed": False, "methods": [], "method": "", "vary": [], "merge": False,
+                    "tiles": False}
+        hashes = planning.Hashes(self.folder / "hashes.json")
+        return planning.make({**settings, **given}, hashes)
+
+
+class KeysTest(Scratch):
+    def keys(self, recording, *options):
+        return list(self.plan([recording], options=list(options))["runs"])
+
+    def assert_part_of_the_key(self, file, recording, *options):
+        before = self.keys(recording, *options)
+        self.assertEqual(self.keys(recording, *options), before)
+        pathlib.Path(file).write_text("another content")
+        self.assertNotEqual(self.keys(recording, *options), before, file)
+
+    def test_files_and_maps_that_options_name(self):
+        walk = self.write("walk.pcap", "packets")
+        for words in (["--map"], ["--localize"]):
+            for name in ("campus", "campus/map.surefoot"):
+                saved = self.write("campus/map.surefoot", "a map")
+                self.assert_part_of_the_key(saved, walk, *words, str(self.folder / name))
+                saved = self.write("campus/map.surefoot", "a map")
+                self.assert_part_of_the_key(saved, walk, f"{words[0]}={self.folder / name}")
+
+    def test_what_is_read_beside_a_recording(self):
+        for walk, beside in (("walk.pcap", "walk.json"), ("walk_0000.pcap", "walk.json"),
+                             ("walk.pcap.gz", "walk_meta.json"), ("walk.mcap", "gt.tum")):
+            recording = self.write(walk, "packets")
+            self.assert_part_of_the_key(self.write(beside, "{}"), recording)
+            before = self.keys(recording)
+            self.write("elsewhere.json", "{}")
+            self.assertEqual(self.keys(recording), before)
+
+
+class JobsTest(Scratch):
+    """A map's run, as the workflow's job does it."""
+
+    def setUp(self):
+        super().setUp()
+        self.walk = self.folder / "walk"
+        subprocess.run([PROGRAM, "simulate", "corridor", "--scans", "4", "-q", "-o", self.walk],
+                       check=True)
+
+    def run_job(self, count):
+        """With its mark's content: what came of the run."""
+        plan = self.plan([self.walk], options=["--count", str(count), "--no-report"])
+        (mark,) = plan["runs"]
+        (self.folder / "plan.json").write_text(json.dumps(plan))
+        done = self.folder / "out/fleet/done" / mark
+        done.parent.mkdir(parents=True, exist_ok=True)
+        done.unlink(missing_ok=True)
+        subprocess.run([sys.executable, "-B", FLEET / "work.py", self.folder / "plan.json", "run",
+                        mark], check=True, stderr=subprocess.DEVNULL)
+        return json.loads(done.read_text())
+
+    def saved(self):
+        return (self.folder / "out/walk/map.surefoot").read_bytes()
+
+    def test_a_run_is_done_again_over_its_map(self):
+        self.assertEqual(self.run_job(2)["outcome"], "ok")
+        first = self.saved()
+        again = self.run_job(4)
+        self.assertEqual(again["outcome"], "ok", again)
+        self.assertNotEqual(self.saved(), first)
+
+    def test_another_ones_map_stays(self):
+        foreign = self.write("out/walk/map.surefoot", "somebody's")
+        for _ in range(2):  # the fleet's own trace there makes it no fleet's
+            self.assertIn("holds map.surefoot", self.run_job(2)["words"])
+            self.assertEqual(pathlib.Path(foreign).read_text(), "somebody's")
+
+
+class SlurmTest(Scratch):
+    def status(self, scontrol, sacct=""):
+        for name, script in (("scontrol", scontrol), ("sacct", sacct)):
+            file = pathlib.Path(self.write(name, "#!/bin/sh\n" + script))
+            file.chmod(0o755)
+        path = f"{self.folder}:{os.environ['PATH']}"
+        said = subprocess.run([FLEET / "slurm/slurm_status", "7"], text=True, check=True,
+                              stdout=subprocess.PIPE, env=dict(os.environ, PATH=path))
+        return said.stdout.strip()
+
+    def test_failed_is_what_is_known_to_have_failed(self):
+        for state, word in (("RUNNING", "running"), ("PENDING", "running"), ("STOPPED", "running"),
+                            ("COMPLETED", "success"), ("FAILED", "failed"),
+                            ("NODE_FAIL", "failed"), ("OUT_OF_MEMORY", "failed"),
+                            ("CANCELLED", "failed")):
+            line = f"echo 'JobId=7 JobName=surefoot_run JobState={state} Reason=None'"
+            self.assertEqual(self.status(line), word, state)
+        silent = "echo 'slurm_load_jobs error: Unable to contact slurm controller' >&2; exit 1"
+        forgotten = "echo 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1"
+        for scontrol, sacct, word in ((silent, "", "running"), (silent, "exit 1", "running"),
+                                      (silent, "echo COMPLETED", "success"),
+                                      (forgotten, "", "failed"), (forgotten, "exit 1", "failed"),
+                                      (forgotten, "echo COMPLETED", "success"),
+                                      (forgotten, "echo CANCELLED by 1000", "failed"),
+                                      (forgotten, "echo RUNNING", "running")):
+            self.assertEqual(self.status(scontrol, sacct), word, (scontrol, sacct))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
