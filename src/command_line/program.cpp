@@ -87,6 +87,9 @@ int run_program(CLI::App& app, const std::string& version, int argc, char** argv
     return parsed != process::kDone ? parsed : exit_code;
   } catch (const std::filesystem::filesystem_error& error) {
     fmt::print(stderr, "surefoot: {}\n", shown(text_of(error)));
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::broken_pipe) process::end_without_reader();
+    fmt::print(stderr, "surefoot: {}\n", shown(error.what()));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "surefoot: takes more memory than there is\n");
   } catch (const std::exception& error) {

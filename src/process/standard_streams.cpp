@@ -5,7 +5,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 namespace surefoot::process {
 namespace {
@@ -33,6 +35,7 @@ ssize_t write_if_possible(void* /*cookie*/, const char* bytes, size_t size) {
 
 void guard_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) take_place(stream);
+  std::signal(SIGPIPE, SIG_IGN);  // to write to such a pipe fails, as elsewhere
 #ifdef __GLIBC__
   std::FILE* const patient =
       fopencookie(nullptr, "w", {nullptr, write_if_possible, nullptr, nullptr});
@@ -40,6 +43,12 @@ void guard_standard_streams() {
   std::setvbuf(patient, nullptr, _IONBF, 0);
   stderr = patient;
 #endif
+}
+
+void end_without_reader() {
+  std::signal(SIGPIPE, SIG_DFL);
+  (void)std::raise(SIGPIPE);
+  std::_Exit(128 + SIGPIPE);  // whoever started us has blocked it
 }
 
 }  // namespace surefoot::process

@@ -67,6 +67,30 @@ TEST_F(OutputFolder, MessagesThatNobodyCanReadEndNothing) {
   EXPECT_EQ(shell("exec \"$0\" info in >&-").exit_code, 2);
 }
 
+// Of a pipe: a connection that is cut, a "| tee" that Ctrl-C has ended, too, a "| head".
+TEST_F(OutputFolder, ReadersWhoHaveGoneEndNoRun) {
+  write_pcd_recording(path("in"), hall_scans(6));
+  const auto shell = [&](const std::string& command) {
+    fs::remove(path("pipe"));
+    const std::string gone = "mkfifo pipe; (: <pipe) & exec 3>pipe; wait; exec \"$0\" ";
+    return run_surefoot({"-c", gone + command, SUREFOOT_PROGRAM}, scratch_.path(),
+                        {.program = "sh"});
+  };
+  ASSERT_EQ(run({"run", "in", "-o", "out"}).exit_code, 0);
+  for (const std::string streams : {"2>&3", "2>&3 >&3"}) {
+    fs::remove(path("out/run.yaml"));
+    const ProcessResult result = shell("run in -o out " + streams);  // says that it replaces files
+    EXPECT_TRUE(fs::exists(path("out/run.yaml"))) << streams << result;
+    EXPECT_EQ(result.signal, streams == "2>&3" ? 0 : SIGPIPE) << streams << result;
+  }
+  EXPECT_EQ(shell("info nothing 2>&3").exit_code, 2);
+  for (const std::string command : {"datasets", "help run", "manual", "info in"}) {
+    const ProcessResult result = shell(command + " >&3");
+    EXPECT_EQ(result.signal, SIGPIPE) << command << result;
+    EXPECT_EQ(result.errors, "") << command;
+  }
+}
+
 TEST_F(OutputFolder, AKilledRunIsNotShownWithAnEarlierOnesFiles) {
   write_pcd_recording(path("short"), hall_scans(3));
   write_long_recording(path("in"), kEndless);
