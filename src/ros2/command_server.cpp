@@ -18,7 +18,7 @@ namespace surefoot::ros2 {
 namespace {
 
 constexpr const char* kPrefix = "/surefoot/";
-constexpr TopicQos kQos = {/*reliable=*/true, 10, /*latched=*/false};
+constexpr TopicQos kQos = {.depth = 10};
 
 std::vector<std::vector<std::byte>> take_all(const Participant::Endpoint& reader) {
   std::vector<std::vector<std::byte>> messages;
@@ -31,10 +31,14 @@ std::vector<std::vector<std::byte>> take_all(const Participant::Endpoint& reader
   return messages;
 }
 
-/// A client may not have been found yet by who answers it.
-void wait_for_reader(const Participant::Endpoint& writer) {
+/// Who asked may not have been found yet by who answers it; others that have been found do not
+/// count for it. Everybody has a writer of requests and a reader of replies.
+void wait_for_readers(const Participant::Endpoint& replies, const Participant::Endpoint& requests) {
   constexpr int kTries = 200;
-  for (int i = 0; i < kTries && dds_get_matched_subscriptions(writer.entity, nullptr, 0) < 1; ++i) {
+  for (int i = 0; i < kTries; ++i) {
+    const dds_return_t asking = dds_get_matched_publications(requests.entity, nullptr, 0);
+    const dds_return_t hearing = dds_get_matched_subscriptions(replies.entity, nullptr, 0);
+    if (hearing >= std::max(asking, 1)) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
@@ -87,7 +91,7 @@ void CommandServer::answer(const Service& service, const std::vector<std::byte>&
     io::MessageWriter reply;
     reply.number(client).number(number);
     reply.number(static_cast<std::uint8_t>(answer.done ? 1 : 0)).string(answer.text);
-    wait_for_reader(service.replies);
+    wait_for_readers(service.replies, service.requests);
     (void)Participant::write(service.replies, reply.take());
   } catch (const io::ReadError&) {  // no request
   }

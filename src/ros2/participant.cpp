@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kDiscoveryTopic = "ros_discovery_info";
 constexpr const char* kDiscoveryType = "rmw_dds_common/ParticipantEntitiesInfo";
-constexpr TopicQos kDiscoveryQos = {true, 1, true};
+constexpr TopicQos kDiscoveryQos = {.depth = 1, .latched = true};
 
 struct QosDeleter {
   void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
@@ -37,7 +37,7 @@ Qos qos_of(const TopicQos& wanted, const std::string& user_data) {
   dds_qset_data_representation(qos.get(), 1, &kRepresentation);
   dds_qset_reliability(qos.get(),
                        wanted.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
-                       DDS_MSECS(100));
+                       wanted.waits ? DDS_MSECS(100) : 0);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, wanted.depth);
   dds_qset_durability(qos.get(),
                       wanted.latched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);

@@ -28,6 +28,9 @@ struct TopicQos {
   bool reliable = true;
   int depth = 10;        ///< of the last messages
   bool latched = false;  ///< who comes late gets them, too: "transient local"
+  /// Up to a tenth of a second where who listens reliably has too much left to take; false: such a
+  /// message is not sent.
+  bool waits = true;
 };
 
 /// A topic that somebody publishes.
@@ -53,8 +56,7 @@ class Participant {
   [[nodiscard]] Endpoint add_reader(const WireTopic& topic, const TopicQos& qos);
   void remove_reader(const Endpoint& reader);
   [[nodiscard]] Endpoint add_writer(const WireTopic& topic, const TopicQos& qos);
-  /// Of a writer's; best effort what does not go out in a tenth of a second. False where it did
-  /// not.
+  /// Of a writer's. False where it did not go out.
   static bool write(const Endpoint& writer, std::string_view cdr);
 
   /// Tells again who it is where the others turn out to be older or newer than they seemed.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "ros2/topic_publisher.hpp"
 
+#include <algorithm>
 #include <condition_variable>
-#include <deque>
 #include <map>
 #include <mutex>
 #include <string>
@@ -11,16 +11,24 @@
 #include <utility>
 #include <vector>
 
+#include "ros2/send_queue.hpp"
+
 namespace surefoot::ros2 {
 namespace {
 
-constexpr std::size_t kMostWaiting = 60;  // some ten scans' messages
-
+/// Who listens slowly to clouds misses some; nobody's transforms wait meanwhile.
 TopicQos qos_of(const std::string& topic) {
-  if (topic == "/tf") return {true, 100, false};
-  const bool latched =
-      topic == "/tf_static" || topic.ends_with("/path") || topic.ends_with("/local_map");
-  return latched ? TopicQos{true, 1, true} : TopicQos{true, 10, false};
+  if (topic == "/tf") return {.depth = 100};
+  if (topic == "/tf_static") return {.depth = 1, .latched = true};
+  const bool latched = topic.ends_with("/path") || topic.ends_with("/local_map");
+  if (latched) return {.depth = 1, .latched = true, .waits = false};
+  return {.depth = 10, .waits = !topic.ends_with("/scan")};
+}
+
+/// Of a topic's messages; of those that only the last counts of, one.
+std::size_t most_waiting(const TopicQos& qos) {
+  constexpr std::size_t kMost = 10;  // a scan has one
+  return std::min(kMost, static_cast<std::size_t>(qos.depth));
 }
 
 class TopicPublisher final : public io::BagWriter {
@@ -32,8 +40,10 @@ class TopicPublisher final : public io::BagWriter {
   std::size_t add_topic(const std::string& name, const io::MessageDefinition& definition) override {
     const auto [known, is_new] = numbers_.emplace(name, writers_.size());
     if (is_new) {
+      const std::lock_guard lock(mutex_);
+      const TopicQos qos = qos_of(name);
       writers_.push_back(
-          participant_->add_writer(message_topic(name, definition.type), qos_of(name)));
+          {participant_->add_writer(message_topic(name, definition.type), qos), most_waiting(qos)});
     }
     return known->second;
   }
@@ -41,8 +51,7 @@ class TopicPublisher final : public io::BagWriter {
   void write(std::size_t topic, std::int64_t /*stamp_ns*/, std::string_view message) override {
     {
       const std::lock_guard lock(mutex_);
-      if (waiting_.size() >= kMostWaiting) waiting_.pop_front();
-      waiting_.push_back({writers_.at(topic), std::string(message)});
+      waiting_.add({topic, std::string(message)}, writers_.at(topic).most_waiting);
     }
     changed_.notify_one();
   }
@@ -51,9 +60,9 @@ class TopicPublisher final : public io::BagWriter {
   bool is_latched() const override { return true; }
 
  private:
-  struct Waiting {
-    Participant::Endpoint writer;
-    std::string message;
+  struct Writer {
+    Participant::Endpoint endpoint;
+    std::size_t most_waiting;
   };
 
   void send_all() {
@@ -61,10 +70,10 @@ class TopicPublisher final : public io::BagWriter {
     while (true) {
       changed_.wait(lock, [this] { return !waiting_.empty() || stopped_; });
       if (waiting_.empty()) return;
-      const Waiting first = std::move(waiting_.front());
-      waiting_.pop_front();
+      const SendQueue::Message first = waiting_.take_first();
+      const Participant::Endpoint writer = writers_.at(first.topic).endpoint;
       lock.unlock();
-      (void)Participant::write(first.writer, first.message);
+      (void)Participant::write(writer, first.content);
       lock.lock();
     }
   }
@@ -79,11 +88,11 @@ class TopicPublisher final : public io::BagWriter {
   }
 
   std::shared_ptr<Participant> participant_;
-  std::vector<Participant::Endpoint> writers_;
   std::map<std::string, std::size_t> numbers_;  ///< by topic
   std::mutex mutex_;                            ///< of what follows
+  std::vector<Writer> writers_;
   std::condition_variable changed_;
-  std::deque<Waiting> waiting_;
+  SendQueue waiting_;
   bool stopped_ = false;
   std::thread thread_;
 };

@@ -10,8 +10,8 @@
 namespace surefoot::ros2 {
 
 /// Messages to topics as to a bag, so that who records a run and who listens to it get the same.
-/// A thread of its own sends them: nobody who listens slowly holds up a run. Where too many wait
-/// the oldest is left out.
+/// A thread of its own sends them: nobody who listens slowly holds up a run, or other topics. Where
+/// too many of a topic wait its oldest is left out.
 [[nodiscard]] std::unique_ptr<io::BagWriter> publish(std::shared_ptr<Participant> participant);
 
 }  // namespace surefoot::ros2

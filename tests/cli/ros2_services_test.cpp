@@ -23,17 +23,17 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-/// A call as ROS 2's layer for Cyclone DDS makes it; the answer's text, "!" before it where the
-/// command was not done.
-std::string called(FastDdsPeer& peer, const std::string& command) {
+/// A call as ROS 2's layer for Cyclone DDS makes it.
+std::string request_of(std::int64_t number) {
   constexpr std::uint64_t kClient = 0x0123456789abcdef;
-  static std::int64_t number = 0;
-  ++number;
   std::string request("\0\1\0\0", 4);
   request.append(reinterpret_cast<const char*>(&kClient), 8);
   request.append(reinterpret_cast<const char*>(&number), 8);
-  request += '\0';  // what a structure without members has
-  peer.write("rq/surefoot/" + command + "Request", request);
+  return request + '\0';  // what a structure without members has
+}
+
+/// The answer's text, "!" before it where the command was not done.
+std::string answer_to(const std::string& request, FastDdsPeer& peer, const std::string& command) {
   for (int i = 0; i < 1000; ++i) {
     for (const std::string& reply : peer.take("rr/surefoot/" + command + "Reply")) {
       // Encapsulation, client, number, whether it was done, its text's length and text.
@@ -45,6 +45,13 @@ std::string called(FastDdsPeer& peer, const std::string& command) {
     std::this_thread::sleep_for(milliseconds(10));
   }
   return "no answer";
+}
+
+std::string called(FastDdsPeer& peer, const std::string& command) {
+  static std::int64_t number = 0;
+  const std::string request = request_of(++number);
+  peer.write("rq/surefoot/" + command + "Request", request);
+  return answer_to(request, peer, command);
 }
 
 TEST_F(Ros2Test, CommandsAreDoneAndRepeated) {
@@ -93,6 +100,39 @@ TEST_F(Ros2Test, CommandsAreDoneAndRepeated) {
   EXPECT_NE(content("live/trajectory.tum").find("# segment 1"), std::string::npos);
   EXPECT_TRUE(fs::exists(scratch_.path() / "live" / "trajectory_segment_1.tum"));
   expect_repeated("live");
+}
+
+// Who answers has found another's reader of replies, and not yet that of who asks.
+TEST_F(Ros2Test, EachOfTwoClientsIsAnswered) {
+  const std::string name = "/surefoot/save_map";
+  const auto add_writer = [&](FastDdsPeer& peer) {
+    peer.add_writer("rq" + name + "Request", "std_srvs::srv::dds_::Trigger_Request_");
+  };
+  const auto add_reader = [&](FastDdsPeer& peer) {
+    peer.add_reader("rr" + name + "Reply", "std_srvs::srv::dds_::Trigger_Response_");
+  };
+  FastDdsPeer first(own_domain()), late(own_domain());
+  first.add_writer("rt/points", kCloudType);
+  add_writer(first);
+  add_reader(first);
+  const Process process(live({"--ros2-topic", "/points", "--ros2-commands", "-o", "live"}),
+                        scratch_.path());
+  ASSERT_TRUE(first.wait_for_readers("rt/points"));  // which it has when it knows this peer
+  ASSERT_TRUE(first.wait_for_readers("rq" + name + "Request"));
+  EXPECT_EQ(called(first, "save_map"), "!no scan has come yet");
+  add_writer(late);
+  ASSERT_TRUE(late.wait_for_readers("rq" + name + "Request"));
+  std::this_thread::sleep_for(milliseconds(700));  // until its writer is known there
+  std::thread finds([&] {
+    std::this_thread::sleep_for(milliseconds(500));
+    add_reader(late);
+  });
+  const std::string request = request_of(1'000'000);
+  late.write("rq" + name + "Request", request);
+  finds.join();
+  EXPECT_EQ(answer_to(request, late, "save_map"), "!no scan has come yet");
+  process.send(SIGTERM);
+  (void)process.wait();
 }
 
 TEST_F(Ros2Test, APlaceInAMapIsSearchedForOnDemand) {
