@@ -46,7 +46,7 @@ class TopicSubscription final : public live::TopicSource {
   live::Received receive(live::TopicArrival& arrival) override {
     if (!taken_) queue_.callOne(ros::WallDuration(kLongestWait));
     if (!taken_) {
-      if (topic_.type.empty() && Clock::now() - begun_ > kPatience) {
+      if (!said_ && topic_.type.empty() && Clock::now() - begun_ > kPatience) {
         say_once("nobody publishes it yet" + others());
       }
       return live::Received::nothing;

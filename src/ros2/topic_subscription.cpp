@@ -99,7 +99,7 @@ class TopicSubscription final : public live::TopicSource {
       throw io::ReadError(name() + ": it is a " + io::printable(other->type) +
                           ", of which no scans can be made" + others());
     }
-    if (Clock::now() - begun_ > kPatience) say_once("nobody publishes it yet" + others());
+    if (!said_ && Clock::now() - begun_ > kPatience) say_once("nobody publishes it yet" + others());
     participant_->refresh();
     return false;
   }
