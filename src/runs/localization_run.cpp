@@ -29,10 +29,22 @@ void LocalizationRun::write(const std::string& row) {
   throw io::WriteError(folder_.string() + ": cannot be written any more (disk full?)");
 }
 
-void LocalizationRun::begin_anew(mapping::SavedMap map) {
+void LocalizationRun::begin_anew(mapping::SavedMap map, bool is_another) {
   localizer_ = mapping::MapLocalizer(std::move(map), {});
+  if (is_another && poses_.is_open()) keep_poses();
+}
+
+void LocalizationRun::keep_poses() {
+  namespace fs = std::filesystem;
+  const fs::path file = folder_ / kMapFrameTrajectoryFile;
+  const auto kept = [&](int i) { return folder_ / fmt::format("{}{}.tum", kMapFrameFiles, i); };
   poses_.close();
-  poses_.open(folder_ / kMapFrameTrajectoryFile);
+  if (fs::file_size(file) > 0) {
+    int number = 1;
+    while (fs::exists(kept(number))) ++number;
+    fs::rename(file, kept(number));
+  }
+  poses_.open(file);
 }
 
 void LocalizationRun::add(const Estimate& estimate, const mapping::ScanPoints& points) {

@@ -25,8 +25,9 @@ class LocalizationRun {
   /// Where trajectory_map.tum and localization.csv are written, line by line: before the first
   /// scan. Throws io::WriteError.
   void open(const std::filesystem::path& folder);
-  /// From an unknown place again, in this map: poses in another one's frame are not kept.
-  void begin_anew(mapping::SavedMap map);
+  /// From an unknown place again, in this map. Poses in another one's frame are kept beside
+  /// trajectory_map.tum, as trajectory_map_1.tum, _2 and so on.
+  void begin_anew(mapping::SavedMap map, bool is_another);
   /// From the run's world to the map; none: not found yet, or lost.
   [[nodiscard]] const std::optional<Pose>& T_map_world() const { return localizer_.T_map_world(); }
 
@@ -36,6 +37,7 @@ class LocalizationRun {
 
  private:
   void write(const std::string& row);
+  void keep_poses();
 
   mapping::MapLocalizer localizer_;
   Pose T_lidar_written_;

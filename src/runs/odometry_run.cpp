@@ -120,6 +120,7 @@ class OdometryRun final : public RunControl {
   std::optional<mapping::SavedMap> continued_;
   std::optional<LocalizationRun> localization_;
   std::filesystem::path localized_in_;  ///< the map that was asked for last
+  MapVersion localized_version_;
   RunOutcome outcome_;
   RunAccount account_;
   Shares shares_;          ///< what has been done, and is done after this
@@ -281,6 +282,7 @@ void OdometryRun::reset() {
 }
 
 std::filesystem::path OdometryRun::save_map() {
+  if (options_.no_map) throw std::invalid_argument("--no-map: no map is kept");
   write_map(outcome_.folder, map_.without_forgotten());
   return outcome_.folder / kMapFile;
 }
@@ -290,14 +292,16 @@ void OdometryRun::localize(const std::filesystem::path& map) {
   if (wanted.empty()) {
     throw std::invalid_argument("there is no map: --localize MAP, or name it: localize MAP");
   }
+  MapVersion version = map_version(wanted);
   mapping::SavedMap saved = read_saved_map(wanted);
   if (localization_) {
-    localization_->begin_anew(std::move(saved));
+    localization_->begin_anew(std::move(saved), version != localized_version_);
   } else {
     localization_.emplace(std::move(saved), T_lidar_written_);
     if (!outcome_.folder.empty()) localization_->open(outcome_.folder);
   }
   localized_in_ = wanted;
+  localized_version_ = std::move(version);
 }
 
 RunDescription OdometryRun::description(const RunOutput& output) const {

@@ -31,9 +31,11 @@ bool first_line_begins(const fs::path& file, const std::string& begin) {
   return std::getline(stream, line) && line.starts_with(begin);
 }
 
-/// A run's results would become scans of its own recording, or lie among them.
+/// A run's results would become scans of its own recording, or lie among them. What a live run
+/// hears has a name, but no place.
 void refuse_recording(const fs::path& folder, const fs::path& input) {
   std::error_code ignored;
+  if (!fs::exists(input, ignored)) return;
   const fs::path recording = fs::is_directory(input, ignored)
                                  ? input
                                  : fs::absolute(input, ignored).lexically_normal().parent_path();
@@ -105,11 +107,14 @@ fs::path ready_folder(const fs::path& asked, const fs::path& input) {
 /// Whether there were any of an earlier run's.
 bool remove_run_files(const fs::path& folder, const std::vector<fs::path>& but) {
   bool removed = false;
-  std::vector<fs::path> segments;
+  std::vector<fs::path> numbered;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().starts_with(kSegmentFiles)) segments.push_back(entry);
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kSegmentFiles) || name.starts_with(kMapFrameFiles)) {
+      numbered.push_back(entry);
+    }
   }
-  for (const fs::path& file : segments) removed |= fs::remove(file);
+  for (const fs::path& file : numbered) removed |= fs::remove(file);
   for (const char* name : kRunFiles) {
     const bool stays = std::any_of(but.begin(), but.end(), [&](const fs::path& kept) {
       std::error_code ignored;

@@ -32,6 +32,8 @@ inline constexpr const char* kMapLoopsFile = "map_loops.csv";
 inline constexpr const char* kApartMapFile = "map_apart.surefoot";  // the run's own, if it was not
 // And in a saved map:
 inline constexpr const char* kMapFrameTrajectoryFile = "trajectory_map.tum";
+/// Then a number from 1 on and ".tum": of maps that were asked for before.
+inline constexpr const char* kMapFrameFiles = "trajectory_map_";
 inline constexpr const char* kLocalizationFile = "localization.csv";
 /// Of a live run: what became of every scan.
 inline constexpr const char* kLiveLogFile = "live.log";

@@ -66,4 +66,10 @@ mapping::SavedMap read_saved_map(const std::filesystem::path& path) {
   }
 }
 
+MapVersion map_version(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::path file = std::filesystem::weakly_canonical(saved_map_file(path));
+  return {file, std::filesystem::last_write_time(file, ignored)};
+}
+
 }  // namespace surefoot::runs

@@ -17,4 +17,13 @@ void write_saved_map(const std::filesystem::path& file, const mapping::SavedMap&
 /// A map file, or the folder that holds one. Throws io::ReadError naming the file.
 [[nodiscard]] mapping::SavedMap read_saved_map(const std::filesystem::path& path);
 
+/// Of a map that was asked for: another one where the file is, or has been written since.
+struct MapVersion {
+  std::filesystem::path file;
+  std::filesystem::file_time_type written;
+  bool operator==(const MapVersion&) const = default;
+};
+/// Of the map file, or of the one in the folder.
+[[nodiscard]] MapVersion map_version(const std::filesystem::path& path);
+
 }  // namespace surefoot::runs

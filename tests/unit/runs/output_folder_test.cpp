@@ -29,6 +29,9 @@ class OutputFolderTest : public test::Scratch {
 
 TEST_F(OutputFolderTest, AnEarlierRunsFilesGoAndOthersStay) {
   for (const char* name : kRunFiles) write(std::string("out/") + name, scans_csv_header());
+  const std::string numbered[] = {kSegmentFiles + std::string("1.tum"),
+                                  kMapFrameFiles + std::string("1.tum")};
+  for (const std::string& name : numbered) write("out/" + name, "");
   fs::remove(folder_ / "out" / kSavedMapFile);
   fs::remove(folder_ / "out" / kApartMapFile);
   const auto thesis = write("out/thesis.tex", "years of work");
@@ -40,6 +43,7 @@ TEST_F(OutputFolderTest, AnEarlierRunsFilesGoAndOthersStay) {
   folder.clear();
   EXPECT_TRUE(folder.replaced());
   for (const char* name : kRunFiles) EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
+  for (const std::string& name : numbered) EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
   EXPECT_TRUE(fs::exists(thesis));
 }
 
@@ -87,6 +91,13 @@ TEST_F(OutputFolderTest, ARecordingIsNeverTheOutput) {
   expect_refused("link", "recording", true);
   const auto capture = write("captures/walk.pcap", "");
   EXPECT_THROW(OutputFolder(folder_ / "captures", capture, true), std::runtime_error);
+}
+
+// A live run's input has a name alone, as if it lay in the folder that one is in.
+TEST_F(OutputFolderTest, WhatIsHeardLiesNowhere) {
+  fs::create_directory(folder_ / "out");
+  const OutputFolder taken(folder_ / "out", folder_ / "out/udp-2368", false);
+  EXPECT_TRUE(fs::equivalent(taken.path(), folder_ / "out"));
 }
 
 TEST_F(OutputFolderTest, OneRunAtATime) {

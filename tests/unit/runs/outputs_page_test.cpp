@@ -63,7 +63,9 @@ TEST(OutputsPage, HasEveryFileOfARun) {
     EXPECT_NE(text.find(std::string("`") + file + "`"), std::string::npos) << file;
   }
   EXPECT_NE(text.find(std::string("`") + kPiecesFile + "`"), std::string::npos);
-  EXPECT_NE(text.find(std::string("`") + kSegmentFiles), std::string::npos);
+  for (const char* files : {kSegmentFiles, kMapFrameFiles}) {
+    EXPECT_NE(text.find(std::string("`") + files), std::string::npos) << files;
+  }
 }
 
 TEST(OutputsPage, HasEveryColumnOfScansCsv) {

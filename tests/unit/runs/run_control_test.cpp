@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// What may be asked of a run while it goes on.
+#include <fstream>
+#include <iterator>
+
+#include "runs/odometry_run.hpp"
+#include "runs/run_files.hpp"
+#include "runs/saved_map.hpp"
+#include "support/scratch.hpp"
+
+namespace surefoot::runs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Out of memory.
+class TwoScans final : public io::Recording {
+ public:
+  std::optional<io::ScanItem> next() override {
+    if (next_ == 2) return std::nullopt;
+    io::ScanItem item;
+    item.scan.emplace();
+    item.scan->stamp_ns = 100'000'000 * ++next_;
+    for (int i = 0; i < 50; ++i) item.scan->points.push_back({5.0F, 0.1F * float(i), 0.0F});
+    return item;
+  }
+  std::optional<std::size_t> size() const override { return 2; }
+  void skip(std::size_t /*scans*/) override {}
+  double progress() const override { return 0.0; }
+  const std::vector<std::string>& notes() const override { return notes_; }
+  std::string description() const override { return "memory"; }
+
+ private:
+  std::int64_t next_ = 0;
+  std::vector<std::string> notes_;
+};
+
+class RunControlTest : public test::Scratch {
+ protected:
+  /// @param ask what before its first scan.
+  void run(const std::function<void(RunControl&)>& ask) {
+    options_.input = folder_ / "none";
+    options_.output = folder_ / "out";
+    options_.no_picture = options_.no_report = true;
+    RunListener listener{[](const std::string&) {}, [](std::size_t, double) {},
+                         [] { return false; }};
+    listener.started = [&](const fs::path&, RunControl& control) { ask(control); };
+    TwoScans scans;
+    (void)run_odometry(options_, listener, scans);
+  }
+  [[nodiscard]] std::string content(const std::string& file) const {
+    std::ifstream in(folder_ / "out" / file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  RunOptions options_;
+};
+
+TEST_F(RunControlTest, AMapThatIsNotKeptIsNotSaved) {
+  run([](RunControl& control) { EXPECT_TRUE(fs::exists(control.save_map())); });
+  options_.no_map = true;
+  run([](RunControl& control) { EXPECT_THROW((void)control.save_map(), std::invalid_argument); });
+  EXPECT_FALSE(fs::exists(folder_ / "out" / kMapFile));
+}
+
+TEST_F(RunControlTest, PosesInAMapOutliveThatItIsSearchedAgainAndThatAnotherIs) {
+  for (const char* folder : {"a", "b"}) {
+    fs::create_directory(folder_ / folder);
+    write_saved_map(folder_ / folder / kSavedMapFile, {});
+  }
+  const auto found = [&](const std::string& poses) {  // where the run writes them
+    std::ofstream(folder_ / "out" / kMapFrameTrajectoryFile, std::ios::app) << poses;
+  };
+  run([&](RunControl& control) {
+    control.localize(folder_ / "a");
+    found("in a");
+    control.localize({});
+    control.localize(folder_ / "a" / kSavedMapFile);
+    EXPECT_EQ(content(kMapFrameTrajectoryFile), "in a");
+    control.localize(folder_ / "b");
+    EXPECT_EQ(content(kMapFrameTrajectoryFile), "");
+    control.localize(folder_ / "a");  // of b there is nothing to keep
+    found("in a again");
+    control.localize(folder_ / "b");
+  });
+  EXPECT_EQ(content("trajectory_map_1.tum"), "in a");
+  EXPECT_EQ(content("trajectory_map_2.tum"), "in a again");
+  EXPECT_FALSE(fs::exists(folder_ / "out/trajectory_map_3.tum"));
+}
+
+}  // namespace
+}  // namespace surefoot::runs
