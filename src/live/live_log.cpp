@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "live/live_log.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -77,6 +78,8 @@ UsedScans used_scans(const std::filesystem::path& log) {
     scans.used.push_back(stamp_ns);
     if (std::exchange(is_reset, false)) scans.reset_before.push_back(stamp_ns);
   }
+  std::sort(scans.reset_before.begin(),
+            scans.reset_before.end());  // a clock may have been set back
   if (scans.used.empty()) throw io::ReadError(log.string() + ": its run used no scan");
   return scans;
 }

@@ -209,5 +209,17 @@ TEST_F(LiveRecordingLog, HasTheFateOfEveryScan) {
   EXPECT_NE(text.find("dropped"), std::string::npos) << text;
 }
 
+// They are looked for by bisection.
+TEST_F(LiveRecordingLog, ResetsAreInTheOrderOfTheirStamps) {
+  const std::filesystem::path file = folder_ / "live.log";
+  LiveLog log;
+  log.open(file);
+  for (const std::int64_t stamp_ns : {900, 500, 100}) {  // the sensor's clock is set back
+    log.reset();
+    log.used(stamp_ns, "scan", 1.0);
+  }
+  EXPECT_EQ(used_scans(file).reset_before, (std::vector<std::int64_t>{100, 500, 900}));
+}
+
 }  // namespace
 }  // namespace surefoot::live
