@@ -45,6 +45,10 @@ class DatagramSource {
   [[nodiscard]] virtual std::string ended_early() const { return {}; }
 };
 
+/// How long what the kernel stamped has waited in the socket, as the system's clock tells it, which
+/// may have been set in between: a second at most, and never less than no time.
+[[nodiscard]] std::chrono::nanoseconds waited(std::int64_t stamped_ns, std::int64_t now_ns);
+
 /// @param address of the interface to listen on; "": all. Port 0: any that is free. Throws
 /// std::runtime_error naming port and reason.
 [[nodiscard]] std::unique_ptr<DatagramSource> listen_udp(const std::string& address,

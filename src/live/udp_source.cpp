@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -108,7 +109,7 @@ class UdpSource final : public DatagramSource {
       if (part->cmsg_type == SCM_TIMESTAMPNS) {
         timespec kernel{};
         std::memcpy(&kernel, CMSG_DATA(part), sizeof(kernel));
-        arrival.received -= std::chrono::nanoseconds(nanoseconds(now) - nanoseconds(kernel));
+        arrival.received -= waited(nanoseconds(kernel), nanoseconds(now));
         arrival.arrival_ns = nanoseconds(kernel);
       } else if (part->cmsg_type == SO_RXQ_OVFL) {
         std::uint32_t count = 0;
@@ -127,6 +128,11 @@ class UdpSource final : public DatagramSource {
 };
 
 }  // namespace
+
+std::chrono::nanoseconds waited(std::int64_t stamped_ns, std::int64_t now_ns) {
+  constexpr std::chrono::nanoseconds kNone(0), kMost(std::chrono::seconds(1));
+  return std::clamp(std::chrono::nanoseconds(now_ns - stamped_ns), kNone, kMost);
+}
 
 std::unique_ptr<DatagramSource> listen_udp(const std::string& address, std::uint16_t port) {
   return std::make_unique<UdpSource>(address, port);
