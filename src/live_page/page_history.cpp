@@ -77,7 +77,8 @@ void PageHistory::add(PageScan scan) {
 }
 
 void PageHistory::thin_path() {
-  for (std::size_t i = 0; 2 * i < path_.size(); ++i) path_[i] = std::move(path_[2 * i]);
+  // The first stays; moved to itself its texts would be gone.
+  for (std::size_t i = 1; 2 * i < path_.size(); ++i) path_[i] = std::move(path_[2 * i]);
   path_.resize((path_.size() + 1) / 2);
   stride_ *= 2;
   since_kept_ = 1;  // the last one that is there was kept just now

@@ -78,6 +78,7 @@ TEST(PageHistory, APathIsBoundedAndCoversTheWholeWay) {
     EXPECT_LE(poses_in(history.news(nobody)), 100U);
   }
   const auto news = history.news(told);
+  for (const auto& status : news["path"]["statuses"]) EXPECT_EQ(status, "ok");
   EXPECT_GT(poses_in(news), 50U);
   EXPECT_EQ(news["scan"]["name"], "9999");
 }
