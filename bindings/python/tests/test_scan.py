@@ -68,6 +68,22 @@ class ScanTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "points: got 'points', expected numbers"):
             Scan("points")
 
+    def test_what_does_not_fit_says_so(self):
+        epoch = 1_700_000_000_000_000_000
+        absolute = self.times_ns.astype(np.int64) + epoch
+        for what, arguments in {
+            f"times_ns: got {epoch} to .*, expected -2147483648 to": {"times_ns": absolute},
+            "times_ns: got nan to nan": {"times_ns": np.full(500, np.nan)},
+            "rings: got -1 to 498, expected 0 to 65535": {"rings": np.arange(-1, 499)},
+            "rings: got 65536 to 65536": {"rings": [65536] * 500},
+        }.items():
+            with self.assertRaisesRegex(ValueError, what):
+                Scan(self.points, **arguments)
+        for kind in (np.int64, np.float64, np.dtype(">i4"), object):
+            scan = Scan(self.points, times_ns=self.times_ns.astype(kind))
+            np.testing.assert_array_equal(scan.times_ns, self.times_ns)
+        self.assertEqual(len(Scan(np.zeros((0, 3)), times_ns=[], rings=[]).rings), 0)
+
     def test_a_useless_scan_is_rejected_not_raised(self):
         for points in (np.zeros((0, 3)), np.zeros((500, 3)), np.full((500, 3), np.nan)):
             estimate = Odometry().add_scan(Scan(points))
