@@ -52,13 +52,16 @@ void add_map_options(CLI::App& command, runs::RunOptions& options) {
   command.add_flag("--loop-closure", options.loop_closure,
                    "also find places that were visited before, and write trajectory_optimized.tum, "
                    "map_optimized.ply and loops.csv");
-  command.add_option("--localize", options.localize,
-                     "a map that surefoot map has written, or its folder: also write where in it "
-                     "the robot is (trajectory_map.tum, localization.csv)");
-  command.add_option("--map", options.continued,
-                     "a map that surefoot map has written, or its folder: continue it; this run's "
-                     "map is joined to it, and map.surefoot and trajectory_optimized.tum are in "
-                     "its frame");
+  command
+      .add_option("--localize", options.localize,
+                  "a map that surefoot map has written, or its folder: also write where in it the "
+                  "robot is (trajectory_map.tum, localization.csv)")
+      ->type_name(command_line::kFileType);
+  command
+      .add_option("--map", options.continued,
+                  "a map that surefoot map has written, or its folder: continue it; this run's map "
+                  "is joined to it, and map.surefoot and trajectory_optimized.tum are in its frame")
+      ->type_name(command_line::kFileType);
   command.add_flag("--no-map", options.no_map, "do not write map.ply");
 }
 
