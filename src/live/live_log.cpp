@@ -78,8 +78,8 @@ UsedScans used_scans(const std::filesystem::path& log) {
     scans.used.push_back(stamp_ns);
     if (std::exchange(is_reset, false)) scans.reset_before.push_back(stamp_ns);
   }
-  std::sort(scans.reset_before.begin(),
-            scans.reset_before.end());  // a clock may have been set back
+  // The sensor's clock may have been set back.
+  std::sort(scans.reset_before.begin(), scans.reset_before.end());
   if (scans.used.empty()) throw io::ReadError(log.string() + ": its run used no scan");
   return scans;
 }
