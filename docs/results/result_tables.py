@@ -409,7 +409,8 @@ def readme(root="docs/results"):
         rows.append([names[method], f"{statistics.median(errors):.3f}", f"{max(errors):.3f}",
                      f"{len(errors)} of {len(kept.recordings)}"])
     table = markdown(["method", "median", "largest", "whole runs"], rows)
-    return f"{table}\n\nAt commit {kept.about['commit']}: {link(kept, root)}."
+    note = kept.about.get("note")
+    return f"{table}\n\nAt commit {kept.about['commit']}: {link(kept, root)}" + (f"; {note}." if note else ".")
 
 
 def measured_by_turns(name):
