@@ -39,12 +39,19 @@ int azimuth_of(Bytes packet, std::size_t block) { return u16(packet, block * kBl
 // The flags of the blocks of a sequence, first bank first, as little-endian numbers.
 constexpr std::array<std::uint16_t, 4> kBankFlags = {0xeeff, 0xddff, 0xccff, 0xbbff};
 
-// A data packet has twelve flags, and azimuths below a turn.
+// A VLS-128's two returns fill eight blocks; what is in the last four is no data.
+std::size_t blocks_in_use(Bytes payload) {
+  constexpr std::uint8_t kVls128 = 0xa1;
+  const bool is_dual = std::to_integer<std::uint8_t>(payload[kTail + 4]) == vlp16::kDual;
+  return is_dual && std::to_integer<std::uint8_t>(payload[kTail + 5]) == kVls128 ? 8 : kBlocks;
+}
+
+// A data packet's blocks have flags, and azimuths below a turn.
 bool has_blocks(Bytes payload) {
   if (payload.size() != kPacketBytes) {
     return false;
   }
-  for (std::size_t block = 0; block < kBlocks; ++block) {
+  for (std::size_t block = 0; block < blocks_in_use(payload); ++block) {
     const std::uint16_t flag = flag_of(payload, block);
     if (std::find(kBankFlags.begin(), kBankFlags.end(), flag) == kBankFlags.end() ||
         azimuth_of(payload, block) >= kAzimuthUnitsPerTurn) {

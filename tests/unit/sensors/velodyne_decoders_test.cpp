@@ -111,11 +111,31 @@ TEST(Vls128, BanksAndGroupsOfEight) {
   EXPECT_NEAR(firings.firings[1].azimuth_deg, 10.2, 1e-9);
 }
 
-// Two returns: blocks of one bank follow each other, and four blocks are not used.
+// Two returns: blocks of one bank follow each other, and the last four are not used, whatever is in
+// them.
+std::string vls128_dual_packet(std::uint16_t unused) {
+  std::vector<unsigned> azimuths(12, 1000);
+  auto packet = test::velodyne_packet({0xeeff, 0xeeff, 0xddff, 0xddff, 0xccff, 0xccff, 0xbbff,
+                                       0xbbff, unused, unused, unused, unused},
+                                      azimuths, 100, 0x39, 0xa1);
+  for (std::size_t block = 8; block < 12; ++block) test::put(packet, 100 * block + 2, unused);
+  test::set_velodyne(packet, 9, 5, 2500, 9);
+  return packet;
+}
+
+TEST(Vls128, UnusedBlocksOfADualReturnAreNoData) {
+  for (const std::uint16_t unused : {std::uint16_t{0}, std::uint16_t{0xffff}}) {
+    auto packet = vls128_dual_packet(unused);
+    EXPECT_EQ(model_of(packet), "VLS-128");
+    test::set_velodyne(packet, 2, 5, 2500, 9);
+    EXPECT_EQ(decode(packet, "VLS-128").points.size(), 1U);
+    packet[1204] = 0x37;  // of one return they would be in use
+    EXPECT_EQ(model_of(packet), "");
+  }
+}
+
 TEST(Vls128, DualReturn) {
-  const std::vector<unsigned> azimuths(12, 1000);
-  auto packet = test::velodyne_packet(
-      {0xeeff, 0xeeff, 0xddff, 0xddff, 0xccff, 0xccff, 0xbbff, 0xbbff}, azimuths, 100, 0x39, 0xa1);
+  auto packet = vls128_dual_packet(0xffff);
   test::set_velodyne(packet, 2, 5, 2500, 9);
   test::set_velodyne(packet, 3, 5, 1000, 200);
   DecoderOptions options;
