@@ -199,15 +199,23 @@ class SqliteBagReader final : public MessageSource {
     return Statement(statement);
   }
 
-  static std::string text_of(sqlite3_stmt* row, int column, std::size_t most = kMostNameBytes) {
+  static std::string text_of(sqlite3_stmt* row, int column) {
     const unsigned char* const text = sqlite3_column_text(row, column);
-    return text == nullptr ? std::string()
-                           : std::string(reinterpret_cast<const char*>(text)).substr(0, most);
+    return text == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(text));
+  }
+  static std::string name_in(sqlite3_stmt* row, int column) {
+    return text_of(row, column).substr(0, kMostNameBytes);
+  }
+  // Cut it would be no definition and no YAML. A profile for each of a topic's publishers takes
+  // some hundred bytes.
+  static std::string whole_text_in(sqlite3_stmt* row, int column) {
+    constexpr std::size_t kMostBytes = 1 << 20;
+    std::string text = text_of(row, column);
+    return text.size() > kMostBytes ? std::string() : text;
   }
 
   // Bags since Iron hold the definitions of their types.
   TopicDefinition definition_of(std::string type) {
-    constexpr std::size_t kMostText = 1 << 20;
     TopicDefinition definition;
     definition.type = std::move(type);
     sqlite3_stmt* const row = definitions_.get();
@@ -215,8 +223,8 @@ class SqliteBagReader final : public MessageSource {
     sqlite3_reset(row);
     sqlite3_bind_text(row, 1, definition.type.c_str(), -1, SQLITE_TRANSIENT);
     if (sqlite3_step(row) != SQLITE_ROW) return definition;
-    definition.language = text_of(row, 0);
-    definition.text = text_of(row, 1, kMostText);
+    definition.language = name_in(row, 0);
+    definition.text = whole_text_in(row, 1);
     return definition;
   }
 
@@ -230,12 +238,12 @@ class SqliteBagReader final : public MessageSource {
         "SELECT encoding, encoded_message_definition FROM message_definitions "
         "WHERE topic_type = ?");
     while (sqlite3_step(rows.get()) == SQLITE_ROW && topics_.size() < kMostTopics) {
-      TopicDefinition definition = definition_of(text_of(rows.get(), 2));
-      Topic topic{text_of(rows.get(), 1), plain_type_name(definition.type), MessageEncoding::other};
-      definition.qos = text_of(rows.get(), 4);
+      TopicDefinition definition = definition_of(name_in(rows.get(), 2));
+      Topic topic{name_in(rows.get(), 1), plain_type_name(definition.type), MessageEncoding::other};
+      definition.qos = whole_text_in(rows.get(), 4);
       definition.latched = is_latched_qos(definition.qos);
       topic.definition = keep(std::move(definition));
-      const std::string encoding = text_of(rows.get(), 3);
+      const std::string encoding = name_in(rows.get(), 3);
       if (encoding == "cdr" || encoding.empty()) topic.encoding = MessageEncoding::cdr;
       if (encoding == "ros1" || encoding == "rosmsg_v2") topic.encoding = MessageEncoding::ros1;
       announce(topic);

@@ -210,6 +210,28 @@ TEST(SqliteBag, CutFileGivesEveryMessageBeforeTheCut) {
   EXPECT_NE(test::joined(source->notes()).find("cut short"), std::string::npos);
 }
 
+// Each of a topic's publishers has a profile: cut, they would be no YAML.
+TEST(SqliteBag, ProfilesOfManyPublishersAreWholeOrNone) {
+  for (const std::size_t publishers : {std::size_t{200}, std::size_t{200'000}}) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.path() / "a.db3";
+    make_bag(file, kTopics[1], {"one"});
+    std::string profiles;
+    for (std::size_t i = 0; i < publishers; ++i) profiles += "- history: 3\n  durability: 1\n";
+    sqlite3* database = nullptr;
+    sqlite3_open(file.c_str(), &database);
+    const std::string update = "UPDATE topics SET offered_qos_profiles = '" + profiles + "'";
+    ASSERT_EQ(sqlite3_exec(database, update.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+    const auto source = read_sqlite_bag(file);
+    const auto message = source->next();
+    ASSERT_TRUE(message);
+    const bool is_kept = publishers == 200;
+    EXPECT_EQ(message->topic->definition->qos, is_kept ? profiles : "");
+    EXPECT_EQ(message->topic->definition->latched, is_kept);
+  }
+}
+
 TEST(SqliteBag, MessagesOfNoTopicAreNoted) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.db3";
