@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "sensors/robosense/rs16_decoder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -68,14 +69,20 @@ PacketKind Rs16Decoder::read_head(std::span<const std::byte> payload, Azimuths& 
   if (!second || milliseconds > 999 || microseconds > 999) return PacketKind::malformed;
   firings.base = TimeBase::absolute;
   firings.time_ns = *second * 1'000'000'000 + milliseconds * 1'000'000LL + microseconds * 1'000LL;
-  // A block holds two firing sequences, or one with both its returns: then packets come twice as
-  // often, by which they are known.
-  if (last_time_ns_) {
-    const std::int64_t since_ns = firings.time_ns - *last_time_ns_;
-    dual_ = since_ns > 0 ? since_ns < 1'000'000 : dual_;
-  }
+  if (last_time_ns_) learn_mode(firings.time_ns - *last_time_ns_);
   last_time_ns_ = firings.time_ns;
   return PacketKind::data;
+}
+
+/// A block holds two firing sequences, or one with both its returns: then packets come twice as
+/// often, by which they are known. Where one is lost the next two are as far apart as single ones.
+void Rs16Decoder::learn_mode(std::int64_t since_ns) {
+  constexpr std::int64_t kBetween = 1'000'000;  // 0.67 ms and 1.33 ms
+  constexpr int kNotLost = 8;
+  if (since_ns <= 0) return;
+  far_apart_ = since_ns < kBetween ? 0 : std::min(far_apart_ + 1, kNotLost);
+  if (far_apart_ == 0) dual_ = true;
+  if (far_apart_ >= kNotLost) dual_ = false;
 }
 
 PacketKind Rs16Decoder::decode(std::span<const std::byte> payload, Firings& firings) {

@@ -26,10 +26,12 @@ class Rs16Decoder final : public PacketDecoder {
   using Azimuths = std::array<int, 12>;  // of the blocks [0.01 deg]
   [[nodiscard]] PacketKind read_head(std::span<const std::byte> payload, Azimuths& azimuths,
                                      Firings& firings);
+  void learn_mode(std::int64_t since_ns);
   void add_sequence(const std::byte* block, const Sequence& sequence, Firings& firings) const;
 
   ReturnChoice choice_;
   bool dual_ = false;
+  int far_apart_ = 0;          ///< packets in a row, as of single returns or with lost ones between
   double usual_step_ = 39.96;  ///< from block to block; at first of 600 rpm [0.01 deg]
   std::optional<std::int64_t> last_time_ns_;
 };

@@ -280,6 +280,29 @@ TEST(Rs16, SingleAndDual) {
   EXPECT_EQ(time_of(firings, 0), 55'500);
 }
 
+// Packets that are lost leave intervals as of single returns.
+TEST(Rs16, DualWherePacketsAreLost) {
+  std::string reason;
+  const auto decoder = find_decoder(bytes_of(test::rs16_packet(0, 40, 5'000)), "", {}, reason);
+  Firings firings;
+  double micros = 5'000.0;
+  const auto mode_after = [&](double since) {
+    micros += since;
+    const auto packet = test::rs16_packet(0, 40, static_cast<unsigned>(micros));
+    EXPECT_EQ(decoder->decode(bytes_of(packet), firings), PacketKind::data);
+    return decoder->return_mode();
+  };
+  EXPECT_EQ(mode_after(0.0), "single");
+  EXPECT_EQ(mode_after(666.0), "dual");
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(mode_after(1332.0), "dual") << i;
+    EXPECT_EQ(mode_after(1998.0), "dual") << i;
+    EXPECT_EQ(mode_after(666.0), "dual") << i;
+  }
+  for (int i = 0; i < 20; ++i) (void)mode_after(1332.0);
+  EXPECT_EQ(decoder->return_mode(), "single") << "who set it otherwise";
+}
+
 TEST(SensorList, NamesInAnyForm) {
   EXPECT_TRUE(is_sensor_name("vlp16"));
   EXPECT_TRUE(is_sensor_name("PANDARXT-32"));
