@@ -95,7 +95,7 @@ class SqliteBagReader final : public MessageSource {
     }
     read_topics();
     count_rows();
-    in_order_ = prepare("SELECT topic_id, timestamp, data, rowid FROM messages ORDER BY rowid");
+    in_order_ = prepare(std::string(kMessages) + kByNumber);
     by_number_ = prepare("SELECT topic_id, timestamp, data FROM messages WHERE rowid = ?");
   }
 
@@ -124,7 +124,7 @@ class SqliteBagReader final : public MessageSource {
 
   bool rewind() override {
     begin_anew();
-    sqlite3_reset(in_order_.get());
+    in_order_ = prepare(std::string(kMessages) + kByNumber);
     sqlite3_reset(by_number_.get());
     rows_read_ = row_number_ = lost_ = 0;
     is_searching_ = ended_ = false;
@@ -183,9 +183,9 @@ class SqliteBagReader final : public MessageSource {
     return sqlite3_exec(database_.get(), kQuery, nullptr, nullptr, nullptr) == SQLITE_CORRUPT;
   }
 
-  Statement prepare(const char* query) {
+  Statement prepare(const std::string& query) {
     sqlite3_stmt* statement = nullptr;
-    if (sqlite3_prepare_v2(database_.get(), query, -1, &statement, nullptr) != SQLITE_OK) {
+    if (sqlite3_prepare_v2(database_.get(), query.c_str(), -1, &statement, nullptr) != SQLITE_OK) {
       throw ReadError(std::string("it is no rosbag2 file: sqlite3: ") +
                       sqlite3_errmsg(database_.get()));
     }
@@ -259,12 +259,28 @@ class SqliteBagReader final : public MessageSource {
 
   // Null at the end.
   sqlite3_stmt* next_row() {
-    if (ended_) return nullptr;
-    sqlite3_stmt* const row = is_searching_ ? row_by_number() : row_in_order();
-    return row != nullptr || ended_ ? row : next_row();
+    sqlite3_stmt* row = nullptr;
+    while (row == nullptr && !ended_) row = is_searching_ ? row_by_number() : row_in_order();
+    return row;
   }
 
-  // Null at the end, and where the table's tree is damaged; then rows are searched one by one.
+  // A message that sqlite3 does not give out for its size; false where it is not found.
+  bool pass_over_too_large() {
+    const std::string behind = " WHERE rowid > ";
+    const Statement large = prepare("SELECT rowid, topic_id FROM messages" + behind +
+                                    std::to_string(row_number_) + kByNumber);
+    if (sqlite3_step(large.get()) != SQLITE_ROW) return false;
+    row_number_ = sqlite3_column_int64(large.get(), 0);
+    in_order_ = prepare(kMessages + behind + std::to_string(row_number_) + kByNumber);
+    ++rows_read_;
+    const auto topic = topics_.find(sqlite3_column_int64(large.get(), 1));
+    if (topic == topics_.end() || !is_wanted(topic->second)) return true;
+    note_lost(topic->second, "larger than 256 MiB");
+    return true;
+  }
+
+  // Null at the end, where a message is too large, and where the table's tree is damaged; then rows
+  // are searched one by one.
   sqlite3_stmt* row_in_order() {
     sqlite3_stmt* const row = in_order_.get();
     const int result = sqlite3_step(row);
@@ -274,6 +290,7 @@ class SqliteBagReader final : public MessageSource {
     }
     ended_ = result == SQLITE_DONE;
     if (ended_) return nullptr;
+    if (result == SQLITE_TOOBIG && pass_over_too_large()) return nullptr;
     note("the database is damaged after message " + std::to_string(row_number_) +
          "; what can be reached is read: sqlite3: " + sqlite3_errmsg(database_.get()));
     is_searching_ = true;
@@ -298,6 +315,8 @@ class SqliteBagReader final : public MessageSource {
     return nullptr;
   }
 
+  static constexpr const char* kMessages = "SELECT topic_id, timestamp, data, rowid FROM messages";
+  static constexpr const char* kByNumber = " ORDER BY rowid";
   Database database_;
   Statement in_order_;
   Statement by_number_;

@@ -246,6 +246,34 @@ TEST(SqliteBag, MessagesOfNoTopicAreNoted) {
   EXPECT_NE(test::joined(source->notes()).find("not in the table of topics"), std::string::npos);
 }
 
+// sqlite3 begins a query anew after a row that it refuses for its size.
+TEST(SqliteBag, MessagesThatAreTooLargeAreNoDamage) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.db3";
+  make_bag(file, kTopics[1], {"one"});
+  sqlite3* database = nullptr;
+  sqlite3_open(file.c_str(), &database);
+  const auto insert = [&](const std::string& topic, const std::string& data) {
+    const std::string command =
+        "INSERT INTO messages(topic_id, timestamp, data) VALUES (" + topic + ", 1, " + data + ")";
+    ASSERT_EQ(sqlite3_exec(database, command.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  };
+  sqlite3_exec(database, "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF", nullptr, nullptr,
+               nullptr);
+  insert("5", "zeroblob(270000000)");
+  insert("5", "CAST('two' AS BLOB)");
+  sqlite3_close(database);
+  const auto source = read_sqlite_bag(file);
+  const auto messages = test::read_all_messages(*source);
+  ASSERT_EQ(messages.size(), 2U) << test::joined(source->notes());
+  EXPECT_EQ(messages[1], expected_row(1, "two"));
+  EXPECT_EQ(source->met(), 3U);
+  ASSERT_EQ(source->losses().size(), 1U) << test::joined(source->notes());
+  EXPECT_EQ(source->losses()[0], "a message of /p is passed over: larger than 256 MiB");
+  EXPECT_TRUE(source->rewind());
+  EXPECT_EQ(test::read_all_messages(*source), messages);
+}
+
 TEST(SqliteBag, AnotherDatabaseIsRefused) {
   const test::TemporaryFolder folder;
   sqlite3* database = nullptr;
