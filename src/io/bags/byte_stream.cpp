@@ -87,20 +87,24 @@ std::size_t LookAheadStream::read(std::span<std::byte> to) {
 }
 
 std::size_t LookAheadStream::peek(std::size_t offset, std::span<std::byte> to) {
-  ahead_.erase(ahead_.begin(), ahead_.begin() + static_cast<std::ptrdiff_t>(next_));
-  next_ = 0;
+  // What was read goes once it is half of all: moved at every peek, the rest would cost the most.
+  if (next_ > ahead_.size() / 2) {
+    ahead_.erase(ahead_.begin(), ahead_.begin() + static_cast<std::ptrdiff_t>(next_));
+    next_ = 0;
+  }
   constexpr std::size_t kStep = 1 << 20;  // grows as bytes come
-  while (ahead_.size() < offset + to.size()) {
+  const std::size_t first = next_ + offset;
+  while (ahead_.size() < first + to.size()) {
     const std::size_t have = ahead_.size();
-    const std::size_t step = std::min(kStep, offset + to.size() - have);
+    const std::size_t step = std::min(kStep, first + to.size() - have);
     ahead_.resize(have + step);
     const std::size_t got = whole_.read(std::span(ahead_).subspan(have));
     ahead_.resize(have + got);
     if (got < step) break;
   }
-  const std::size_t there = ahead_.size() > offset ? ahead_.size() - offset : 0;
+  const std::size_t there = ahead_.size() > first ? ahead_.size() - first : 0;
   const std::size_t count = std::min(there, to.size());
-  std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, ahead_.size())), count,
+  std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(std::min(first, ahead_.size())), count,
               to.begin());
   return count;
 }
