@@ -5,14 +5,21 @@
 #include <string>
 #include <string_view>
 
+#include "io/utf8.hpp"
+
 namespace surefoot::io {
 
-/// A text from a file as one line that a terminal can show: control characters become '?'.
+/// A text from a file as one line that a terminal can show: control characters, also those of
+/// two bytes (U+0080 to U+009F), and what is no UTF-8 become '?'.
 [[nodiscard]] inline std::string printable(std::string_view text) {
   std::string line;
-  for (const char c : text) {
-    const bool plain = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-    line += plain ? c : '?';
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_length(text, at);
+    const std::string_view letter = text.substr(at, length);
+    const bool is_control = length == 1 ? letter[0] < 0x20 || letter[0] == 0x7f
+                                        : letter >= "\xC2\x80" && letter <= "\xC2\x9F";
+    line += length == 0 || is_control ? "?" : letter;
+    at += length == 0 ? 1 : length;
   }
   return line;
 }
