@@ -18,6 +18,7 @@ constexpr std::array<ScalarType, 8> kDatatypes = {ScalarType::i8,  ScalarType::u
 
 // A name, and three numbers.
 constexpr std::size_t kLeastFieldBytes = 13;
+constexpr std::uint64_t kMostFields = 1000;
 
 struct Shape {
   std::uint32_t height = 0;
@@ -70,7 +71,12 @@ CloudMessage read_point_cloud2(MessageReader& reader) {
   shape.height = reader.number<std::uint32_t>("height");
   shape.width = reader.number<std::uint32_t>("width");
   std::vector<ReadField> fields;
-  for (auto left = reader.structures("fields", kLeastFieldBytes); left > 0; --left) {
+  const std::uint64_t count = reader.structures("fields", kLeastFieldBytes);
+  if (count > kMostFields) {
+    throw ReadError(std::to_string(count) + " fields; expected at most " +
+                    std::to_string(kMostFields));
+  }
+  for (std::uint64_t left = count; left > 0; --left) {
     if (auto field = read_field(reader)) fields.push_back(std::move(*field));
   }
   const bool big_endian = reader.number<std::uint8_t>("byte order") != 0;

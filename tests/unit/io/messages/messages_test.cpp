@@ -146,6 +146,17 @@ TEST(PointCloud2, SizesThatLieAreRefused) {
   }
 }
 
+TEST(PointCloud2, FieldsHaveALimit) {
+  const auto cloud_of = [](std::uint32_t fields) {
+    std::string m = word(9) + word(100) + word(5) + word(0) + word(1) + word(0) + word(fields);
+    for (std::uint32_t i = 0; i < fields; ++i) m += word(1) + "x" + word(0) + '\1' + word(1);
+    return m + zeros(1) + word(18) + word(0) + word(0) + '\1';
+  };
+  EXPECT_EQ(read(Encoding::ros1, cloud_of(1000)).table.columns.size(), 1000U);
+  EXPECT_EQ(test::message_of<ReadError>([&] { (void)read(Encoding::ros1, cloud_of(1001)); }),
+            "1001 fields; expected at most 1000");
+}
+
 // CDR 2 aligns to 4 at most, and has a size before a sequence of structures; "delimited" before
 // every structure. The sizes' values are not needed.
 std::string cdr2_cloud(bool delimited) {
