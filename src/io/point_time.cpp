@@ -31,6 +31,8 @@ constexpr double kNear = 1.0;
 constexpr double kLongest = 10.0;
 // Shorter scans are unusual [s].
 constexpr double kShortest = 0.01;
+// Of longer ones a thousandth may be a scan, too: a packet or more [s].
+constexpr double kLongestSure = 0.15;
 // Stamps nearer to zero than this cannot tell absolute from relative [s].
 constexpr double kStampNearZero = 2.0 * kNear;
 
@@ -158,6 +160,17 @@ const char* text_of(TimeReference reference) {
 
 }  // namespace
 
+OpenOptions with_defined_unit(OpenOptions options, const PointTable& table, const Column& time) {
+  const auto has = [&table](const char* name) { return table.find(name) != nullptr; };
+  const bool is_livox = time.name == "offset_time" && has("tag") && has("line");
+  const bool is_ouster = time.name == "t" && has("reflectivity") && has("range");
+  const bool is_defined = time.type == ScalarType::u32 && (is_livox || is_ouster);
+  if (is_defined && options.time_unit == TimeUnit::automatic) {
+    options.time_unit = TimeUnit::nanoseconds;
+  }
+  return options;
+}
+
 std::int64_t nanoseconds_in(TimeUnit unit) {
   return static_cast<std::int64_t>(1e9 / facts_of(unit).per_second);
 }
@@ -174,6 +187,10 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
     fail(extents, type, stamp_ns, "unit");
   }
   rule.unit = *unit;
+  rule.spread = extents.greatest - extents.least;
+  rule.unit_certain = options.time_unit != TimeUnit::automatic || unit_by_epoch(extents) ||
+                      rule.unit == TimeUnit::nanoseconds ||
+                      rule.spread <= kLongestSure * facts_of(rule.unit).per_second;
   std::optional<TimeReference> reference = options.time_reference;
   if (reference == TimeReference::automatic) {
     const double per_second = facts_of(rule.unit).per_second;

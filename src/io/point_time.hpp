@@ -31,7 +31,21 @@ struct PointTimeRule {
   /// clock of its own, or a stamp that is wrong), or where the stamp is so near
   /// zero that relative and absolute cannot be told apart: then another scan may know better.
   bool certain = true;
+  /// The unit, too: not where the scan would be long, and a short one in the next finer unit, as of
+  /// a sensor's first packets. Then the longest of several scans knows best.
+  bool unit_certain = true;
+  double spread = 0.0;  ///< of the values that it is from
 };
+
+/// Whether a scan's rule is to be believed instead of that of one before.
+[[nodiscard]] inline bool knows_better(const PointTimeRule& rule, const PointTimeRule& before) {
+  return rule.certain != before.certain ? rule.certain : rule.spread > before.spread;
+}
+
+/// The options with the unit of a time field that is defined by who made the points: Livox's
+/// offset_time and Ouster's t are in nanoseconds, however short a scan is.
+[[nodiscard]] OpenOptions with_defined_unit(OpenOptions options, const PointTable& table,
+                                            const Column& time);
 
 /// Finds the rule from one scan's values:
 ///  - unit: values of the size of an epoch time (2001 to 2100) tell it by their size; others by

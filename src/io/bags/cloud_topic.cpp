@@ -87,7 +87,8 @@ class CloudTopic final : public Recording {
         const ScanColumns columns = find_scan_columns(cloud.table, options_);
         zero_stamps_ += cloud.stamp_ns == 0 ? 1 : 0;
         look_at_times(cloud, stamp_of(cloud, *message), columns);
-        settled = columns.time == nullptr || times_are_left_out() || (rule_ && rule_->certain);
+        settled = columns.time == nullptr || times_are_left_out() ||
+                  (rule_ && rule_->certain && rule_->unit_certain);
         ++good;
       } catch (const ReadError& error) {
         if (first_error.empty()) first_error = error.what();
@@ -114,8 +115,10 @@ class CloudTopic final : public Recording {
     const TimeExtents extents = time_extents(cloud.table, columns);
     if (extents.count == 0) return;
     try {
-      const PointTimeRule rule = decide_point_time(extents, columns.time->type, stamp_ns, options_);
-      if (rule_ && !rule.certain) return;
+      const PointTimeRule rule =
+          decide_point_time(extents, columns.time->type, stamp_ns,
+                            with_defined_unit(options_, cloud.table, *columns.time));
+      if (rule_ && !knows_better(rule, *rule_)) return;
       rule_ = rule;
       rule_text_ = describe_point_time(columns.time->name, columns.time->type, rule, extents);
     } catch (const ReadError& error) {

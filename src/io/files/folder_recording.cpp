@@ -138,16 +138,17 @@ class FolderRecording final : public Recording {
     const bool left_out = options_.time_direction == TimeDirection::none;
     try {
       const PointTimeRule rule =
-          decide_point_time(extents, columns.time->type, given_stamp(index), options_);
+          decide_point_time(extents, columns.time->type, given_stamp(index),
+                            with_defined_unit(options_, table, *columns.time));
       // They may still be all that gives stamps.
       if (left_out && (given_stamp(index) || rule.reference == TimeReference::relative)) {
         return true;
       }
-      if (!rule_ || rule.certain) {
+      if (!rule_ || knows_better(rule, *rule_)) {
         rule_ = rule;
         rule_text_ = describe_point_time(columns.time->name, columns.time->type, rule, extents);
       }
-      return rule.certain;
+      return rule.certain && rule.unit_certain;
     } catch (const ReadError& error) {
       if (left_out) return false;
       throw ReadError(listing_.files[index].string() + ": field '" + columns.time->name +

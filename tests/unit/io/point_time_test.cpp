@@ -30,6 +30,7 @@ TEST_P(PointTime, IsFoundOutFromTheValues) {
   EXPECT_EQ(rule.unit, c.unit);
   EXPECT_EQ(rule.reference, c.reference);
   EXPECT_TRUE(rule.certain);
+  EXPECT_TRUE(rule.unit_certain);
 }
 
 using enum ScalarType;
@@ -92,6 +93,44 @@ TEST(PointTimeRules, StampNearZeroIsUncertain) {
   const PointTimeRule later = decide_point_time({9.0, 9.1, 5}, f32, 9'000'000'000, {});
   EXPECT_EQ(later.reference, kAbsolute);
   EXPECT_TRUE(later.certain);
+}
+
+// A sensor's first packets may be half a second in microseconds, or half a millisecond.
+TEST(PointTimeRules, AScanThatMayBeOnePacketIsUncertainOfItsUnit) {
+  const PointTimeRule packet = decide_point_time({0, 475'000, 5}, u32, kEpochNs, {});
+  EXPECT_EQ(packet.unit, microseconds);
+  EXPECT_FALSE(packet.unit_certain);
+  const PointTimeRule scan = decide_point_time({0, 99'950'000, 5}, u32, kEpochNs, {});
+  EXPECT_TRUE(scan.unit_certain);
+  EXPECT_TRUE(knows_better(scan, packet));
+  EXPECT_FALSE(knows_better(packet, scan));
+  EXPECT_FALSE(decide_point_time({0, 480.0, 5}, f32, kEpochNs, {}).unit_certain);
+  EXPECT_FALSE(decide_point_time({0, 0.48, 5}, f32, kEpochNs, {}).unit_certain);
+  OpenOptions options;
+  options.time_unit = microseconds;
+  EXPECT_TRUE(decide_point_time({0, 475'000, 5}, u32, kEpochNs, options).unit_certain);
+  const PointTimeRule vague = decide_point_time({0.0, 0.1, 5}, f32, 0, {});
+  EXPECT_FALSE(knows_better(vague, decide_point_time({9.0, 9.05, 5}, f32, 9'000'000'000, {})))
+      << "the longer one, but relative or absolute nobody knows";
+}
+
+TEST(PointTimeRules, UnitsThatAreDefined) {
+  const auto unit_of = [](const char* time, ScalarType type, const char* other, const char* more) {
+    PointTable table;
+    for (const char* name : {time, other, more}) table.columns.push_back({name, type, nullptr, 4});
+    return with_defined_unit({}, table, table.columns.front()).time_unit;
+  };
+  EXPECT_EQ(unit_of("offset_time", u32, "tag", "line"), nanoseconds);
+  EXPECT_EQ(unit_of("t", u32, "reflectivity", "range"), nanoseconds);
+  EXPECT_EQ(unit_of("t", u32, "intensity", "ring"), automatic);
+  EXPECT_EQ(unit_of("t", f32, "reflectivity", "range"), automatic);
+  OpenOptions options;
+  options.time_unit = microseconds;
+  PointTable table;
+  for (const char* name : {"offset_time", "tag", "line"}) {
+    table.columns.push_back({name, u32, nullptr, 4});
+  }
+  EXPECT_EQ(with_defined_unit(options, table, table.columns.front()).time_unit, microseconds);
 }
 
 TEST(PointTimeRules, NoRuleIsAnErrorThatNamesTheValues) {

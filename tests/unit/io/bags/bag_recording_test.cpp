@@ -159,6 +159,39 @@ TEST(BagRecording, SkipAndMessagesThatAreBad) {
   EXPECT_EQ(good->name, "message 3");
 }
 
+// Half a millisecond of nanoseconds, or half a second of microseconds: the next messages tell.
+TEST(BagRecording, TheFirstMessageMayBeOnePacket) {
+  const test::TemporaryFolder folder;
+  const auto sink = make_scan_sink(folder.path() / "a.mcap", ScanFormat::mcap);
+  Scan first = scan_at(0);
+  for (std::int32_t& time : first.times_ns) time /= 200;
+  sink->add(first);
+  sink->add(scan_at(1));
+  sink->finish();
+  const auto recording = open_recording(folder.path() / "a.mcap", {});
+  EXPECT_EQ(recording->next()->scan->times_ns, first.times_ns);
+  EXPECT_EQ(recording->next()->scan->times_ns, scan_at(1).times_ns);
+}
+
+// The only one: Livox's offsets are nanoseconds by definition.
+TEST(BagRecording, LivoxOffsetsAreNanosecondsHoweverShortAScanIs) {
+  const test::TemporaryFolder folder;
+  MessageWriter message;
+  message.header(kStart, "livox");
+  message.number(static_cast<std::uint64_t>(kStart)).number(std::uint32_t{2});
+  message.number(std::uint32_t{0}).number(std::uint32_t{2});
+  for (const std::uint32_t offset : {0U, 475'000U}) {
+    message.number(offset).number(1.0F).number(2.0F).number(3.0F);
+    for (int i = 0; i < 3; ++i) message.number(std::uint8_t{1});
+  }
+  const auto bag = make_mcap_bag(folder.path() / "a.mcap");
+  bag->write(bag->add_topic("/livox", {"livox_ros_driver2/CustomMsg", "", "", ""}), kStart,
+             message.take());
+  bag->finish();
+  const auto recording = open_recording(folder.path() / "a.mcap", {});
+  EXPECT_EQ(recording->next()->scan->times_ns, (std::vector<std::int32_t>{0, 475'000}));
+}
+
 TEST(BagRecording, StampsOfZeroAreReplacedByTheBags) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.mcap";

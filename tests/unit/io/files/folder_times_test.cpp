@@ -110,6 +110,19 @@ TEST(FolderRecording, OusterNanoseconds) {
             "time field 't': u32, nanoseconds relative to the stamp, 0 .. 99999999");
 }
 
+// The one in the middle is looked at first.
+TEST(FolderRecording, AScanOfOnePacketDoesNotTellTheUnit) {
+  const TemporaryFolder folder;
+  for (const char* name : {"0.pcd", "2.pcd"}) {
+    folder.write(name, timed_pcd<std::uint32_t>({0, 99'999'999}, "t"));
+  }
+  folder.write("1.pcd", timed_pcd<std::uint32_t>({0, 475'000}, "t"));
+  const std::vector<ScanItem> items = read_all(folder.path());
+  ASSERT_EQ(items.size(), 3U);
+  EXPECT_EQ(items[1].scan->times_ns, (std::vector<std::int32_t>{0, 475'000}));
+  EXPECT_EQ(items[2].scan->times_ns, (std::vector<std::int32_t>{0, 99'999'999}));
+}
+
 TEST(FolderRecording, PointsWithoutTimeAreDroppedAndCounted) {
   const TemporaryFolder folder;
   folder.write("a.pcd", timed_pcd<float>({0.0F, NAN, 0.0625F, INFINITY}));
