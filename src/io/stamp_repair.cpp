@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/returns.hpp"
 #include "io/decimal_time.hpp"
 #include "io/point_clock.hpp"
 #include "io/recording_filter.hpp"
@@ -91,9 +92,11 @@ class RepairedRecording : public RecordingFilter {
     return quantile(std::vector(intervals_.begin(), intervals_.end()), 0.5);
   }
 
-  /// The last scan's points again, to the last bit: no sensor measures so.
+  /// The last scan's points again, to the last bit: no sensor measures so, unless it sees nothing.
   [[nodiscard]] bool is_last_again(const Scan& scan) const {
-    return scan.points.size() == last_points_.size() && !last_points_.empty() &&
+    const bool sees = std::any_of(scan.points.begin(), scan.points.end(),
+                                  [](const Eigen::Vector3f& point) { return is_return(point); });
+    return sees && scan.points.size() == last_points_.size() &&
            std::equal(scan.points.begin(), scan.points.end(), last_points_.begin(),
                       [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
                         return (a.array() == b.array() || (a.array() != a.array())).all();

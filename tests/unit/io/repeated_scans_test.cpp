@@ -4,6 +4,7 @@
 // Scans that are sent again.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -104,6 +105,25 @@ TEST(StampRepair, TheSamePointsUnderNewStampsAreLeftOutWhereScansDiffer) {
   without.erase(without.begin() + 4, without.begin() + 7);
   EXPECT_EQ(stamps(3.0F, 6.0F), without);
   EXPECT_EQ(stamps(0.0F, 9.0F), regular(10));  // all alike: a recording that was made so
+}
+
+// A covered sensor's scans are all alike: it was not sent twice.
+TEST(StampRepair, ScansWithoutAnyReturnAreKept) {
+  class Covered : public Stamped {
+   public:
+    Covered() : Stamped(regular(10)) {}
+    std::optional<ScanItem> next() override {
+      std::optional<ScanItem> item = Stamped::next();
+      if (!item) return item;
+      Eigen::Vector3f& point = item->scan->points.front();
+      if (point.z() >= 4.0F && point.z() < 7.0F) point.setZero();
+      if (point.z() >= 7.0F) point.setConstant(std::numeric_limits<float>::quiet_NaN());
+      return item;
+    }
+  };
+  const Repaired result = repaired(std::make_unique<Covered>(), {});
+  EXPECT_EQ(result.stamps, regular(10));
+  EXPECT_TRUE(result.notes.empty());
 }
 
 }  // namespace
