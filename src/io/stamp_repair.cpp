@@ -348,6 +348,28 @@ class RepairedRecording : public RecordingFilter {
   bool differ_ = false;  // two scans that follow each other do
 };
 
+/// Whose scans are read, also where they are passed over: what is between two tells how far apart
+/// they belong. Those before the first one tell nothing.
+class ReadWhole final : public RecordingFilter {
+ public:
+  explicit ReadWhole(std::unique_ptr<Recording> recording) : RecordingFilter(std::move(recording)) {
+    merge_notes();
+  }
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = recording().next();
+    merge_notes();
+    begun_ = true;
+    return item;
+  }
+  void skip(std::size_t scans) override {
+    if (!begun_) return recording().skip(scans);
+    while (scans > 0 && next()) --scans;
+  }
+
+ private:
+  bool begun_ = false;
+};
+
 }  // namespace
 
 std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
@@ -355,7 +377,7 @@ std::unique_ptr<Recording> repair_stamps(std::unique_ptr<Recording> recording,
   auto repaired = std::make_unique<RepairedRecording>(
       follow_point_clock(leave_out_repeated(std::move(recording)), options), options);
   return options.repair_at_once ? steady_stamps_at_once(std::move(repaired))
-                                : steady_stamps(std::move(repaired));
+                                : std::make_unique<ReadWhole>(steady_stamps(std::move(repaired)));
 }
 
 }  // namespace surefoot::io

@@ -247,5 +247,22 @@ TEST(StampRepair, AnythingGrows) {
   EXPECT_TRUE(repaired({}).stamps.empty());
 }
 
+// Every fifth scan of a regular recording is no gap, and what is not given out tells the interval.
+TEST(StampRepair, ScansThatArePassedOverAreNoGaps) {
+  std::vector<std::int64_t> stamps = regular(100);
+  stamps[70] += 20 * kSecond;
+  const auto recording = repair_stamps(std::make_unique<Stamped>(stamps), {});
+  recording->skip(5);
+  std::vector<std::int64_t> read;
+  while (const auto item = recording->next()) {
+    read.push_back(item->scan->stamp_ns);
+    recording->skip(4);
+  }
+  ASSERT_EQ(read.size(), 19U);
+  for (std::size_t i = 0; i < read.size(); ++i) EXPECT_EQ(read[i], regular(100)[5 + 5 * i]) << i;
+  ASSERT_EQ(recording->notes().size(), 1U);
+  EXPECT_NE(recording->notes()[0].find("fits neither side"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace surefoot::io
