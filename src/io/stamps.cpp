@@ -154,13 +154,22 @@ std::optional<std::vector<std::int64_t>> stamps_from_names(
 }
 
 bool are_counted(const std::vector<std::filesystem::path>& files) {
-  const auto without_digits = [](const std::filesystem::path& file) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto without_digits = [&](const std::filesystem::path& file) {
     std::string stem = file.stem().string();
-    std::erase_if(stem, [](char c) { return c >= '0' && c <= '9'; });
+    std::erase_if(stem, is_digit);
     return stem;
   };
+  // Natural order takes what is behind a decimal point for a whole number.
+  const auto has_fraction = [&](const std::filesystem::path& file) {
+    const std::string stem = file.stem().string();
+    for (std::size_t i = 1; i + 1 < stem.size(); ++i) {
+      if (stem[i] == '.' && is_digit(stem[i - 1]) && is_digit(stem[i + 1])) return true;
+    }
+    return false;
+  };
   return std::all_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
-    return without_digits(file) == without_digits(files.front());
+    return without_digits(file) == without_digits(files.front()) && !has_fraction(file);
   });
 }
 

@@ -30,8 +30,8 @@ namespace surefoot::io {
 [[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_from_names(
     const std::vector<std::filesystem::path>& files);
 
-/// Whether files' names differ by numbers alone: then their natural order is that in which they
-/// were written, whatever a clock that was set meanwhile says.
+/// Whether files' names differ by whole numbers alone: then their natural order is that in which
+/// they were written, whatever a clock that was set meanwhile says.
 [[nodiscard]] bool are_counted(const std::vector<std::filesystem::path>& files);
 
 /// Numbers of frames in file names that end with one ("scan_0012"), counted from the first: they

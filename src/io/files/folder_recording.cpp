@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <tuple>
 #include <utility>
 
 #include "io/all_fields.hpp"
@@ -184,6 +185,19 @@ class FolderRecording final : public Recording {
     notes_.emplace_back("scans: in the order of these times, not of their names");
   }
 
+  // "1644823589.41234" is before "1644823589.5", whatever natural order says.
+  void put_in_order_of_stamps() {
+    std::vector<std::pair<std::int64_t, std::filesystem::path>> stamped;
+    for (std::size_t i = 0; i < stamps_.size(); ++i) {
+      stamped.emplace_back(stamps_[i], listing_.files[i]);
+    }
+    std::stable_sort(stamped.begin(), stamped.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < stamped.size(); ++i) {
+      std::tie(stamps_[i], listing_.files[i]) = stamped[i];
+    }
+  }
+
   // Where no file gives stamps: the points themselves, names that are numbers, or a rate.
   void set_other_stamps() {
     if (!stamps_.empty()) {
@@ -196,6 +210,7 @@ class FolderRecording final : public Recording {
     }
     if (const auto named = stamps_from_names(listing_.files)) {
       stamps_ = *named;
+      if (!are_counted(listing_.files)) put_in_order_of_stamps();
       notes_.emplace_back("stamps: from the file names");
       return;
     }

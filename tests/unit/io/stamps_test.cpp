@@ -98,6 +98,13 @@ TEST(Stamps, FromNames) {
   }
 }
 
+TEST(Stamps, NamesWithDecimalPointsDoNotCount) {
+  EXPECT_TRUE(are_counted({"scan.0001.pcd", "scan.0002.pcd"}));
+  EXPECT_TRUE(are_counted({"1.bin.pcd", "2.bin.pcd"}));
+  EXPECT_FALSE(are_counted({"1.5.pcd", "2.5.pcd"}));
+  EXPECT_FALSE(are_counted({"a1.pcd", "b2.pcd"}));
+}
+
 TEST(NaturalOrder, NumbersCount) {
   std::vector<std::string> names = {"scan10",
                                     "scan9",

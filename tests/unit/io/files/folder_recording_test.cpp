@@ -33,6 +33,18 @@ TEST(FolderRecording, NaturalOrderStampsAndTimes) {
   EXPECT_EQ(items[1].scan->times_ns, (std::vector<std::int32_t>{0, 62'500'000}));
 }
 
+// Natural order takes the fractions for whole numbers.
+TEST(FolderRecording, NamesInUnpaddedDecimalSecondsAreInTheOrderOfTime) {
+  const std::vector<std::string> names = {"1644823589.112345.pcd", "1644823589.21234.pcd",
+                                          "1644823589.3.pcd", "1644823589.40001.pcd"};
+  const TemporaryFolder folder;
+  for (const std::string& name : names) folder.write(name, timed_pcd<float>({0.0F, 0.0625F}));
+  const std::vector<ScanItem> items = read_all(folder.path());
+  ASSERT_EQ(items.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(items[i].name, names[i]);
+  EXPECT_EQ(items[1].scan->stamp_ns, 1644823589212340000);
+}
+
 TEST(FolderRecording, ABadFileDoesNotEndTheReading) {
   const TemporaryFolder folder;
   for (int i = 0; i < 7; ++i) {
