@@ -3,6 +3,7 @@
 #include "io/stamps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <limits>
@@ -21,8 +22,24 @@ std::optional<std::int64_t> parse_whole(std::string_view text) {
   return error == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
-// Whole seconds of this size would be 3,000 years: they are nanoseconds.
+// Whole seconds of this size would be 3,000 years: they are nanoseconds, or what is between.
 constexpr std::int64_t kLeastNanoseconds = 100'000'000'000;
+
+struct WholeUnit {
+  const char* name;
+  std::int64_t scale;
+  std::int64_t too_close;  ///< apart on average for nanoseconds of such size, a computer's uptime
+};
+constexpr std::array<WholeUnit, 2> kWholeUnits = {
+    {{"microseconds", 1'000, 3'000'000}, {"milliseconds", 1'000'000, 100'000}}};
+
+bool is_epoch(std::int64_t value, std::int64_t scale) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  constexpr std::int64_t kEpochLeast = 1'000'000'000;
+  constexpr std::int64_t kEpochGreatest = 4'200'000'000;
+  const std::int64_t seconds = value / (kSecond / scale);
+  return seconds >= kEpochLeast && seconds <= kEpochGreatest;
+}
 
 std::string_view trimmed_line(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
@@ -74,7 +91,7 @@ std::string last_part(std::string name) {
   return bar == std::string::npos ? name : name.substr(bar + 2);
 }
 
-std::optional<std::int64_t> stamp_of_name(const std::string& whole_name) {
+std::optional<std::int64_t> stamp_of_name(const std::string& whole_name, bool with_milliseconds) {
   if (const auto stamp = stamp_of_two_numbers(whole_name)) return stamp;
   const std::string name = last_part(whole_name);
   if (name.empty() || name.find_first_not_of("0123456789.") != std::string::npos) {
@@ -86,38 +103,70 @@ std::optional<std::int64_t> stamp_of_name(const std::string& whole_name) {
   if (name.size() == 18 || name.size() == 19) {
     return name.front() == '0' ? std::nullopt : parse_whole(name);
   }
-  constexpr std::int64_t kEpochLeast = 1'000'000'000;
-  constexpr std::int64_t kEpochGreatest = 4'200'000'000;
   const std::optional<std::int64_t> number = parse_whole(name);
-  if (!number) return std::nullopt;
-  constexpr std::int64_t kMicro = 1'000'000;
-  const bool micro = name.size() == 16;
-  const std::int64_t seconds = micro ? *number / kMicro : *number;
-  if (seconds < kEpochLeast || seconds > kEpochGreatest) return std::nullopt;
-  return *number * (micro ? 1'000 : 1'000'000'000);
+  for (const std::int64_t scale : {1'000'000'000, 1'000'000, 1'000}) {
+    const bool is_meant = scale != 1'000'000 || with_milliseconds;
+    if (number && is_meant && is_epoch(*number, scale)) return *number * scale;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<std::int64_t> parse_stamps(std::string_view text) {
-  const std::vector<StampLine> lines = stamp_lines(text);
-  bool nanoseconds = !lines.empty();
-  std::int64_t greatest = 0;
-  for (const StampLine& line : lines) {
-    nanoseconds = nanoseconds && is_whole(line.text);
-    greatest = nanoseconds ? std::max(greatest, parse_whole(line.text).value_or(0)) : 0;
+void WholeTimes::add(std::string_view word) {
+  const std::optional<std::int64_t> value = is_whole(word) ? parse_whole(word) : std::nullopt;
+  all_whole_ = all_whole_ && value.has_value();
+  if (!value) return;
+  least_ = count_ == 0 ? *value : std::min(least_, *value);
+  greatest_ = std::max(greatest_, *value);
+  ++count_;
+}
+
+std::string WholeTimes::unusual_unit() const {
+  if (!all_whole_ || count_ == 0) return {};
+  const std::int64_t range = greatest_ - least_;
+  for (const WholeUnit& unit : kWholeUnits) {
+    const bool is_close =
+        count_ == 1 || range / static_cast<std::int64_t>(count_ - 1) < unit.too_close;
+    if (is_epoch(least_, unit.scale) && is_close) return unit.name;
   }
-  nanoseconds = nanoseconds && greatest >= kLeastNanoseconds;
+  return {};
+}
+
+std::optional<std::int64_t> WholeTimes::scale() const {
+  if (!all_whole_ || greatest_ < kLeastNanoseconds) return std::nullopt;
+  const std::string name = unusual_unit();
+  for (const WholeUnit& unit : kWholeUnits) {
+    if (name == unit.name) return unit.scale;
+  }
+  return 1;
+}
+
+std::optional<std::int64_t> parse_whole_time(std::string_view word, std::int64_t scale) {
+  const std::optional<std::int64_t> value = is_whole(word) ? parse_whole(word) : std::nullopt;
+  std::int64_t time = 0;
+  const bool fits = value && !__builtin_mul_overflow(*value, scale, &time);
+  return fits ? std::optional(time) : std::nullopt;
+}
+
+std::vector<std::int64_t> parse_stamps(std::string_view text, std::string* unit) {
+  const std::vector<StampLine> lines = stamp_lines(text);
+  WholeTimes whole;
+  for (const StampLine& line : lines) whole.add(line.text);
+  const std::optional<std::int64_t> scale = whole.scale();
+  if (unit != nullptr) *unit = whole.unusual_unit();
 
   std::vector<std::int64_t> stamps;
   stamps.reserve(lines.size());
   for (const StampLine& line : lines) {
     std::optional<std::int64_t> stamp =
-        nanoseconds ? parse_whole(line.text) : parse_decimal_seconds(line.text);
+        scale ? parse_whole_time(line.text, *scale) : parse_decimal_seconds(line.text);
     stamp = stamp ? stamp : parse_date_time(line.text);
     if (!stamp) {
-      throw ReadError("line " + std::to_string(line.number) + ": " + in_quotes(line.text) +
-                      "; expected one stamp: seconds, whole nanoseconds or a date and time");
+      throw ReadError(
+          "line " + std::to_string(line.number) + ": " + in_quotes(line.text) +
+          "; expected one stamp: seconds, whole nanoseconds, microseconds or milliseconds, or "
+          "a date and time");
     }
     stamps.push_back(*stamp);
   }
@@ -141,10 +190,15 @@ std::filesystem::path find_stamps_file(const std::filesystem::path& folder,
 }
 
 std::optional<std::vector<std::int64_t>> stamps_from_names(
-    const std::vector<std::filesystem::path>& files) {
+    const std::vector<std::filesystem::path>& files, std::string* unit) {
+  WholeTimes whole;
+  for (const std::filesystem::path& file : files) whole.add(last_part(file.stem().string()));
+  const std::string unusual_unit = whole.unusual_unit();
+  if (unit != nullptr) *unit = unusual_unit;
   std::vector<std::int64_t> stamps;
   for (const std::filesystem::path& file : files) {
-    const std::optional<std::int64_t> stamp = stamp_of_name(file.stem().string());
+    const std::optional<std::int64_t> stamp =
+        stamp_of_name(file.stem().string(), unusual_unit == "milliseconds");
     if (!stamp) {
       return std::nullopt;
     }

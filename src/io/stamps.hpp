@@ -13,22 +13,45 @@
 
 namespace surefoot::io {
 
-/// One stamp a line: decimal seconds, KITTI's date lines, or (all lines whole numbers of 100 s or
-/// more in nanoseconds) whole nanoseconds. Empty lines and `#` comments are passed over. Throws
-/// ReadError naming the line.
-[[nodiscard]] std::vector<std::int64_t> parse_stamps(std::string_view text);
+/// What a file's times count, where all are whole numbers and the greatest is 1e11 or more, which
+/// no seconds are: microseconds or milliseconds where the least is such a time since the epoch
+/// (2001 to 2103) and they follow each other too closely for nanoseconds, else nanoseconds.
+class WholeTimes {
+ public:
+  void add(std::string_view word);
+  /// Nanoseconds in one of them; nothing where they are decimal seconds or else.
+  [[nodiscard]] std::optional<std::int64_t> scale() const;
+  /// "microseconds" or "milliseconds"; empty: neither.
+  [[nodiscard]] std::string unusual_unit() const;
+
+ private:
+  bool all_whole_ = true;
+  std::int64_t least_ = 0, greatest_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// A whole number of `scale` nanoseconds; nothing where it is none or too large.
+[[nodiscard]] std::optional<std::int64_t> parse_whole_time(std::string_view word,
+                                                           std::int64_t scale);
+
+/// One stamp a line: decimal seconds, KITTI's date lines, or whole numbers (WholeTimes). Empty
+/// lines and `#` comments are passed over. Throws ReadError naming the line. `unit`, where it is
+/// not null, is then WholeTimes' unusual one.
+[[nodiscard]] std::vector<std::int64_t> parse_stamps(std::string_view text,
+                                                     std::string* unit = nullptr);
 
 /// `preferred`, times.txt, timestamps.txt or stamps.txt in the folder, else in the one above;
 /// empty: none.
 [[nodiscard]] std::filesystem::path find_stamps_file(const std::filesystem::path& folder,
                                                      const std::string& preferred = {});
 
-/// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, 16 microseconds,
-/// numbers with a decimal point or of epoch size (1e9 .. 4.2e9) seconds;
-/// "cloud_1583836591_182590976" is seconds and nanoseconds, as Newer College has them; of nuScenes'
-/// what follows the last "__". Nothing where one name is neither: then they are names or indices.
+/// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, 16 microseconds and 13
+/// milliseconds of epoch size, numbers with a decimal point or of epoch size (1e9 .. 4.2e9)
+/// seconds; "cloud_1583836591_182590976" is seconds and nanoseconds, as Newer College has them; of
+/// nuScenes' what follows the last "__". Nothing where one name is neither: then they are names or
+/// indices. `unit` as of parse_stamps().
 [[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_from_names(
-    const std::vector<std::filesystem::path>& files);
+    const std::vector<std::filesystem::path>& files, std::string* unit = nullptr);
 
 /// Whether files' names differ by whole numbers alone: then their natural order is that in which
 /// they were written, whatever a clock that was set meanwhile says.

@@ -50,15 +50,19 @@ std::int64_t whole_number(std::string_view word, std::size_t line) {
   return static_cast<std::int64_t>(number_of(word, line));
 }
 
-std::int64_t stamp_of(std::string_view word, std::size_t line) {
+/// What a table's rows begin with.
+struct RowTimes {
+  std::int64_t scale = 1;  ///< nanoseconds in a whole number's unit
+  bool all_whole = false;  ///< and none is seconds
+};
+
+std::int64_t stamp_of(std::string_view word, std::size_t line, const RowTimes& times) {
   constexpr std::size_t kNanosecondDigits = 16;
-  const std::optional<std::int64_t> seconds = parse_decimal_seconds(word);
-  if (is_whole(word) && word.size() >= kNanosecondDigits) {
-    const auto nanoseconds = parse_stamps(word);  // whole numbers of that size
-    if (nanoseconds.size() == 1) return nanoseconds.front();
-  }
-  if (!seconds) fail_at_line(line, in_quotes(word) + "; expected a time");
-  return *seconds;
+  const bool whole = is_whole(word) && (times.all_whole || word.size() >= kNanosecondDigits);
+  const std::optional<std::int64_t> stamp =
+      whole ? parse_whole_time(word, times.scale) : parse_decimal_seconds(word);
+  if (!stamp) fail_at_line(line, in_quotes(word) + "; expected a time");
+  return *stamp;
 }
 
 Eigen::Vector3d position_of(const Words& words, std::size_t first, std::size_t line) {
@@ -93,17 +97,17 @@ void add_pose(Truth& truth, const Words& words, std::size_t first, std::size_t l
 }
 
 /// Of EuRoC's state estimate: time, position, w x y z of the rotation, then velocity and biases.
-void add_euroc_pose(Truth& truth, const Words& words, std::size_t line) {
+void add_euroc_pose(Truth& truth, const Words& words, std::size_t line, const RowTimes& times) {
   Words pose(words.begin(), words.begin() + 4);
   pose.insert(pose.end(), {words[5], words[6], words[7], words[4]});
-  add_pose(truth, pose, 1, line, stamp_of(words[0], line));
+  add_pose(truth, pose, 1, line, stamp_of(words[0], line, times));
 }
 
-void add_row(Truth& truth, const Words& words, std::size_t line) {
+void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes& times) {
   switch (words.size()) {
     case 4:
     case 8:
-      return add_pose(truth, words, 1, line, stamp_of(words[0], line));
+      return add_pose(truth, words, 1, line, stamp_of(words[0], line, times));
     case 9: {
       const bool whole = is_whole(words[0]) && is_whole(words[1]) && words[1].size() <= 9;
       const auto seconds = parse_decimal_seconds(words[0]);
@@ -121,14 +125,36 @@ void add_row(Truth& truth, const Words& words, std::size_t line) {
       return;
     case 13:
       truth.poses.push_back(
-          {stamp_of(words[0], line), pose_of_kitti_row(std::span(words).subspan(1), line)});
+          {stamp_of(words[0], line, times), pose_of_kitti_row(std::span(words).subspan(1), line)});
       return;
     case 17:
-      return add_euroc_pose(truth, words, line);
+      return add_euroc_pose(truth, words, line, times);
     default:
       fail_at_line(line, std::to_string(words.size()) +
                              " columns; expected 4, 8, 9, 12, 13 or 17: times and poses");
   }
+}
+
+/// Calls `take` with the words and the number of every line but comments and the columns' names,
+/// which one line at the top may have. Returns how many columns there are.
+template <typename Take>
+std::size_t for_each_row(std::string_view text, Take&& take) {
+  std::size_t columns = 0;
+  LineReader reader(text);
+  for (std::string_view line; reader.next(line);) {
+    const Words words = columns_of(line);
+    if (words.empty() || words.front().starts_with('#')) continue;
+    double ignored = 0.0;
+    const bool names = columns == 0 && !parse_real(words.front(), ignored);
+    if (columns == 0) columns = words.size();
+    if (names) continue;
+    if (words.size() != columns) {
+      fail_at_line(reader.line_number(), std::to_string(words.size()) + " columns; expected " +
+                                             std::to_string(columns) + " as before");
+    }
+    take(words, reader.line_number());
+  }
+  return columns;
 }
 
 std::string text_in(const fs::path& file) {
@@ -271,23 +297,14 @@ Pose pose_of_oxts(std::string_view text, double scale) {
 
 Truth parse_truth_table(std::string_view text) {
   Truth truth;
-  LineReader reader(text);
-  std::size_t columns = 0;
-  for (std::string_view line; reader.next(line);) {
-    const Words words = columns_of(line);
-    if (words.empty() || words.front().starts_with('#')) continue;
-    double ignored = 0.0;
-    const bool names = columns == 0 && !parse_real(words.front(), ignored);
-    if (columns == 0) columns = words.size();
-    if (names) continue;
-    if (words.size() != columns) {
-      fail_at_line(reader.line_number(), std::to_string(words.size()) + " columns; expected " +
-                                             std::to_string(columns) + " as before");
-    }
-    add_row(truth, words, reader.line_number());
-  }
+  WholeTimes whole;
+  for_each_row(text, [&](const Words& words, std::size_t) { whole.add(words.front()); });
+  const RowTimes times{whole.scale().value_or(1), whole.scale().has_value()};
+  const std::size_t columns = for_each_row(
+      text, [&](const Words& words, std::size_t line) { add_row(truth, words, line, times); });
   if (truth.poses.empty()) throw ReadError("no poses");
-  truth.what = std::to_string(columns) + " columns" +
+  const std::string unit = whole.unusual_unit();
+  truth.what = std::to_string(columns) + " columns" + (unit.empty() ? "" : ", times in " + unit) +
                (!truth.has_rotations ? ", positions without rotations"
                 : never_turns(truth) ? ", and no rotation in any row: are they known?"
                                      : "");

@@ -70,9 +70,10 @@ class FolderRecording final : public Recording {
     if (file.empty()) {
       return;
     }
+    std::string unit;
     try {
       read_whole_file(file, bytes_);
-      stamps_ = parse_stamps(text_of(bytes_));
+      stamps_ = parse_stamps(text_of(bytes_), &unit);
     } catch (const ReadError& error) {
       throw ReadError(file.string() + ": " + error.what());
     }
@@ -81,7 +82,7 @@ class FolderRecording final : public Recording {
                       std::to_string(listing_.files.size()) + " scans in " +
                       listing_.folder.string() + "; expected as many of both");
     }
-    notes_.push_back("stamps: from " + file.filename().string());
+    notes_.push_back("stamps: from " + file.filename().string() + in_unit(unit));
   }
 
   // A few scans over the whole recording, the middle one first: the first is often cut short, and
@@ -198,6 +199,8 @@ class FolderRecording final : public Recording {
     }
   }
 
+  static std::string in_unit(const std::string& unit) { return unit.empty() ? "" : ", in " + unit; }
+
   // Where no file gives stamps: the points themselves, names that are numbers, or a rate.
   void set_other_stamps() {
     if (!stamps_.empty()) {
@@ -208,10 +211,11 @@ class FolderRecording final : public Recording {
       if (!are_counted(listing_.files)) put_in_order_of_times();
       return;
     }
-    if (const auto named = stamps_from_names(listing_.files)) {
+    std::string unit;
+    if (const auto named = stamps_from_names(listing_.files, &unit)) {
       stamps_ = *named;
       if (!are_counted(listing_.files)) put_in_order_of_stamps();
-      notes_.emplace_back("stamps: from the file names");
+      notes_.push_back("stamps: from the file names" + in_unit(unit));
       return;
     }
     const bool known = options_.rate_hz > 0.0;

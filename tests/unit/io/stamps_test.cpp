@@ -71,6 +71,24 @@ TEST(Stamps, SecondsNanosecondsAndDates) {
   EXPECT_TRUE(parse_stamps("").empty());
 }
 
+// Of a computer that has been up for so long they would be nanoseconds, too, but not as close.
+TEST(Stamps, WholeMicrosecondsAndMilliseconds) {
+  using Stamps = std::vector<std::int64_t>;
+  std::string unit;
+  EXPECT_EQ(parse_stamps("1630577758569489\n1630577758669489\n", &unit),
+            (Stamps{1630577758569489000, 1630577758669489000}));
+  EXPECT_EQ(unit, "microseconds");
+  EXPECT_EQ(parse_stamps("1630577758569\n1630577758669\n", &unit),
+            (Stamps{1630577758569000000, 1630577758669000000}));
+  EXPECT_EQ(unit, "milliseconds");
+  EXPECT_EQ(parse_stamps("1630577758569\n1630677758569\n", &unit),
+            (Stamps{1630577758569, 1630677758569}));
+  EXPECT_EQ(unit, "");
+  EXPECT_EQ(parse_stamps("1630577758569489\n1630577858569489\n", &unit),
+            (Stamps{1630577758569489, 1630577858569489}));
+  EXPECT_EQ(unit, "");
+}
+
 TEST(Stamps, ErrorsNameTheLine) {
   for (const char* bad : {"1.0\nx\n", "1.0\n2.0 3.0\n", "1.0\nnan\n", "1.0\n99999999999999999999\n",
                           "1.0\n2011-99-26 14:30:14\n"}) {
@@ -90,6 +108,10 @@ TEST(Stamps, FromNames) {
   EXPECT_EQ(
       stamps_from_names({"n015-2018-07-24-11-22-45+0800__LIDAR_TOP__1532402927647951.pcd.bin"}),
       Stamps{1532402927647951000});
+  EXPECT_EQ(stamps_from_names({"1547131046353.bin", "1547131046453.bin"}),
+            (Stamps{1547131046353000000, 1547131046453000000}));
+  EXPECT_EQ(stamps_from_names({"1547131046353.bin", "1547231046353.bin"}), std::nullopt)
+      << "uptime in nanoseconds";
   EXPECT_EQ(stamps_from_names({"scan__12.bin"}), std::nullopt);
   EXPECT_EQ(stamps_from_names({"9547131046353776.bin"}), std::nullopt);
   for (const Paths& names : {Paths{"000000.pcd"}, Paths{"0000000010.bin"}, Paths{"scan1.pcd"},

@@ -47,6 +47,19 @@ TEST(TruthTable, MulRansNanosecondsAndMatrix) {
   EXPECT_EQ(truth.poses[0].pose.translation, Eigen::Vector3d(3, 4, 5));
 }
 
+TEST(TruthTable, WholeMicrosecondsAndMilliseconds) {
+  const Truth micro = parse_truth_table("1561000444390857 1 2 3\n1561000444490857 1 2 3\n");
+  EXPECT_EQ(micro.poses[1].stamp_ns, 1561000444490857000);
+  EXPECT_EQ(micro.what, "4 columns, times in microseconds, positions without rotations");
+  const Truth milli =
+      parse_truth_table("1561000444390 1 2 3 0 0 0 1\n1561000444490 1 2 3 0 0 1 0\n");
+  EXPECT_EQ(milli.poses[1].stamp_ns, 1561000444490000000);
+  EXPECT_EQ(milli.what, "8 columns, times in milliseconds");
+  const Truth uptime = parse_truth_table("5000000000 1 2 3\n1561000444490 1 2 3\n");
+  EXPECT_EQ(uptime.poses[0].stamp_ns, 5000000000);
+  EXPECT_EQ(uptime.poses[1].stamp_ns, 1561000444490);
+}
+
 TEST(TruthTable, PositionsWithoutAttitude) {
   const Truth m2dgr = parse_truth_table("1.5 1 2 3 0 0 0 0\n1.6 1 2 3 0 0 0 0\n");
   EXPECT_FALSE(m2dgr.has_rotations);

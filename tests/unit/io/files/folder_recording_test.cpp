@@ -45,6 +45,17 @@ TEST(FolderRecording, NamesInUnpaddedDecimalSecondsAreInTheOrderOfTime) {
   EXPECT_EQ(items[1].scan->stamp_ns, 1644823589212340000);
 }
 
+TEST(FolderRecording, WhatWholeStampsCountIsSaid) {
+  const TemporaryFolder folder;
+  for (const char* name : {"0.pcd", "1.pcd"}) {
+    folder.write(name, timed_pcd<float>({0.0F, 0.0625F}));
+  }
+  folder.write("times.txt", "1630577758569\n1630577758669\n");
+  const auto recording = open_recording(folder.path(), {});
+  EXPECT_EQ(recording->next()->scan->stamp_ns, 1630577758569000000);
+  EXPECT_EQ(recording->notes().front(), "stamps: from times.txt, in milliseconds");
+}
+
 TEST(FolderRecording, ABadFileDoesNotEndTheReading) {
   const TemporaryFolder folder;
   for (int i = 0; i < 7; ++i) {
