@@ -264,7 +264,7 @@ void Conversion::use(ConversionLane& lane) {
 
 void Conversion::copy_the_rest() {
   if (!others_) return;
-  others_->copy(
+  others_->copy_the_rest(
       *bag_, request_.begins_with_all() ? kEarliest : *first_written_ns_,
       request_.ends_with_all() ? std::numeric_limits<std::int64_t>::max() : last_written_ns_);
   for (std::string& loss : others_->losses()) outcome_.losses.push_back(std::move(loss));

@@ -101,6 +101,10 @@ class BagParts final : public MessageSource {
   }
 
   bool rewind() override { return files_.size() == 1 && part_->rewind(); }
+  bool leave_file() override {
+    announced_messages_.reset();  // not all are met any more
+    return open_next();
+  }
   double progress() const override {
     return (static_cast<double>(index_) + part_->progress()) / static_cast<double>(files_.size());
   }

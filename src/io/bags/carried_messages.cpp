@@ -91,6 +91,15 @@ void CarriedMessages::copy(BagWriter& to, std::int64_t from_ns, std::int64_t upt
   }
 }
 
+void CarriedMessages::copy_the_rest(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns) {
+  copy(to, from_ns, upto_ns);
+  while (!ended_) {
+    next_.reset();
+    if (!bag_->leave_file()) return;
+    copy(to, from_ns, upto_ns);
+  }
+}
+
 std::size_t CarriedMessages::topics() const {
   std::size_t count = 0;
   for (const auto& [key, way] : ways_) count += way.topic ? 1 : 0;

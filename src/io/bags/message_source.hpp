@@ -71,6 +71,8 @@ class MessageSource {
   [[nodiscard]] const std::vector<Topic>& announced() const { return announced_; }
   /// Messages that were come across so far, of whatever topic, and since the last rewind.
   [[nodiscard]] std::uint64_t met() const { return met_; }
+  /// Leaves the rest of a file that others follow; false where none does.
+  virtual bool leave_file() { return false; }
   /// From here on messages of one topic alone are needed.
   void want(std::string topic) { wanted_ = std::move(topic); }
 

@@ -81,10 +81,18 @@ Gyroscope read_gyroscope(const std::filesystem::path& bag, std::int64_t begin_ns
                          std::int64_t end_ns) {
   Gyroscope gyroscope;
   const auto source = open_bag(bag);
-  while (const std::optional<Message> message = source->next()) {
-    if (message->logged_ns - kLate > end_ns) break;
+  // Where headers have another clock than the recorder's, they alone tell the end. Where it is
+  // reached the bag's next file may hold another topic.
+  std::optional<bool> is_recorders_clock;
+  bool is_over = false;
+  while (!is_over || source->leave_file()) {
+    const std::optional<Message> message = source->next();
+    if (!message) break;
+    is_over = message->logged_ns - kLate > end_ns;
+    if (!is_recorders_clock) is_recorders_clock = !is_over;
+    is_over = is_over && *is_recorders_clock;
     const Topic& topic = *message->topic;
-    if (topic.type != "sensor_msgs/Imu") continue;
+    if (is_over || topic.type != "sensor_msgs/Imu") continue;
     if (gyroscope.topic.empty()) {
       gyroscope.topic = topic.name;
       source->want(topic.name);
@@ -92,6 +100,7 @@ Gyroscope read_gyroscope(const std::filesystem::path& bag, std::int64_t begin_ns
     if (topic.name != gyroscope.topic) continue;
     try {
       const Turning turning = read_imu(*message);
+      is_over = turning.stamp_ns - kLate > end_ns;
       const bool inside = turning.stamp_ns >= begin_ns && turning.stamp_ns <= end_ns;
       if (inside && turning.rate.allFinite()) go_on(gyroscope.turning, turning);
     } catch (const ReadError&) {

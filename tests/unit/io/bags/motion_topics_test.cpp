@@ -52,6 +52,35 @@ TEST(Gyroscope, ItsTurnsAreThoseOfTheBag) {
   EXPECT_EQ(half.turning.size(), 101U);
 }
 
+/// A bag of a topic that has a message a second, logged at epoch times, its headers from `first`
+/// on.
+void write_topic(const std::filesystem::path& file, const char* type, std::int64_t first) {
+  const auto bag = make_mcap_bag(file);
+  const std::size_t topic = bag->add_topic("/one", {type, "", "", ""});
+  for (int i = 0; i < 20; ++i) {
+    const std::int64_t since = i * 1'000'000'000LL;
+    bag->write(topic, kFirstStamp + since, imu(first + since, {0.0, 0.0, 0.5}));
+  }
+  bag->finish();
+}
+
+TEST(Gyroscope, EveryFileOfABagMayHoldIt) {
+  const test::TemporaryFolder folder;
+  write_topic(folder.path() / "camera.mcap", "sensor_msgs/Image", kFirstStamp);
+  write_topic(folder.path() / "imu.mcap", "sensor_msgs/Imu", kFirstStamp);
+  const Gyroscope begin = read_gyroscope(folder.path(), kFirstStamp, kFirstStamp + 4'000'000'000);
+  EXPECT_EQ(begin.turning.size(), 5U);
+}
+
+// A LiDAR and its IMU that know no time of day.
+TEST(Gyroscope, HeadersMayHaveAClockOfTheirOwn) {
+  const test::TemporaryFolder folder;
+  const std::int64_t uptime = 50'000'000'000;
+  write_topic(folder.path() / "imu.mcap", "sensor_msgs/Imu", uptime);
+  const Gyroscope begin = read_gyroscope(folder.path(), uptime, uptime + 4'000'000'000);
+  EXPECT_EQ(begin.turning.size(), 5U);
+}
+
 TEST(Gyroscope, ThereIsNoneWhereThereIsNone) {
   const test::TemporaryFolder folder;
   const auto bag = make_mcap_bag(folder.path() / "a.mcap");

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Surefoot authors
+// SPDX-License-Identifier: MIT
+//
+// Messages that are copied from bag to bag as they are.
+#include "io/bags/carried_messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/bags/bag_files.hpp"
+#include "io/bags/bag_writer.hpp"
+#include "io/bags/mcap_writer.hpp"
+#include "unit/io/bags/support.hpp"
+
+namespace surefoot::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kPublishedBefore = 7;  // [ns] it was recorded
+
+/// A message at each of the times 100 to 109, and what else an MCAP file may hold.
+void write_topic(const fs::path& file, const std::string& topic) {
+  McapWriter writer(file, {});
+  const std::uint16_t channel =
+      writer.add_channel(writer.add_schema("pkg/msg/Type", "ros2msg", "int32 a\n"), topic, "cdr");
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    writer.write(channel, i, 100 + i, 100 + i - kPublishedBefore, "message");
+  }
+  writer.attach(1, 2, "notes.txt", "text/plain", "hello");
+  writer.add_metadata("about", {{"robot", "dog"}});
+  writer.add_metadata("more", {{"robot", "dog"}});
+  writer.finish();
+}
+
+class Carried : public testing::Test {
+ protected:
+  Carried() {
+    fs::create_directory(folder_.path() / "in");
+    write_topic(folder_.path() / "in/camera.mcap", "/camera");
+    write_topic(folder_.path() / "in/imu.mcap", "/imu");
+  }
+  [[nodiscard]] fs::path in() const { return folder_.path() / "in"; }
+  [[nodiscard]] fs::path out() const { return folder_.path() / "out.mcap"; }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Carried, EveryFileOfABagUpToTheEnd) {
+  CarriedMessages others(in(), {}, {});
+  const auto to = make_mcap_bag(out());
+  others.copy(*to, 102, 103);
+  others.copy(*to, 102, 104);
+  others.copy_the_rest(*to, 102, 105);
+  to->finish();
+  EXPECT_EQ(others.messages(), 8U);
+  EXPECT_EQ(others.topics(), 2U);
+  const auto bag = open_bag(out());
+  const auto messages = test::read_all_messages(*bag);
+  ASSERT_EQ(messages.size(), 8U);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    EXPECT_EQ(messages[i].topic, i < 4 ? "/camera" : "/imu");
+    EXPECT_EQ(messages[i].logged_ns, static_cast<std::int64_t>(102 + i % 4));
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::io
