@@ -115,6 +115,9 @@ class BagParts final : public MessageSource {
 
  private:
   void take_notes() {
+    const PassedOver& here = part_->passed_over();
+    set_passed_over(
+        {passed_before_.attachments + here.attachments, passed_before_.metadata + here.metadata});
     const std::string where = files_.size() > 1 ? files_[index_].filename().string() + ": " : "";
     const std::vector<std::string>& losses = part_->losses();
     for (; noted_ < part_->notes().size(); ++noted_) {
@@ -140,6 +143,7 @@ class BagParts final : public MessageSource {
       ++index_;
       try {
         met_before_ += part_->met();
+        passed_before_ = passed_over();
         part_ = open_part(files_[index_]);
         noted_ = announced_ = 0;
         return true;
@@ -157,6 +161,7 @@ class BagParts final : public MessageSource {
   std::size_t announced_ = 0;
   std::optional<std::uint64_t> announced_messages_;  ///< as rosbag2's metadata say
   std::uint64_t met_before_ = 0;                     ///< in the parts before this one
+  PassedOver passed_before_;                         ///< there
 };
 
 }  // namespace

@@ -21,6 +21,11 @@ class BagWriter {
   virtual std::size_t add_topic(const std::string& name, const MessageDefinition& definition) = 0;
   /// `message` in the flavour of the bag.
   virtual void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) = 0;
+  /// With when it was published, where the format has room for it.
+  virtual void write_published(std::size_t topic, std::int64_t stamp_ns,
+                               std::int64_t /*published_ns*/, std::string_view message) {
+    write(topic, stamp_ns, message);
+  }
   /// A file to go with the messages, where the format has room for one.
   virtual void attach(std::string_view /*name*/, std::string_view /*media_type*/,
                       std::string_view /*content*/) {}

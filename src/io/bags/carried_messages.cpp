@@ -3,6 +3,7 @@
 #include "io/bags/carried_messages.hpp"
 
 #include "io/bags/bag_files.hpp"
+#include "io/counted.hpp"
 #include "io/printable.hpp"
 
 namespace surefoot::io {
@@ -86,7 +87,9 @@ void CarriedMessages::copy(BagWriter& to, std::int64_t from_ns, std::int64_t upt
     ++way.messages;
     if (!way.topic) continue;
     const auto* const bytes = reinterpret_cast<const char*>(message.bytes.data());
-    to.write(*way.topic, message.logged_ns, {bytes, message.bytes.size()});
+    to.write_published(*way.topic, message.logged_ns,
+                       message.published_ns.value_or(message.logged_ns),
+                       {bytes, message.bytes.size()});
     ++messages_;
   }
 }
@@ -119,6 +122,13 @@ std::vector<std::string> CarriedMessages::losses() const {
       lines.push_back("no text of the type of " + topic +
                       " is known: who needs it to show messages cannot show these");
     }
+  }
+  const PassedOver& passed_over = bag_->passed_over();
+  if (passed_over.attachments > 0) {
+    lines.push_back("lost: " + counted(passed_over.attachments, "attachment"));
+  }
+  if (passed_over.metadata > 0) {
+    lines.push_back("lost: " + counted(passed_over.metadata, "record") + " of metadata");
   }
   if (ways_.size() >= kMostTopics) {
     lines.push_back("lost: topics beyond " + std::to_string(kMostTopics));

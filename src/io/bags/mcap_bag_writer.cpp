@@ -22,9 +22,15 @@ class McapBag final : public BagWriter {
   }
 
   void write(std::size_t topic, std::int64_t stamp_ns, std::string_view message) override {
+    write_published(topic, stamp_ns, stamp_ns, message);
+  }
+
+  void write_published(std::size_t topic, std::int64_t stamp_ns, std::int64_t published_ns,
+                       std::string_view message) override {
     // MCAP's times are not negative.
     const auto time = static_cast<std::uint64_t>(std::max<std::int64_t>(stamp_ns, 0));
-    writer_.write(static_cast<std::uint16_t>(topic), sequence_++, time, time, message);
+    const auto published = static_cast<std::uint64_t>(std::max<std::int64_t>(published_ns, 0));
+    writer_.write(static_cast<std::uint16_t>(topic), sequence_++, time, published, message);
     last_ = std::max(last_, time);
   }
 

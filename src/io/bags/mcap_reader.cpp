@@ -172,6 +172,12 @@ class McapReader final : public MessageSource {
         return std::nullopt;
       case Opcode::message:
         return read_message(record);
+      case Opcode::attachment:
+        set_passed_over({passed_over().attachments + 1, passed_over().metadata});
+        return std::nullopt;
+      case Opcode::metadata:
+        set_passed_over({passed_over().attachments, passed_over().metadata + 1});
+        return std::nullopt;
       default:
         return std::nullopt;
     }
@@ -248,8 +254,11 @@ class McapReader final : public MessageSource {
     MessageReader reader = MessageReader::packed(bytes);
     const auto channel = channels_.find(reader.number<std::uint16_t>("channel"));
     (void)reader.number<std::uint32_t>("sequence");
-    const auto logged_ns =
-        sane_time(static_cast<std::int64_t>(reader.number<std::uint64_t>("time")));
+    const auto time = [&reader] {
+      return sane_time(static_cast<std::int64_t>(reader.number<std::uint64_t>("time")));
+    };
+    const std::int64_t logged_ns = time();
+    const std::int64_t published_ns = time();
     if (channel == channels_.end()) {
       if (!lost_channel_) note("messages of a channel that was not announced are passed over");
       lost_channel_ = true;
@@ -261,7 +270,10 @@ class McapReader final : public MessageSource {
     if (chunk_ && chunk_->inside) source.emplace(CompressedSource{*chunk_->compressed, kReadAhead});
     const auto data =
         read_message_bytes(channel->second, record, source ? &*source : nullptr, message_);
-    return data ? plain_message(channel->second, logged_ns, *data) : std::nullopt;
+    if (!data) return std::nullopt;
+    std::optional<Message> message = plain_message(channel->second, logged_ns, *data);
+    if (message) message->published_ns = published_ns;
+    return message;
   }
 
   std::optional<Message> plain_message(const Topic& topic, std::int64_t logged_ns,

@@ -44,9 +44,15 @@ struct Topic {
 };
 
 struct Message {
-  const Topic* topic = nullptr;      ///< never null; lives as long as its source
-  std::int64_t logged_ns = 0;        ///< when it was recorded
-  std::span<const std::byte> bytes;  ///< until the next call of next()
+  const Topic* topic = nullptr;                   ///< never null; lives as long as its source
+  std::int64_t logged_ns = 0;                     ///< when it was recorded
+  std::span<const std::byte> bytes;               ///< until the next call of next()
+  std::optional<std::int64_t> published_ns = {};  ///< where the bag says it, too
+};
+
+/// What a bag may hold besides messages, and is passed over.
+struct PassedOver {
+  std::size_t attachments = 0, metadata = 0;
 };
 
 struct CompressedSource;
@@ -71,6 +77,7 @@ class MessageSource {
   [[nodiscard]] const std::vector<Topic>& announced() const { return announced_; }
   /// Messages that were come across so far, of whatever topic, and since the last rewind.
   [[nodiscard]] std::uint64_t met() const { return met_; }
+  [[nodiscard]] const PassedOver& passed_over() const { return passed_over_; }
   /// Leaves the rest of a file that others follow; false where none does.
   virtual bool leave_file() { return false; }
   /// From here on messages of one topic alone are needed.
@@ -84,6 +91,7 @@ class MessageSource {
     return wanted_.empty() || topic.name == wanted_;
   }
   void begin_anew() { met_ = 0; }
+  void set_passed_over(const PassedOver& all) { passed_over_ = all; }
   /// Adds a note, once, and unless there are too many already: of damage, or not.
   void note(std::string_view text);
   void note_harmless(std::string_view text);
@@ -102,6 +110,7 @@ class MessageSource {
  private:
   std::string wanted_;
   std::uint64_t met_ = 0;
+  PassedOver passed_over_;
   std::size_t definition_bytes_ = 0;
   std::vector<std::string> notes_, losses_;
   std::vector<Topic> announced_;

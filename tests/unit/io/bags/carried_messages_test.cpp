@@ -63,5 +63,27 @@ TEST_F(Carried, EveryFileOfABagUpToTheEnd) {
   }
 }
 
+TEST_F(Carried, MessagesKeepWhenTheyWerePublished) {
+  CarriedMessages others(in(), {}, {});
+  const auto to = make_mcap_bag(out());
+  others.copy_the_rest(*to, 0, 1'000);
+  to->finish();
+  const auto bag = open_bag(out());
+  std::size_t messages = 0;
+  for (; const auto message = bag->next(); ++messages) {
+    EXPECT_EQ(message->published_ns, message->logged_ns - std::int64_t{kPublishedBefore});
+  }
+  EXPECT_EQ(messages, 20U);
+}
+
+TEST_F(Carried, WhatIsNoMessageIsSaidToBeLost) {
+  CarriedMessages others(in(), {}, {});
+  const auto to = make_mcap_bag(out());
+  others.copy_the_rest(*to, 0, 1'000);
+  to->finish();
+  EXPECT_EQ(others.losses(),
+            (std::vector<std::string>{"lost: 2 attachments", "lost: 4 records of metadata"}));
+}
+
 }  // namespace
 }  // namespace surefoot::io
