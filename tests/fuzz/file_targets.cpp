@@ -85,7 +85,7 @@ void read_text(Bytes bytes) {
   };
   attempt(io::parse_tum);
   attempt(io::parse_kitti_poses);
-  attempt(io::parse_stamps);
+  attempt([](std::string_view stamps) { return io::parse_stamps(stamps); });
   attempt(io::parse_truth_table);
   attempt(io::mercator_scale);
   attempt([](std::string_view record) { return io::pose_of_oxts(record, 1.0); });
