@@ -82,8 +82,11 @@ std::unique_ptr<MessageSource> open_part(const fs::path& file) {
 class BagParts final : public MessageSource {
  public:
   BagParts(std::vector<fs::path> files, const std::vector<std::string>& missing,
-           std::optional<std::uint64_t> announced)
-      : files_(std::move(files)), part_(open_part(files_.front())), announced_messages_(announced) {
+           const BagMetadata& metadata)
+      : files_(std::move(files)),
+        part_(open_part(files_.front())),
+        follow_in_time_(!metadata.files.empty()),
+        announced_messages_(metadata.messages) {
     for (const std::string& name : missing) {
       note("metadata.yaml names " + printable(name) + ", which is not there");
     }
@@ -103,7 +106,7 @@ class BagParts final : public MessageSource {
   bool rewind() override { return files_.size() == 1 && part_->rewind(); }
   bool leave_file() override {
     announced_messages_.reset();  // not all are met any more
-    return open_next();
+    return !follow_in_time_ && open_next();
   }
   double progress() const override {
     return (static_cast<double>(index_) + part_->progress()) / static_cast<double>(files_.size());
@@ -159,7 +162,8 @@ class BagParts final : public MessageSource {
   std::size_t index_ = 0;
   std::size_t noted_ = 0;
   std::size_t announced_ = 0;
-  std::optional<std::uint64_t> announced_messages_;  ///< as rosbag2's metadata say
+  bool follow_in_time_;                              ///< rosbag2's, each with all topics
+  std::optional<std::uint64_t> announced_messages_;  ///< as its metadata say
   std::uint64_t met_before_ = 0;                     ///< in the parts before this one
   PassedOver passed_before_;                         ///< there
 };
@@ -213,8 +217,7 @@ std::unique_ptr<MessageSource> open_bag(const fs::path& path) {
   std::error_code ignored;
   const bool is_folder = fs::is_directory(path, ignored);
   const BagMetadata metadata = is_folder ? metadata_in(path) : BagMetadata{};
-  return std::make_unique<BagParts>(std::move(files), missing_files(path, metadata),
-                                    metadata.messages);
+  return std::make_unique<BagParts>(std::move(files), missing_files(path, metadata), metadata);
 }
 
 }  // namespace surefoot::io

@@ -78,7 +78,8 @@ class MessageSource {
   /// Messages that were come across so far, of whatever topic, and since the last rewind.
   [[nodiscard]] std::uint64_t met() const { return met_; }
   [[nodiscard]] const PassedOver& passed_over() const { return passed_over_; }
-  /// Leaves the rest of a file that others follow; false where none does.
+  /// Leaves the rest of a file for the next one, which may be of the same time; false where there
+  /// is none, and where it cannot be: files that rosbag2 wrote follow each other.
   virtual bool leave_file() { return false; }
   /// From here on messages of one topic alone are needed.
   void want(std::string topic) { wanted_ = std::move(topic); }

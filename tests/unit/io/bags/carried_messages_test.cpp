@@ -63,6 +63,19 @@ TEST_F(Carried, EveryFileOfABagUpToTheEnd) {
   }
 }
 
+// rosbag2 begins a new file when the last one is full: what follows is later.
+TEST_F(Carried, FilesThatRosbag2WroteAreNotLookedAtBehindTheEnd) {
+  folder_.write("in/metadata.yaml",
+                "rosbag2_bagfile_information:\n  relative_file_paths:\n    - camera.mcap\n"
+                "    - imu.mcap\n  message_count: 20\n");
+  CarriedMessages others(in(), {}, {});
+  const auto to = make_mcap_bag(out());
+  others.copy_the_rest(*to, 102, 105);
+  to->finish();
+  EXPECT_EQ(others.messages(), 4U);
+  EXPECT_TRUE(others.notes().empty());
+}
+
 TEST_F(Carried, MessagesKeepWhenTheyWerePublished) {
   CarriedMessages others(in(), {}, {});
   const auto to = make_mcap_bag(out());
