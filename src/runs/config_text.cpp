@@ -46,7 +46,8 @@ std::string config_page() {
   std::string page =
       "# Parameters\n\n"
       "Made by `surefoot config --markdown`; a test holds this page to the program.\n"
-      "A parameter is set in a YAML file (`--config FILE`; `surefoot config --yaml --method NAME` writes one),\n"
+      "A parameter is set in a YAML file (`--config FILE`; `surefoot config --yaml --method NAME` "
+      "writes one),\n"
       "or by `--set name=value`.\n"
       "\"sweep\" in the last column: chosen by the sweeps of [sweeps.md](sweeps.md).\n\n"
       "| parameter | default | unit | range | meaning | from |\n|---|---|---|---|---|---|\n";
