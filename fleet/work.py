@@ -68,7 +68,6 @@ def make_ours(lock):
     """Known before the run, which may be killed."""
     lock.write(OURS)
     lock.flush()
-    return True
 
 
 def do_run(plan, mark):
@@ -90,7 +89,8 @@ def do_run(plan, mark):
         lock.seek(0)
         is_ours = lock.read() == OURS
         if not is_ours and not is_filled(folder):
-            is_ours = make_ours(lock)
+            make_ours(lock)
+            is_ours = True
         again = ["--overwrite"] if is_ours and plan["command"] not in COMPARISONS else []
         begin = time.monotonic()
         code, _, errors = call(plan, [*plan["common"], *run["arguments"], *again], lock)

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "io/stamp_repair.hpp"
+#include "support/memory_recording.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -22,36 +23,29 @@ struct Given {
 };
 
 /// Scans of two points, a tenth of a second apart, read as absolute times are.
-class Clocked : public Recording {
+class Clocked : public surefoot::test::MemoryRecording {
  public:
-  explicit Clocked(std::vector<Given> scans) : scans_(std::move(scans)) {}
-  std::optional<ScanItem> next() override {
-    if (next_ == scans_.size()) return std::nullopt;
-    const Given& given = scans_[next_];
-    ScanItem item;
-    item.name = "scan " + std::to_string(next_);
-    item.logged_ns = given.logged_ns;
-    item.scan.emplace();
-    item.scan->stamp_ns = given.stamp_ns;
-    item.scan->points.assign(2, {1.0F, 2.0F, static_cast<float>(next_)});
-    const bool near = std::abs(given.first_ns - given.stamp_ns) < kFarthest;
-    const std::int64_t origin = near ? given.stamp_ns : given.first_ns;
-    item.clock = PointClock{given.first_ns, origin};
-    const auto first = static_cast<std::int32_t>(given.first_ns - origin);
-    item.scan->times_ns = {first, first + 100'000'000};
-    ++next_;
-    return item;
-  }
-  std::optional<std::size_t> size() const override { return scans_.size(); }
-  void skip(std::size_t scans) override { next_ += scans; }
-  double progress() const override { return 0.0; }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return "memory"; }
+  explicit Clocked(const std::vector<Given>& scans) : MemoryRecording(items_of(scans)) {}
 
  private:
-  std::vector<Given> scans_;
-  std::vector<std::string> notes_;
-  std::size_t next_ = 0;
+  static std::vector<ScanItem> items_of(const std::vector<Given>& scans) {
+    std::vector<ScanItem> items(scans.size());
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      const Given& given = scans[i];
+      ScanItem& item = items[i];
+      item.name = "scan " + std::to_string(i);
+      item.logged_ns = given.logged_ns;
+      item.scan.emplace();
+      item.scan->stamp_ns = given.stamp_ns;
+      item.scan->points.assign(2, {1.0F, 2.0F, static_cast<float>(i)});
+      const bool near = std::abs(given.first_ns - given.stamp_ns) < kFarthest;
+      const std::int64_t origin = near ? given.stamp_ns : given.first_ns;
+      item.clock = PointClock{given.first_ns, origin};
+      const auto first = static_cast<std::int32_t>(given.first_ns - origin);
+      item.scan->times_ns = {first, first + 100'000'000};
+    }
+    return items;
+  }
 };
 
 std::int64_t true_stamp(std::size_t i) {

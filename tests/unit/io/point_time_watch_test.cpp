@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "support/memory_recording.hpp"
 #include "unit/io/support.hpp"
 
 namespace surefoot::io {
@@ -35,32 +36,17 @@ Scan spinning(double cut_deg, double sign) {
   return scan;
 }
 
-/// Scans out of memory, 10 a second.
-class Scans : public Recording {
- public:
-  explicit Scans(std::vector<Scan> scans) : scans_(std::move(scans)) {}
-  std::optional<ScanItem> next() override {
-    if (next_ == scans_.size()) return std::nullopt;
-    ScanItem item;
-    item.scan = scans_[next_];
-    item.scan->stamp_ns = kPeriod * static_cast<std::int64_t>(next_++);
-    return item;
+/// 10 a second.
+std::unique_ptr<Recording> recording_of(std::vector<Scan> scans) {
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    scans[i].stamp_ns = kPeriod * static_cast<std::int64_t>(i);
   }
-  std::optional<std::size_t> size() const override { return scans_.size(); }
-  void skip(std::size_t scans) override { next_ = std::min(next_ + scans, scans_.size()); }
-  double progress() const override { return 0.0; }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return "memory"; }
-
- private:
-  std::vector<Scan> scans_;
-  std::size_t next_ = 0;
-  std::vector<std::string> notes_ = {"stamps: made up"};
-};
+  return std::make_unique<surefoot::test::MemoryRecording>(
+      std::move(scans), std::vector<std::string>{"stamps: made up"});
+}
 
 std::vector<std::string> notes_of(const Scan& scan) {
-  const auto recording =
-      watch_point_times(std::make_unique<Scans>(std::vector<Scan>(5, scan)), OpenOptions{});
+  const auto recording = watch_point_times(recording_of(std::vector<Scan>(5, scan)), OpenOptions{});
   while (recording->next()) {
   }
   return recording->notes();
@@ -119,8 +105,7 @@ TEST(PointTimeWatch, TheRecordingsStampsTellThePeriodAndNothingIsLost) {
   scan.times_ns.clear();
   OpenOptions options;
   options.derive_times = DeriveTimes::azimuth;
-  const auto recording =
-      watch_point_times(std::make_unique<Scans>(std::vector<Scan>(15, scan)), options);
+  const auto recording = watch_point_times(recording_of(std::vector<Scan>(15, scan)), options);
   int scans = 0;
   while (const auto item = recording->next()) {
     ASSERT_EQ(item->scan->stamp_ns, kPeriod * scans++);
@@ -129,7 +114,7 @@ TEST(PointTimeWatch, TheRecordingsStampsTellThePeriodAndNothingIsLost) {
     EXPECT_NEAR(*greatest - *least, kPeriod, 0.01 * kPeriod);
   }
   EXPECT_EQ(scans, 15);
-  const auto lone = watch_point_times(std::make_unique<Scans>(std::vector<Scan>{scan}), options);
+  const auto lone = watch_point_times(recording_of(std::vector<Scan>{scan}), options);
   EXPECT_THROW((void)lone->next(), ReadError) << "one stamp tells no period";
 }
 

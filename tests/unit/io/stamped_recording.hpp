@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/stamp_repair.hpp"
+#include "support/memory_recording.hpp"
 
 namespace surefoot::io::test {
 
@@ -20,28 +21,19 @@ inline constexpr std::int64_t kSecond = 1'000'000'000;
 inline constexpr std::int64_t kFirstScan = 1'700'000'000 * kSecond + 123;
 
 /// Scans out of memory, each of one point that tells its number.
-class Stamped : public Recording {
+class Stamped : public surefoot::test::MemoryRecording {
  public:
-  explicit Stamped(std::vector<std::int64_t> stamps) : stamps_(std::move(stamps)) {}
-  std::optional<ScanItem> next() override {
-    if (next_ == stamps_.size()) return std::nullopt;
-    ScanItem item;
-    item.name = "scan " + std::to_string(next_);
-    item.scan.emplace();
-    item.scan->points = {{1.0F, 2.0F, static_cast<float>(next_)}};
-    item.scan->stamp_ns = stamps_[next_++];
-    return item;
-  }
-  std::optional<std::size_t> size() const override { return stamps_.size(); }
-  void skip(std::size_t scans) override { next_ = std::min(next_ + scans, stamps_.size()); }
-  double progress() const override { return 0.0; }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return "memory"; }
+  explicit Stamped(const std::vector<std::int64_t>& stamps) : MemoryRecording(scans_at(stamps)) {}
 
  private:
-  std::vector<std::int64_t> stamps_;
-  std::size_t next_ = 0;
-  std::vector<std::string> notes_;
+  static std::vector<Scan> scans_at(const std::vector<std::int64_t>& stamps) {
+    std::vector<Scan> scans(stamps.size());
+    for (std::size_t i = 0; i < stamps.size(); ++i) {
+      scans[i].points = {{1.0F, 2.0F, static_cast<float>(i)}};
+      scans[i].stamp_ns = stamps[i];
+    }
+    return scans;
+  }
 };
 
 /// At 10 Hz.

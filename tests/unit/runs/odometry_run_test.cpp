@@ -11,6 +11,7 @@
 
 #include "io/file_writer.hpp"
 #include "runs/run_files.hpp"
+#include "support/memory_recording.hpp"
 #include "support/scratch.hpp"
 #include "support/synthetic_run.hpp"
 
@@ -18,29 +19,6 @@ namespace surefoot::runs {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Scans out of memory.
-class Scans : public io::Recording {
- public:
-  explicit Scans(std::vector<Scan> scans) : scans_(std::move(scans)) {}
-  std::optional<io::ScanItem> next() override {
-    if (next_ == scans_.size()) return std::nullopt;
-    io::ScanItem item;
-    item.name = "scan " + std::to_string(next_);
-    item.scan = scans_[next_++];
-    return item;
-  }
-  std::optional<std::size_t> size() const override { return scans_.size(); }
-  void skip(std::size_t scans) override { next_ = std::min(next_ + scans, scans_.size()); }
-  double progress() const override { return 0.0; }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return "memory"; }
-
- private:
-  std::vector<Scan> scans_;
-  std::size_t next_ = 0;
-  std::vector<std::string> notes_;
-};
 
 class OdometryRunTest : public test::Scratch {
  protected:
@@ -56,7 +34,7 @@ class OdometryRunTest : public test::Scratch {
 
   RunOptions options_;
   RunListener listener_;
-  Scans recording_{test::take_scans(test::furnished_hall(), test::standing({}), 3)};
+  test::MemoryRecording recording_{test::take_scans(test::furnished_hall(), test::standing({}), 3)};
 };
 
 /// Hours of odometry are not lost with it.

@@ -8,6 +8,7 @@
 #include "runs/odometry_run.hpp"
 #include "runs/run_files.hpp"
 #include "runs/saved_map.hpp"
+#include "support/memory_recording.hpp"
 #include "support/scratch.hpp"
 
 namespace surefoot::runs {
@@ -15,27 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Out of memory.
-class TwoScans final : public io::Recording {
- public:
-  std::optional<io::ScanItem> next() override {
-    if (next_ == 2) return std::nullopt;
-    io::ScanItem item;
-    item.scan.emplace();
-    item.scan->stamp_ns = 100'000'000 * ++next_;
-    for (int i = 0; i < 50; ++i) item.scan->points.push_back({5.0F, 0.1F * float(i), 0.0F});
-    return item;
+std::vector<Scan> two_scans() {
+  std::vector<Scan> scans(2);
+  for (std::size_t n = 0; n < scans.size(); ++n) {
+    scans[n].stamp_ns = 100'000'000 * static_cast<std::int64_t>(n + 1);
+    for (int i = 0; i < 50; ++i) scans[n].points.push_back({5.0F, 0.1F * float(i), 0.0F});
   }
-  std::optional<std::size_t> size() const override { return 2; }
-  void skip(std::size_t /*scans*/) override {}
-  double progress() const override { return 0.0; }
-  const std::vector<std::string>& notes() const override { return notes_; }
-  std::string description() const override { return "memory"; }
-
- private:
-  std::int64_t next_ = 0;
-  std::vector<std::string> notes_;
-};
+  return scans;
+}
 
 class RunControlTest : public test::Scratch {
  protected:
@@ -47,7 +35,7 @@ class RunControlTest : public test::Scratch {
     RunListener listener{[](const std::string&) {}, [](std::size_t, double) {},
                          [] { return false; }};
     listener.started = [&](const fs::path&, RunControl& control) { ask(control); };
-    TwoScans scans;
+    test::MemoryRecording scans(two_scans());
     (void)run_odometry(options_, listener, scans);
   }
   [[nodiscard]] std::string content(const std::string& file) const {
