@@ -8,7 +8,9 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -72,7 +74,8 @@ void set(NamedConfig& self, const std::string& name, const py::handle& value) {
   // 3.0 for a parameter of whole numbers is 3.
   if (py::isinstance<py::float_>(value) && !takes_reals(name)) {
     const auto number = value.cast<double>();
-    if (number == static_cast<double>(static_cast<int>(number))) {
+    constexpr double kMost = std::numeric_limits<int>::max();
+    if (std::abs(number) <= kMost && number == std::trunc(number)) {
       text = std::to_string(static_cast<int>(number));
     }
   }

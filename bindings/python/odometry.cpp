@@ -46,6 +46,11 @@ std::unique_ptr<SharedOdometry> make_odometry(const py::object& config, int thre
     return std::make_unique<SharedOdometry>(config.cast<const NamedConfig&>(), threads,
                                             T_world_start);
   }
+  if (!config.is_none() && !py::isinstance<py::str>(config)) {
+    throw py::type_error("config: expected a Config, a method's name or None; got a " +
+                         py::type::of(config).attr("__name__").cast<std::string>() +
+                         "; Config(\"surefoot\", {...}) makes one of parameters");
+  }
   const std::string method = config.is_none() ? "surefoot" : config.cast<std::string>();
   return std::make_unique<SharedOdometry>(NamedConfig{method, method_config(method)}, threads,
                                           T_world_start);

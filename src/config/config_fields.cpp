@@ -50,9 +50,9 @@ const ConfigField kHealth[] = {
      "share of the registered points that must have a correspondence at the end (method surefoot: "
      "none, the share is evidence among other)",
      kChosen},
-    {"health.max_correction", SLOT(health.max_correction), "3", "m", 0.0, 100.0,
+    {"health.max_correction", SLOT(health.max_correction), "3", "m", 0.001, 100.0,
      "a registration farther from the prediction has diverged", kChosen},
-    {"health.max_correction_deg", SLOT(health.max_correction_deg), "45", "deg", 0.0, 180.0,
+    {"health.max_correction_deg", SLOT(health.max_correction_deg), "45", "deg", 0.001, 180.0,
      "a registration turned farther from the prediction has diverged", kChosen},
     {"health.min_information", SLOT(health.min_information), "0.01", "", 0.0, 1.0,
      "a direction with a smaller share of an even scene's information is degenerate", kChosen},

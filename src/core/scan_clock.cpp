@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace surefoot {
 
@@ -42,8 +43,11 @@ std::string ScanClock::objection(std::int64_t mid_ns, std::int64_t end_ns) const
 
 /// Whether a scan goes on from so many refused before it that nobody waits for the old time.
 bool ScanClock::stays(std::int64_t mid_ns) const {
+  constexpr std::int64_t kMostTaken = (kMostRefused + 1) * kMostPeriod;  // as in follow()
+  std::int64_t back_ns = 0;
   return refused_ >= kClockStays && mid_ns > refused_mid_ns_ &&
-         !are_far_apart(mid_ns, *last_mid_ns_ - ahead_ns_);
+         !__builtin_sub_overflow(*last_mid_ns_, mid_ns, &back_ns) &&
+         back_ns <= std::numeric_limits<std::int64_t>::max() - kMostTaken;
 }
 
 void ScanClock::refuse(std::int64_t mid_ns) {

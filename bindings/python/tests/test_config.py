@@ -57,6 +57,12 @@ class ConfigTest(unittest.TestCase):
             Config("fast")
         self.assertTrue(issubclass(ConfigError, ValueError))
 
+    def test_no_number_is_too_large_to_be_refused(self):
+        config = Config()
+        for value in (float("inf"), 1e300, -1e300, float("nan"), 2.5):
+            with self.assertRaises(ConfigError):
+                config["knots.points"] = value
+
     def test_contradictions_are_refused(self):
         config = Config()
         config["preprocess.min_range"] = 90.0

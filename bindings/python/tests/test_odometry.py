@@ -128,6 +128,8 @@ class OdometryTest(unittest.TestCase):
         odometry = Odometry(Config("surefoot", {"knots.points": 1234}), threads=2)
         self.assertEqual(odometry.config["knots.points"], 1234)
         self.assertEqual(Odometry("icp").config.method, "icp")
+        with self.assertRaisesRegex(TypeError, "expected a Config.*got a dict"):
+            Odometry({"knots.points": 1234})
         with self.assertRaisesRegex(ValueError, "threads: got 0, expected"):
             Odometry(threads=0)
 

@@ -110,7 +110,9 @@ BandedSystem::Covariance BandedSystem::covariance() const {
     for (std::size_t e = 1; e <= below; ++e) {
       diagonal -= Z.blocks_[i][e].transpose() * blocks_[i][e];
     }
-    Z.blocks_[i][0] = diagonal * inverse;
+    // Read as symmetric below: what is not would grow along the chain without bound.
+    const Matrix6 block = diagonal * inverse;
+    Z.blocks_[i][0] = 0.5 * (block + block.transpose());
   }
   return Z;
 }

@@ -26,11 +26,15 @@ Drift drift_along(const std::vector<DegenerateDirection>& weak, double distance,
   Drift drift;
   Twist metres = Twist::Ones();
   metres.tail<3>().setConstant(distance);
+  Twist farthest = elapsed * unknown_velocity();
+  farthest.tail<3>() = farthest.tail<3>().cwiseMin(std::numbers::pi);
   for (const DegenerateDirection& direction : weak) {
     const double speed =
         direction.direction.cwiseProduct(metres.cwiseProduct(unknown_velocity())).norm();  // [m/s]
-    const Twist off = speed * elapsed * direction.direction.cwiseQuotient(metres);
-    drift.covariance += off * off.transpose();  // [K32]
+    // [K32]
+    const Twist along = speed * elapsed * direction.direction.cwiseQuotient(metres);
+    const Twist off = along.cwiseMin(farthest).cwiseMax(-farthest);
+    drift.covariance += off * off.transpose();
     drift.wrong_probability =
         std::max({drift.wrong_probability, beyond(kWrongDistance, off.head<3>().norm()),
                   beyond(kWrongAngle, off.tail<3>().norm())});

@@ -12,7 +12,6 @@
 
 #include "core/deskew.hpp"
 #include "core/information.hpp"
-#include "methods/knots/sweep_axis.hpp"
 
 namespace surefoot {
 
@@ -68,6 +67,7 @@ KnotFrontEnd::KnotFrontEnd(const KnotFrontEnd& lost, int segments) : KnotFrontEn
   velocity_ = lost.velocity_;
   errors_ = lost.errors_;
   last_print_ = lost.last_print_;
+  sweep_direction_ = lost.sweep_direction_;
   level_ = lost.level_;
   search_ = lost.search_;
   segment_ = segments - 1;
@@ -76,7 +76,7 @@ KnotFrontEnd::KnotFrontEnd(const KnotFrontEnd& lost, int segments) : KnotFrontEn
 Estimate KnotFrontEnd::add(const PreparedScan& scan) {
   const std::uint64_t print = fingerprint(scan.points);
   seen_again_ = print == std::exchange(last_print_, print);
-  reversed_ = are_opposite(sweep_axis_, sweep_axis(scan));
+  reversed_ = sweep_direction_.is_reversed(sweep_axis(scan));
   session_.begin_step(Step::downsample);
   const std::vector<std::uint32_t> points = map_choice_.choose(scan, session_.workers);
   const ScanPart thinned{scan, points};

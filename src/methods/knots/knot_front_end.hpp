@@ -13,6 +13,7 @@
 #include "methods/knots/knot_prediction.hpp"
 #include "methods/knots/knot_search.hpp"
 #include "methods/knots/place_trials.hpp"
+#include "methods/knots/sweep_axis.hpp"
 #include "methods/knots/sweep_bend.hpp"
 #include "methods/knots/velocity_model.hpp"
 #include "methods/knots/walked_way.hpp"
@@ -186,9 +187,9 @@ class KnotFrontEnd : public FrontEnd {
   Verdict objections_;            // of the same scans, what speaks for leaving the map
   std::uint64_t last_print_ = 0;  // of the last scan's points
   bool seen_again_ = false;       // this scan's are the same
-  Eigen::Vector3f sweep_axis_ = Eigen::Vector3f::Zero();  // of the map's first scan
-  bool reversed_ = false;                                 // this scan's beams turn the other way
-  std::optional<FirstScan> first_scan_;                   // until its motion is known
+  SweepDirection sweep_direction_;
+  bool reversed_ = false;                // this scan's beams turn the other way
+  std::optional<FirstScan> first_scan_;  // until its motion is known
   LevelReport level_;
   // The last scan. Few of its points are needed here, all of them only by who asks.
   mutable ToDeskew to_deskew_;

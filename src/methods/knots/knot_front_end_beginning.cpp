@@ -14,7 +14,6 @@
 #include "geometry/se3.hpp"
 #include "methods/knots/knot_attempts.hpp"
 #include "methods/knots/knot_front_end.hpp"
-#include "methods/knots/sweep_axis.hpp"
 #include "surefoot/seconds.hpp"
 
 namespace surefoot {
@@ -94,7 +93,7 @@ Estimate KnotFrontEnd::begin_map(const ScanPart& thinned) {
   first_scan_ = FirstScan{scan, thinned.points};
   usual_ = {};
   usual_signs_ = {};
-  sweep_axis_ = sweep_axis(scan);
+  sweep_direction_.begin(sweep_axis(scan));
   forget_verdicts();
   integrate(look(thinned, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};

@@ -16,6 +16,13 @@ constexpr std::size_t kSpans = 32;     // of a scan's time: beams go on by less 
 constexpr std::size_t kEnough = 4096;  // points will do
 constexpr float kSteady = 0.8F;        // an axis that is shorter tells nothing
 
+// One mirrored scan is two changes, two with one between them four.
+constexpr int kPans = 5;
+
+bool are_opposite(const Eigen::Vector3f& axis, const Eigen::Vector3f& other) {
+  return dot(axis, other) < -kSteady * kSteady;
+}
+
 }  // namespace
 
 Eigen::Vector3f sweep_axis(const PreparedScan& scan) {
@@ -36,8 +43,11 @@ Eigen::Vector3f sweep_axis(const PreparedScan& scan) {
   return all > 0.0F ? Eigen::Vector3f(turn / all) : turn;
 }
 
-bool are_opposite(const Eigen::Vector3f& axis, const Eigen::Vector3f& other) {
-  return dot(axis, other) < -kSteady * kSteady;
+bool SweepDirection::is_reversed(const Eigen::Vector3f& axis) {
+  changes_ = are_opposite(last_, axis) ? changes_ + 1 : 0;
+  to_and_fro_ = to_and_fro_ || changes_ >= kPans;
+  last_ = axis;
+  return !to_and_fro_ && are_opposite(first_, axis);
 }
 
 }  // namespace surefoot

@@ -13,8 +13,21 @@ namespace surefoot {
 /// where beams go to and fro.
 [[nodiscard]] Eigen::Vector3f sweep_axis(const PreparedScan& scan);
 
-/// Whether beams turn the one way in one scan and the other way in another. No sensor changes it:
-/// one of the two is mirrored, or its times run backwards.
-[[nodiscard]] bool are_opposite(const Eigen::Vector3f& axis, const Eigen::Vector3f& other);
+/// Which way the beams of a map's scans turn. A spinning sensor never changes it: a scan that turns
+/// the other way is mirrored, or its times run backwards. One that pans to and fro changes it at
+/// every scan; of such a sensor it tells nothing.
+class SweepDirection {
+ public:
+  /// Of a map's first scan.
+  void begin(const Eigen::Vector3f& axis) { first_ = axis; }
+  /// Whether the next scan turns the other way than the first one.
+  [[nodiscard]] bool is_reversed(const Eigen::Vector3f& axis);
+
+ private:
+  Eigen::Vector3f first_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f last_ = Eigen::Vector3f::Zero();
+  int changes_ = 0;  // in a row
+  bool to_and_fro_ = false;
+};
 
 }  // namespace surefoot

@@ -105,7 +105,7 @@ bool WholeWay::refine() {
       for (std::size_t s = 0; s < scans_.size(); ++s) scans_[s].window.knots = before[s];
       return false;
     }
-    if (t == kSteps) learn(equations);
+    if (t == kSteps) learn(equations, system.covariance());
   }
   anchor(T_map_first);
   return true;
@@ -176,35 +176,18 @@ void WholeWay::anchor(const Pose& T_map_first) {
   }
 }
 
-/// Of a scan's knots, by the equations of it and of some on either side: over the whole chain the
-/// recursion's rounding errors would grow without bound.
-BandedSystem::Covariance WholeWay::covariance_of(const std::vector<Equations>& equations,
-                                                 std::size_t scan) const {
-  constexpr std::size_t kReach = 2;
-  const std::size_t from = scan > kReach ? scan - kReach : 0;
-  const std::size_t to = std::min(scan + kReach, scans_.size() - 1);
-  const std::size_t first = scans_[from].first;
-  BandedSystem system(scans_[to].first + scans_[to].window.knots.size() - first);
-  for (std::size_t s = from; s <= to; ++s) {
-    system.add_at(scans_[s].first - first, equations[s].system);
-  }
-  (void)system.factorise();  // as the whole chain, of which it is a part
-  return system.covariance().part(scans_[scan].first - first, scans_[scan].window.knots.size());
-}
-
 /// The velocity's fluctuation, scan after scan, and how well each middle is known.
-void WholeWay::learn(const std::vector<Equations>& equations) {
-  std::vector<BandedSystem::Covariance> covariances(scans_.size());
-  session_.workers.for_each(scans_.size(),
-                            [&](std::size_t s) { covariances[s] = covariance_of(equations, s); });
+void WholeWay::learn(const std::vector<Equations>& equations,
+                     const BandedSystem::Covariance& of_all) {
   VelocityModel model = scans_.front().model;
   for (std::size_t s = 0; s < scans_.size(); ++s) {
     WayScan& way = scans_[s];
-    model.learn(way.window, covariances[s], way.window.knots[1].rotation);
+    const BandedSystem::Covariance covariance = of_all.part(way.first, way.window.knots.size());
+    model.learn(way.window, covariance, way.window.knots[1].rotation);
     way.model = model;
     const std::int64_t mid_ns = way.scan.mid_ns();
     const double variance = equations[s].squares / std::max(equations[s].count, 1);
-    way.covariance = variance * covariances[s].at(way.window.place_of(mid_ns));
+    way.covariance = variance * covariance.at(way.window.place_of(mid_ns));
   }
 }
 

@@ -64,9 +64,7 @@ class WholeWay {
   [[nodiscard]] std::vector<Equations> all_equations() const;
   bool move(const std::vector<Twist>& steps);
   void anchor(const Pose& T_map_first);
-  [[nodiscard]] BandedSystem::Covariance covariance_of(const std::vector<Equations>& equations,
-                                                       std::size_t scan) const;
-  void learn(const std::vector<Equations>& equations);
+  void learn(const std::vector<Equations>& equations, const BandedSystem::Covariance& of_all);
 
   const Session& session_;
   Config::Knots config_;

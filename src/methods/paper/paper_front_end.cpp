@@ -104,7 +104,10 @@ Estimate PaperFrontEnd::begin_map(const std::vector<Eigen::Vector3f>& points,
   Estimate estimate;
   estimate.status = Status::first_scan;
   estimate.message = started_ ? "the map begins anew at the predicted pose" : level_.message;
-  if (started_) ++segment_;
+  if (started_) {
+    ++segment_;
+    estimate.covariance = unregistered_covariance(config_.health);
+  }
   started_ = true;
   lost_in_a_row_ = 0;
   motion_ = {{trajectory.mid_ns(), T_map_lidar}, Twist::Zero()};

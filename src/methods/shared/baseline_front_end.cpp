@@ -31,7 +31,10 @@ Estimate BaselineFrontEnd::report_first(const ScanTrajectory& trajectory) {
   estimate.status = Status::first_scan;
   estimate.message =
       started_ ? "the map was empty: it begins anew at the predicted pose" : level_.message;
-  if (started_) ++segment_;
+  if (started_) {
+    ++segment_;
+    estimate.covariance = unregistered_covariance(config().health);
+  }
   motion_ = {{trajectory.mid_ns(), trajectory.at(0.5)}, Twist::Zero()};
   return publish(trajectory, std::move(estimate));
 }

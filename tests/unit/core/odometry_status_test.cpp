@@ -146,6 +146,7 @@ TEST_P(OdometryStatus, AKidnappedRobotIsToldAndTheMapBeginsAnew) {
   }
   EXPECT_EQ(after[3].status, Status::first_scan) << statuses(after);
   EXPECT_NE(after[3].message.find("anew"), std::string::npos);
+  EXPECT_GT(after[3].covariance(0, 0), 1.0) << "nobody knows where in the old map";
   for (std::size_t i = 4; i < after.size(); ++i) EXPECT_TRUE(after[i].trusted()) << statuses(after);
   EXPECT_EQ(before.back().segment, 0);
   EXPECT_EQ(after[2].segment, 0);

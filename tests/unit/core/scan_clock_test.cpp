@@ -79,6 +79,12 @@ TEST_F(ScanClockTest, OneFarAheadIsFollowedOnceTheOthersStay) {
   EXPECT_GT(*ahead_ns + (kFollowedAfter + 2) * kPeriod, kHour) << "what goes on goes on";
 }
 
+// A first stamp of a clock that was not set yet, and wrong by centuries.
+TEST_F(ScanClockTest, AnAbsurdFirstStampDoesNotRefuseAllOthers) {
+  EXPECT_EQ(offer(9'000'000'000'000'000'000), 0);
+  EXPECT_EQ(refused_from(1'700'000'000'000'000'000, kPeriod, 100), kFollowedAfter);
+}
+
 TEST_F(ScanClockTest, OnesThatDoNotRiseAreNeverFollowed) {
   EXPECT_EQ(offer(kHour), 0);
   EXPECT_EQ(refused_from(20 * kPeriod, 0, 30), 30) << "the same one again and again";

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "methods/knots/knot_window.hpp"
+#include "methods/knots/velocity_model.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/random.hpp"
 
@@ -81,6 +83,39 @@ TEST(BandedSystem, StepAndCovarianceEqualTheDenseOnes) {
         const Matrix6 block = inverse.block<6, 6>(6 * i, 6 * j);
         EXPECT_LT((covariance(i, j) - block).norm(), 1e-9 * inverse.norm())
             << "block " << i << ", " << j << " of " << poses;
+      }
+    }
+  }
+}
+
+// A way's knots, a few milliseconds apart: what joins neighbours is far stronger than what holds
+// each of them.
+TEST(BandedSystem, ALongChainsCovarianceIsAsGoodAsAShortOnes) {
+  Random random(5);
+  for (const std::size_t poses : {66U, 122U, 1002U}) {
+    BandedSystem system(poses);
+    KnotWindow window;
+    window.first_step = window.step = 0.004;
+    window.knots.resize(poses);
+    VelocityModel(Config{}.knots).add_to(system, window, Eigen::Quaterniond::Identity());
+    for (std::size_t i = 0; i < poses; ++i) {
+      for (int point = 0; point < 5; ++point) {
+        const Twist row = random.twist(1.0, 10.0);
+        system.add(i, i, 3000.0 * row * row.transpose());
+      }
+    }
+    BandedSystem factors = system;
+    ASSERT_TRUE(factors.factorise());
+    const auto covariance = factors.covariance();
+    for (const std::size_t at : {std::size_t{0}, poses / 2, poses - 2}) {
+      for (int axis = 0; axis < 6; ++axis) {
+        BandedSystem unit = system;
+        unit.add(at, -Twist::Unit(axis));
+        ASSERT_TRUE(unit.factorise());
+        const auto column = unit.solve();
+        EXPECT_LT((covariance(at, at).col(axis) - column[at]).norm(), 1e-8 * column[at].norm());
+        EXPECT_LT((covariance(at + 1, at).col(axis) - column[at + 1]).norm(),
+                  1e-8 * column[at].norm());
       }
     }
   }

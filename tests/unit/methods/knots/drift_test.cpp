@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "methods/knots/knot_prior.hpp"
@@ -26,6 +27,20 @@ TEST(Drift, GrowsWithTheTimeAsFarAsAWalkerGoes) {
   EXPECT_NEAR(drift.covariance.norm(), off * off, 1e-12) << "the other directions are held";
   EXPECT_NEAR(drift.wrong_probability, 1.0 - std::erf(0.2 / (off * std::sqrt(2.0))), 1e-12);
   EXPECT_EQ(drift_along({along(0)}, 5.0, 0.0).covariance, Matrix6::Zero());
+}
+
+// Four rings, 30 m from what they hit: mostly a pitch, and a little of a rise.
+TEST(Drift, NoComponentGoesFasterThanByItself) {
+  const DegenerateDirection mixed{(Twist() << 0.06, -0.01, -0.18, -0.16, -0.97, -0.03).finished(),
+                                  0.001, ""};
+  for (const double elapsed : {0.1, 8.0, 100.0}) {
+    const Twist deviations = drift_along({mixed}, 33.0, elapsed).covariance.diagonal().cwiseSqrt();
+    for (int i = 0; i < 6; ++i) {
+      const double most = elapsed * unknown_velocity()[i];
+      EXPECT_LE(deviations[i], 1e-12 + (i < 3 ? most : std::min(most, 3.1416))) << i;
+    }
+    EXPECT_NEAR(deviations[2], 0.3 * elapsed, 1e-9) << "up and down";
+  }
 }
 
 TEST(Drift, OfARotationTheMatchesDistanceDoesNotMatter) {

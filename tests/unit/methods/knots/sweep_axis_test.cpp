@@ -33,6 +33,13 @@ PreparedScan spinning() {
   return scan_of([](float tau) { return -2.0F * std::numbers::pi_v<float> * tau; });
 }
 
+/// A scan that turns about `axis` in a map whose first one turned about `first`.
+bool is_reversed(const Eigen::Vector3f& first, const Eigen::Vector3f& axis) {
+  SweepDirection direction;
+  direction.begin(first);
+  return direction.is_reversed(axis);
+}
+
 TEST(SweepAxis, ASpinningSensorTurnsAboutItsAxis) {
   EXPECT_LT((sweep_axis(spinning()) + Eigen::Vector3f::UnitZ()).norm(), 0.02F);
 }
@@ -61,17 +68,39 @@ TEST(SweepAxis, MirroredOrBackwardsIsOpposite) {
   PreparedScan mirrored = spinning(), backwards = spinning();
   for (Eigen::Vector3f& point : mirrored.points) point.y() = -point.y();
   for (float& tau : backwards.taus) tau = 1.0F - tau;
-  EXPECT_TRUE(are_opposite(axis, sweep_axis(mirrored)));
-  EXPECT_TRUE(are_opposite(axis, sweep_axis(backwards)));
-  EXPECT_FALSE(are_opposite(axis, axis));
+  EXPECT_TRUE(is_reversed(axis, sweep_axis(mirrored)));
+  EXPECT_TRUE(is_reversed(axis, sweep_axis(backwards)));
+  EXPECT_FALSE(is_reversed(axis, axis));
 }
 
 // Two that are 0.8 long and opposite are enough, and one that is short tells nothing.
 TEST(SweepAxis, OnlyWhatTurnsSteadilyIsOpposite) {
   const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  EXPECT_TRUE(are_opposite(0.81F * up, -0.81F * up));
-  EXPECT_FALSE(are_opposite(0.79F * up, -0.79F * up));
-  EXPECT_FALSE(are_opposite(up, -0.5F * up));
+  EXPECT_TRUE(is_reversed(0.81F * up, -0.81F * up));
+  EXPECT_FALSE(is_reversed(0.79F * up, -0.79F * up));
+  EXPECT_FALSE(is_reversed(up, -0.5F * up));
+}
+
+// A scanner on a servo, each swing of which is a scan: nothing is wrong with every second one.
+TEST(SweepDirection, OfASensorThatPansToAndFroNothingIsTold) {
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  SweepDirection direction;
+  direction.begin(up);
+  int reversed = 0;
+  for (int i = 0; i < 20; ++i) reversed += direction.is_reversed(i % 2 == 0 ? up : -up) ? 1 : 0;
+  EXPECT_EQ(reversed, 2) << "the first two tell what kind of sensor it is";
+  direction.begin(-up);
+  EXPECT_FALSE(direction.is_reversed(up)) << "the next map is the same sensor's";
+}
+
+TEST(SweepDirection, OneScanThatIsMirroredIsNoSwing) {
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  SweepDirection direction;
+  direction.begin(up);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(direction.is_reversed(i % 4 == 3 ? -up : up), i % 4 == 3) << i;
+  }
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(direction.is_reversed(-up)) << i;
 }
 
 TEST(SweepAxis, WithoutTimesOrToAndFroNothingIsTold) {
@@ -81,8 +110,8 @@ TEST(SweepAxis, WithoutTimesOrToAndFroNothingIsTold) {
   const Eigen::Vector3f axis = sweep_axis(spinning());
   for (const PreparedScan& scan : {untimed, PreparedScan{}, to_and_fro}) {
     EXPECT_LT(sweep_axis(scan).norm(), 0.5F);
-    EXPECT_FALSE(are_opposite(axis, sweep_axis(scan)));
-    EXPECT_FALSE(are_opposite(sweep_axis(scan), axis));
+    EXPECT_FALSE(is_reversed(axis, sweep_axis(scan)));
+    EXPECT_FALSE(is_reversed(sweep_axis(scan), axis));
   }
 }
 

@@ -160,7 +160,10 @@ TEST(BaselineSegments, AMapThatBeginsAnewIsASegment) {
   const Session session{config_of("kiss-icp"), Workers(1)};
   Forgetful front_end(session);
   for (int segment = 0; segment < 3; ++segment) {
-    EXPECT_EQ(front_end.add({}).segment, segment);
+    const Estimate estimate = front_end.add({});
+    EXPECT_EQ(estimate.segment, segment);
+    // The first pose is what all others are told in; of another one it is not known.
+    EXPECT_EQ(estimate.covariance.norm() > 1.0, segment > 0);
   }
 }
 
