@@ -9,6 +9,7 @@
 #include "sensors/bytes.hpp"
 #include "sensors/calendar.hpp"
 #include "sensors/hesai/hesai_calibration.hpp"
+#include "sensors/packet_order.hpp"
 #include "sensors/rings.hpp"
 
 namespace surefoot::sensors {
@@ -134,7 +135,7 @@ std::size_t HesaiDecoder::read_tail(Bytes payload, Firings& firings) {
 }
 
 /// How far the head turns from a group of blocks to the next; of the last one, from the one before,
-/// be it another packet's.
+/// be it that of the packet before.
 void HesaiDecoder::learn_step(Bytes payload, std::size_t at, std::size_t groups,
                               std::size_t returns) {
   const auto azimuth = [&](std::size_t group) {
@@ -154,6 +155,7 @@ PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
   }
   const std::size_t returns = read_tail(payload, firings);
   if (returns == 0) return PacketKind::malformed;
+  if (!follows(firings, last_time_ns_)) last_azimuth_ = -1;
   const std::size_t groups = model_.blocks / returns;
   const unsigned flag = u8(payload.subspan(model_.tail.begin), model_.tail.mode_flag.value_or(0));
   for (std::size_t i = 0; i < groups; ++i) {
@@ -178,6 +180,7 @@ PacketKind HesaiDecoder::decode(Bytes payload, Firings& firings) {
     firings.firings.push_back(firing);
   }
   last_azimuth_ = azimuth_of(payload, model_, model_.blocks - 1);
+  last_time_ns_ = firings.time_ns;
   return PacketKind::data;
 }
 

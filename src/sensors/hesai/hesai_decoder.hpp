@@ -42,7 +42,8 @@ class HesaiDecoder final : public PacketDecoder {
   ReturnChoice choice_;
   std::vector<Channel> channels_;
   double usual_step_;      ///< from block to block of another azimuth [0.01 deg]
-  int last_azimuth_ = -1;  ///< of the last packet's last block [0.01 deg]
+  int last_azimuth_ = -1;  ///< of the last block of the packet before [0.01 deg]; -1: not known
+  std::int64_t last_time_ns_ = 0;
   std::uint8_t mode_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "sensors/bytes.hpp"
+#include "sensors/packet_order.hpp"
 #include "sensors/rings.hpp"
 #include "sensors/velodyne/velodyne_calibration.hpp"
 #include "sensors/velodyne/vlp16.hpp"
@@ -188,7 +189,7 @@ VelodyneDecoder::Layout VelodyneDecoder::layout_of(bool dual) const {
 }
 
 /// How far the head turns in a sequence: from an azimuth to the next; to the last one from the one
-/// before, be it another packet's.
+/// before, be it that of the packet before.
 void VelodyneDecoder::learn_step(Bytes payload, const Layout& layout, std::size_t position) {
   const auto azimuth = [&](std::size_t at) { return azimuth_of(payload, at * layout.stride); };
   int turn = 0;
@@ -219,6 +220,7 @@ PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
   firings.base = TimeBase::hour;
   firings.time_ns = 1000LL * load<std::uint32_t>(payload.data() + kTail, false);
   firings.period_ns = std::llround(layout.sequence_ns * static_cast<double>(sequences));
+  if (!follows(firings, last_time_ns_)) last_azimuth_ = -1;
   for (std::size_t i = 0; i < sequences; ++i) {
     const std::size_t position = i / model_.sequences_per_block;
     const std::size_t part = i % model_.sequences_per_block;
@@ -260,6 +262,7 @@ void VelodyneDecoder::add_sequence(Bytes payload, const Head& head, Firings& fir
     for (std::size_t channel = 0; channel < channels; ++channel) {
       const Laser& laser = lasers_[bank * kChannelsPerBlock + channel];
       const double azimuth =
+  last_time_ns_ = firings.time_ns;
           (head.azimuth + head.step * laser.table.time_ns / sequence_ns) * kUnit +
           laser.table.azimuth_deg * std::numbers::pi / 180.0;
       const Return last = return_at(first_block, channel);

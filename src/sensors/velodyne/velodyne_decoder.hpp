@@ -46,7 +46,8 @@ class VelodyneDecoder final : public PacketDecoder {
   ReturnChoice choice_;
   std::vector<Laser> lasers_;
   double usual_step_;      ///< a sequence; of the last good one, at first of 600 rpm [0.01 deg]
-  int last_azimuth_ = -1;  ///< of the last packet's last position [0.01 deg]
+  int last_azimuth_ = -1;  ///< of the last position of the packet before [0.01 deg]; -1: not known
+  std::int64_t last_time_ns_ = 0;
   std::uint8_t mode_ = 0;
 };
 
