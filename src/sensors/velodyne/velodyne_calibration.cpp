@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "sensors/packet_decoder.hpp"
 
@@ -27,6 +28,15 @@ double number(const YAML::Node& laser, const char* key, bool required) {
   return value;
 }
 
+std::size_t laser_id(const YAML::Node& laser, std::size_t lasers) {
+  const double id = number(laser, "laser_id", true);
+  if (!(id >= 0.0 && id < static_cast<double>(lasers)) || id != std::floor(id)) {
+    throw CalibrationError("a laser's id is " + laser["laser_id"].as<std::string>() +
+                           "; expected whole ones from 0 to " + std::to_string(lasers - 1));
+  }
+  return static_cast<std::size_t>(id);
+}
+
 void apply(const YAML::Node& root, VelodyneModel& model) {
   if (!root.IsMap()) {
     throw CalibrationError("no YAML calibration of a Velodyne: expected a list 'lasers' in it");
@@ -38,12 +48,13 @@ void apply(const YAML::Node& root, VelodyneModel& model) {
                            std::to_string(model.lasers.size()) + " for the " + model.name);
   }
   constexpr double kDegree = 180.0 / std::numbers::pi;
+  std::set<std::size_t> seen;
   for (const YAML::Node& one : lasers) {
-    const double id = number(one, "laser_id", true);
-    if (!(id >= 0.0 && id < static_cast<double>(model.lasers.size()))) {
-      throw CalibrationError("a laser's id is " + std::to_string(id));
+    const std::size_t id = laser_id(one, model.lasers.size());
+    if (!seen.insert(id).second) {
+      throw CalibrationError("laser " + std::to_string(id) + " is listed twice");
     }
-    VelodyneLaser& laser = model.lasers[static_cast<std::size_t>(id)];
+    VelodyneLaser& laser = model.lasers[id];
     laser.elevation_deg = kDegree * number(one, "vert_correction", true);
     laser.azimuth_deg = -kDegree * number(one, "rot_correction", true);
     laser.distance = number(one, "dist_correction", false);
@@ -52,6 +63,7 @@ void apply(const YAML::Node& root, VelodyneModel& model) {
     const YAML::Node two = one["two_pt_correction_available"];
     laser.two_points = two ? two.as<bool>() : laser.distance_x != 0.0 || laser.distance_y != 0.0;
     laser.vertical_offset = number(one, "vert_offset_correction", false);
+    if (laser.vertical_offset != 0.0) laser.height = 0.0;  // the unit's own instead of the design's
     laser.horizontal_offset = number(one, "horiz_offset_correction", false);
   }
   if (const YAML::Node unit = root["distance_resolution"]; unit && model.name != "VLS-128") {

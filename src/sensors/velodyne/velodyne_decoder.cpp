@@ -86,8 +86,9 @@ bool fires_each_laser_twice(Bytes payload) {
   return pairs >= kFewest && 10 * alike >= 7 * pairs;
 }
 
-// The corrections of an HDL-64E (manual 63-HDL64E, appendix on calibration): two distances were
-// measured, along either axis, and what lies between is interpolated.
+// What a calibration file corrects, zeros without one, as the ROS driver does (manual 63-HDL64E,
+// appendix on calibration): of an HDL-64E two distances were measured, along either axis, and what
+// lies between is interpolated.
 Eigen::Vector3d corrected_point(const VelodyneLaser& laser, double distance, double cosine,
                                 double sine, double azimuth) {
   constexpr double kFar = 25.04;  // [m]
@@ -113,7 +114,7 @@ Eigen::Vector3d corrected_point(const VelodyneLaser& laser, double distance, dou
   // The manual's x is to the right, its y forward.
   const double right = flat_x * sin_azimuth - horizontal * cos_azimuth;
   const double forward = flat_y * cos_azimuth + horizontal * sin_azimuth;
-  return {forward, -right, along_y * sine + vertical * cosine};
+  return {forward, -right, along_y * sine + vertical * cosine + laser.height};
 }
 
 }  // namespace
@@ -291,15 +292,8 @@ void VelodyneDecoder::add_point(const Laser& laser, Return measured, double azim
   }
   const double distance = model_.distance_unit * measured.distance;
   FiringPoint point;
-  if (model_.is_hdl64) {
-    point.position =
-        corrected_point(laser.table, distance, laser.cosine, laser.sine, azimuth).cast<float>();
-  } else {
-    const double horizontal = distance * laser.cosine;
-    point.position = {static_cast<float>(horizontal * std::cos(azimuth)),
-                      static_cast<float>(-horizontal * std::sin(azimuth)),
-                      static_cast<float>(distance * laser.sine + laser.table.height)};
-  }
+  point.position =
+      corrected_point(laser.table, distance, laser.cosine, laser.sine, azimuth).cast<float>();
   point.intensity = measured.reflectivity;
   point.offset_ns = static_cast<std::int32_t>(laser.table.time_ns);
   point.ring = laser.ring;

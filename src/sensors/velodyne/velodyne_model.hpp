@@ -15,10 +15,11 @@ namespace surefoot::sensors {
 
 struct VelodyneLaser {
   double elevation_deg = 0.0;
-  double azimuth_deg = 0.0;  ///< added to the head's, clockwise
-  double time_ns = 0.0;      ///< after the first laser of its firing sequence
-  double height = 0.0;       ///< of the beam's origin on the axis above the centre [m]
-  /// What the calibration of an HDL-64E corrects; zero for the others [m].
+  double azimuth_deg = 0.0;            ///< added to the head's, clockwise
+  double time_ns = 0.0;                ///< after the first laser of its firing sequence
+  std::optional<double> dual_time_ns;  ///< the same with two returns, where that differs
+  double height = 0.0;                 ///< of the beam's origin on the axis above the centre [m]
+  /// What a calibration corrects; zero without one but for the HDL-64E [m].
   double distance = 0.0;
   double distance_x = 0.0;
   double distance_y = 0.0;
@@ -30,7 +31,7 @@ struct VelodyneLaser {
 struct VelodyneModel {
   std::string name;
   std::optional<std::uint8_t> product;  ///< factory byte 1205; empty: any
-  bool is_hdl64 = false;  ///< no factory bytes; corrections of every laser's distance and origin
+  bool is_hdl64 = false;                ///< no factory bytes
   std::vector<VelodyneLaser> lasers;
   double distance_unit = 0.0;           ///< [m]
   std::size_t banks = 1;                ///< blocks of one firing sequence, 32 lasers each
