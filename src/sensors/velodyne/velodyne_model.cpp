@@ -116,29 +116,35 @@ VelodyneModel vlp16_model() {
   return model;
 }
 
+// A sensor's beams cross at one distance from its axis [m], hence their heights on it
+// (src/calib_db.cpp of github.com/valgur/velodyne_decoder, after Velodyne's drawings).
+void set_heights(double crossing, std::vector<VelodyneLaser>& lasers) {
+  for (VelodyneLaser& laser : lasers) {
+    laser.height = -crossing * std::tan(laser.elevation_deg * std::numbers::pi / 180.0);
+  }
+}
+
 VelodyneModel hi_res_model() {
   VelodyneModel model = sixteen("Puck Hi-Res", 0x24);
   model.lasers = lasers_of(kHiRes);
+  set_heights(0.04191, model.lasers);
   for (std::size_t id = 0; id < model.lasers.size(); ++id) {
     model.lasers[id].time_ns = vlp16::kLaserNs * static_cast<double>(id);
   }
   return model;
 }
 
-// Two lasers fire at a time (manual 63-9325). The beams cross 42.4 mm from the axis
-// (src/calib_db.cpp of github.com/valgur/velodyne_decoder), hence their heights on it.
+// Two lasers fire at a time (manual 63-9325).
 VelodyneModel vlp32_model() {
-  constexpr double kCrossing = 0.0424;  // [m]
   VelodyneModel model;
   model.name = "VLP-32C";
   model.product = 0x28;
   model.distance_unit = 0.004;
   model.sequence_ns = model.dual_sequence_ns = vlp16::kSequenceNs;
   model.lasers = lasers_of(kVlp32);
+  set_heights(0.0424, model.lasers);
   for (std::size_t id = 0; id < model.lasers.size(); ++id) {
-    VelodyneLaser& laser = model.lasers[id];
-    laser.time_ns = vlp16::kLaserNs * static_cast<double>(id / 2);
-    laser.height = -kCrossing * std::tan(laser.elevation_deg * std::numbers::pi / 180.0);
+    model.lasers[id].time_ns = vlp16::kLaserNs * static_cast<double>(id / 2);
   }
   return model;
 }
@@ -151,6 +157,7 @@ VelodyneModel hdl32_model() {
   model.distance_unit = 0.002;
   model.sequence_ns = model.dual_sequence_ns = 46'080.0;
   model.lasers = lasers_of(kHdl32);
+  set_heights(0.02896, model.lasers);  // which gives the heights in drawing 86-0106 to 0.02 mm
   for (std::size_t id = 0; id < model.lasers.size(); ++id) {
     model.lasers[id].time_ns = 1'152.0 * static_cast<double>(id);
   }
@@ -194,6 +201,7 @@ VelodyneModel vls128_model() {
     const std::size_t group = id / 8;
     model.lasers[id].time_ns = 2'665.0 * static_cast<double>(group + group / 8);
   }
+  set_heights(0.05863, model.lasers);
   return model;
 }
 

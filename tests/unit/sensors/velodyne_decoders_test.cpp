@@ -36,18 +36,37 @@ TEST(Vlp32, AReturnOfASecondLaserOfAPair) {
   EXPECT_EQ(firings.points[0].ring, 21);  // 21 lasers lie lower
 }
 
-TEST(Vlp32, TheBeamsOriginIsItsHeightOnTheAxis) {
-  auto packet = test::velodyne_packet({0xeeff}, turning(0, 20, 1), 0, 0x37, 0x28);
-  test::set_velodyne(packet, 0, 0, 2500, 1);  // -25 deg
-  const double with = decode(packet, "VLP-32C").points.at(0).position.z();
-  const double without = decode(packet, "VLP-32C", plain_options()).points.at(0).position.z();
-  EXPECT_NEAR(with - without, 0.0424 * std::tan(25.0 * kVelodyneDegree), 1e-6);
+// The lowest laser of each. Heights of the Puck Hi-Res' and the HDL-32E's as drawings 86-0129 and
+// 86-0106 have them.
+TEST(Velodyne, BeamsStartAtTheirHeightOnTheAxis) {
+  struct Lowest {
+    const char* sensor;
+    unsigned product;
+    std::size_t block, channel;
+    double height;
+  };
+  const Lowest sensors[] = {{"Puck Hi-Res", 0x24, 0, 0, 0.0074},
+                            {"VLP-32C", 0x28, 0, 0, 0.0424 * std::tan(25.0 * kVelodyneDegree)},
+                            {"HDL-32E", 0x21, 0, 0, 0.01717},
+                            {"VLS-128", 0xa1, 1, 4, 0.05863 * std::tan(25.0 * kVelodyneDegree)}};
+  for (const Lowest& one : sensors) {
+    const bool has_banks = one.product == 0xa1;
+    std::vector<std::uint16_t> flags = {0xeeff};
+    if (has_banks) flags = {0xeeff, 0xddff, 0xccff, 0xbbff};
+    auto packet =
+        test::velodyne_packet(flags, turning(0, 20, has_banks ? 4 : 1), 0, 0x37, one.product);
+    test::set_velodyne(packet, one.block, one.channel, 2500, 1);
+    const FiringPoint with = decode(packet, one.sensor).points.at(0);
+    const FiringPoint without = decode(packet, one.sensor, plain_options()).points.at(0);
+    EXPECT_EQ(with.ring, 0) << one.sensor;
+    EXPECT_NEAR(with.position.z() - without.position.z(), one.height, 2e-5) << one.sensor;
+  }
 }
 
 TEST(Hdl32, LasersFireOneAfterTheOther) {
   auto packet = test::velodyne_packet({0xeeff}, turning(35900, 16, 1), 0, 0x37, 0x21);
   test::set_velodyne(packet, 2, 31, 5000, 3);  // the last laser: 10.67 deg
-  const Firings firings = decode(packet, "HDL-32E");
+  const Firings firings = decode(packet, "HDL-32E", plain_options());
   ASSERT_EQ(firings.points.size(), 1U);
   EXPECT_EQ(time_of(firings, 0), 2 * 46'080 + 31 * 1'152);
   expect_at(firings.points[0], 10.0, 359.32 + 0.16 * 31 * 1.152 / 46.08, 10.67);
@@ -103,7 +122,7 @@ TEST(Vls128, BanksAndGroupsOfEight) {
   auto packet = test::velodyne_packet({0xeeff, 0xddff, 0xccff, 0xbbff}, turning(1000, 20, 4), 100,
                                       0x38, 0xa1);
   test::set_velodyne(packet, 4 + 2, 1, 2500, 9);  // second sequence, laser 65: group 8
-  const Firings firings = decode(packet, "VLS-128");
+  const Firings firings = decode(packet, "VLS-128", plain_options());
   ASSERT_EQ(firings.points.size(), 1U);
   EXPECT_EQ(time_of(firings, 0), -8'700 + 53'300 + 2'665 * 9);
   EXPECT_NEAR(firings.points[0].position.norm(), 10.0, 1e-5);
@@ -156,7 +175,7 @@ TEST(Hdl64, ACalibrationFileAndTimesBeforeTheStamp) {
   }
   auto packet = test::velodyne_packet({0xeeff, 0xddff}, turning(27000, 18, 2), 5'000, 'V', 0x01);
   test::set_velodyne(packet, 11, 31, 4750, 50);  // the very last firing
-  DecoderOptions options;
+  DecoderOptions options = plain_options();
   options.calibration = yaml;
   const Firings firings = decode(packet, "HDL-64E-S3", options);
   ASSERT_EQ(firings.points.size(), 1U);
