@@ -247,6 +247,7 @@ HesaiModel qt128_model() {
   model.sizes = {model.tail.begin + 34, model.tail.begin + 66};
   model.block_ns = 111'110.0;
   model.last_ns = 9'000.0;
+  model.counts_forward = true;
   model.two_loops = true;
   return model;
 }
