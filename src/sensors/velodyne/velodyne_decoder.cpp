@@ -126,6 +126,12 @@ struct VelodyneDecoder::Layout {
   double sequence_ns = 0.0;   ///< from one firing sequence to the next
 };
 
+struct VelodyneDecoder::Shot {
+  const Laser& laser;
+  double azimuth = 0.0;  ///< [rad]
+  double time_ns = 0.0;  ///< after the first laser of its sequence
+};
+
 struct VelodyneDecoder::Head {
   std::size_t block = 0;    ///< first of the position
   std::size_t channel = 0;  ///< first of the sequence in its block
@@ -185,7 +191,7 @@ VelodyneDecoder::Layout VelodyneDecoder::layout_of(bool dual) const {
   layout.dual = dual;
   layout.stride = model_.banks * (dual ? 2 : 1);
   layout.positions = kBlocks / layout.stride;  // VLS-128, dual: four blocks are unused
-  layout.sequence_ns = dual ? model_.dual_sequence_ns : model_.sequence_ns;
+  layout.sequence_ns = pace_ * (dual ? model_.dual_sequence_ns : model_.sequence_ns);
   return layout;
 }
 
@@ -205,6 +211,13 @@ void VelodyneDecoder::learn_step(Bytes payload, const Layout& layout, std::size_
   usual_step_ = static_cast<double>(turn) / static_cast<double>(model_.sequences_per_block);
 }
 
+/// Which of two firmwares it is, told by how long the last packet's sequences took.
+void VelodyneDecoder::learn_pace(double sequence_ns) {
+  if (model_.slow_sequence_ns == 0.0) return;
+  const double slow = model_.slow_sequence_ns / model_.sequence_ns;
+  pace_ = 2.0 * sequence_ns > model_.sequence_ns + model_.slow_sequence_ns ? slow : 1.0;
+}
+
 PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
   firings.clear();
   if (payload.size() != kPacketBytes) return PacketKind::other;
@@ -221,7 +234,12 @@ PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
   firings.base = TimeBase::hour;
   firings.time_ns = 1000LL * load<std::uint32_t>(payload.data() + kTail, false);
   firings.period_ns = std::llround(layout.sequence_ns * static_cast<double>(sequences));
-  if (!follows(firings, last_time_ns_)) last_azimuth_ = -1;
+  if (follows(firings, last_time_ns_)) {
+    learn_pace(static_cast<double>(firings.time_ns - last_time_ns_) /
+               static_cast<double>(sequences));
+  } else {
+    last_azimuth_ = -1;
+  }
   for (std::size_t i = 0; i < sequences; ++i) {
     const std::size_t position = i / model_.sequences_per_block;
     const std::size_t part = i % model_.sequences_per_block;
@@ -243,6 +261,7 @@ PacketKind VelodyneDecoder::decode(Bytes payload, Firings& firings) {
     firings.firings.push_back(firing);
   }
   last_azimuth_ = azimuth_of(payload, (layout.positions - 1) * layout.stride);
+  last_time_ns_ = firings.time_ns;
   return PacketKind::data;
 }
 
@@ -262,40 +281,43 @@ void VelodyneDecoder::add_sequence(Bytes payload, const Head& head, Firings& fir
     };
     for (std::size_t channel = 0; channel < channels; ++channel) {
       const Laser& laser = lasers_[bank * kChannelsPerBlock + channel];
-      const double azimuth =
-  last_time_ns_ = firings.time_ns;
-          (head.azimuth + head.step * laser.table.time_ns / sequence_ns) * kUnit +
-          laser.table.azimuth_deg * std::numbers::pi / 180.0;
+      const double time_ns =
+          head.dual ? laser.table.dual_time_ns.value_or(laser.table.time_ns) : laser.table.time_ns;
+      const double azimuth = (head.azimuth + head.step * time_ns / sequence_ns) * kUnit +
+                             laser.table.azimuth_deg * std::numbers::pi / 180.0;
+      const auto add = [&](const Return& measured) {
+        add_point({laser, azimuth, time_ns}, measured, firings);
+      };
       const Return last = return_at(first_block, channel);
       const Return other = head.dual ? return_at(second_block, channel) : Return{};
       // Where the last return is the strongest, the other block holds the second strongest.
       const bool other_is_strongest =
           head.dual && other.distance != 0 && other.reflectivity >= last.reflectivity;
       if (!head.dual || choice_ == ReturnChoice::last) {
-        add_point(laser, last, azimuth, firings);
+        add(last);
       } else if (choice_ == ReturnChoice::strongest) {
-        add_point(laser, other_is_strongest || last.distance == 0 ? other : last, azimuth, firings);
+        add(other_is_strongest || last.distance == 0 ? other : last);
       } else {
-        add_point(laser, last, azimuth, firings);
+        add(last);
         if (other.distance != last.distance) {
-          add_point(laser, other, azimuth, firings);
+          add(other);
         }
       }
     }
   }
 }
 
-void VelodyneDecoder::add_point(const Laser& laser, Return measured, double azimuth,
-                                Firings& firings) const {
+void VelodyneDecoder::add_point(const Shot& shot, Return measured, Firings& firings) const {
   if (measured.distance == 0) {
     return;
   }
   const double distance = model_.distance_unit * measured.distance;
+  const Laser& laser = shot.laser;
   FiringPoint point;
   point.position =
-      corrected_point(laser.table, distance, laser.cosine, laser.sine, azimuth).cast<float>();
+      corrected_point(laser.table, distance, laser.cosine, laser.sine, shot.azimuth).cast<float>();
   point.intensity = measured.reflectivity;
-  point.offset_ns = static_cast<std::int32_t>(laser.table.time_ns);
+  point.offset_ns = static_cast<std::int32_t>(pace_ * shot.time_ns);
   point.ring = laser.ring;
   firings.points.push_back(point);
 }

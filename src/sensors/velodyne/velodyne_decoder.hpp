@@ -35,12 +35,14 @@ class VelodyneDecoder final : public PacketDecoder {
     std::uint16_t distance = 0;
     std::uint8_t reflectivity = 0;
   };
+  struct Shot;    // a laser as it fired
   struct Layout;  // how a packet's blocks follow each other
   [[nodiscard]] Layout layout_of(bool dual) const;
   void learn_step(std::span<const std::byte> payload, const Layout& layout, std::size_t position);
+  void learn_pace(double sequence_ns);
   [[nodiscard]] bool is_dual(std::span<const std::byte> payload) const;
   void add_sequence(std::span<const std::byte> payload, const Head& head, Firings& firings) const;
-  void add_point(const Laser& laser, Return measured, double azimuth, Firings& firings) const;
+  void add_point(const Shot& shot, Return measured, Firings& firings) const;
 
   VelodyneModel model_;
   ReturnChoice choice_;
@@ -48,6 +50,7 @@ class VelodyneDecoder final : public PacketDecoder {
   double usual_step_;      ///< a sequence; of the last good one, at first of 600 rpm [0.01 deg]
   int last_azimuth_ = -1;  ///< of the last position of the packet before [0.01 deg]; -1: not known
   std::int64_t last_time_ns_ = 0;
+  double pace_ = 1.0;  ///< firings take so many times as long as the model's
   std::uint8_t mode_ = 0;
 };
 

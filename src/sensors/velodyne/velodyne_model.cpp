@@ -165,9 +165,8 @@ VelodyneModel hdl32_model() {
 }
 
 // The packet's time is that of its end. Both banks fire four lasers 1.2 us apart, eight times; with
-// two returns that takes 57.6 us instead of 48 (firing times as in
-// vtkLidarProviderInternal.h of VeloView; the difference of up to 3 us within a firing with two
-// returns is left out).
+// two returns that takes 57.6 us instead of 48 (firing times as in vtkLidarProviderInternal.h of
+// VeloView).
 VelodyneModel hdl64_model(const char* name, std::vector<VelodyneLaser> lasers) {
   VelodyneModel model;
   model.name = name;
@@ -179,15 +178,19 @@ VelodyneModel hdl64_model(const char* name, std::vector<VelodyneLaser> lasers) {
   model.time_is_end = true;
   model.lasers = std::move(lasers);
   constexpr std::array<double, 4> kBeforeEndNs = {2'340.0, 3'540.0, 4'740.0, 6'000.0};
+  constexpr std::array<double, 4> kDualBeforeEndNs = {3'500.0, 4'700.0, 5'900.0, 7'200.0};
   for (std::size_t id = 0; id < model.lasers.size(); ++id) {
     const std::size_t reversed = 31 - id % 32;
-    model.lasers[id].time_ns = model.sequence_ns - kBeforeEndNs[reversed % 4] -
-                               6'000.0 * static_cast<double>(reversed / 4);
+    const auto fours = static_cast<double>(reversed / 4);
+    model.lasers[id].time_ns = model.sequence_ns - kBeforeEndNs[reversed % 4] - 6'000.0 * fours;
+    model.lasers[id].dual_time_ns =
+        model.dual_sequence_ns - kDualBeforeEndNs[reversed % 4] - 7'200.0 * fours;
   }
   return model;
 }
 
-// Eight lasers fire at a time, with a pause after the eighth group (manual 63-9480, page 64).
+// Eight lasers fire at a time, with a pause after the eighth group (manual 63-9480, page 64). Since
+// firmware 5.2.3 groups are 2.89 us apart (src/packet_decoder.cpp of velodyne_decoder).
 VelodyneModel vls128_model() {
   VelodyneModel model;
   model.name = "VLS-128";
@@ -195,13 +198,14 @@ VelodyneModel vls128_model() {
   model.distance_unit = 0.004;
   model.banks = 4;
   model.sequence_ns = model.dual_sequence_ns = 53'300.0;
+  model.slow_sequence_ns = 57'800.0;
   model.first_ns = -8'700.0;
   model.lasers = lasers_of(kVls128);
+  set_heights(0.05863, model.lasers);
   for (std::size_t id = 0; id < model.lasers.size(); ++id) {
     const std::size_t group = id / 8;
     model.lasers[id].time_ns = 2'665.0 * static_cast<double>(group + group / 8);
   }
-  set_heights(0.05863, model.lasers);
   return model;
 }
 

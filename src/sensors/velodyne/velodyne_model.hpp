@@ -38,6 +38,7 @@ struct VelodyneModel {
   std::size_t sequences_per_block = 1;  ///< 2 where a sequence has 16 lasers only
   double sequence_ns = 0.0;
   double dual_sequence_ns = 0.0;  ///< with two returns; the same but for the HDL-64E
+  double slow_sequence_ns = 0.0;  ///< of newer firmware; 0: the same
   double first_ns = 0.0;          ///< from the packet's time to its first firing
   bool time_is_end = false;       ///< the packet's time is that of its end
 };

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "sensors/sensor_list.hpp"
 #include "sensors/velodyne/velodyne_decoder.hpp"
@@ -130,6 +131,26 @@ TEST(Vls128, BanksAndGroupsOfEight) {
   EXPECT_NEAR(firings.firings[1].azimuth_deg, 10.2, 1e-9);
 }
 
+// Firmware since 5.2.3 fires more slowly; packets say so by their times alone.
+TEST(Vls128, ItsPaceIsToldByPacketsThatFollowEachOther) {
+  const auto time_after = [](std::uint32_t since_us) {
+    std::string reason;
+    std::unique_ptr<PacketDecoder> decoder;
+    Firings firings;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      auto packet = test::velodyne_packet({0xeeff, 0xddff, 0xccff, 0xbbff},
+                                          turning(1000 + 60 * i, 20, 4), i * since_us, 0x38, 0xa1);
+      test::set_velodyne(packet, 4 + 2, 1, 2500, 9);  // as above
+      if (!decoder) decoder = find_decoder(bytes_of(packet), "", {}, reason);
+      EXPECT_EQ(decoder->decode(bytes_of(packet), firings), PacketKind::data);
+    }
+    return time_of(firings, 0);
+  };
+  EXPECT_EQ(time_after(160), -8'700 + 53'300 + 2'665 * 9);
+  EXPECT_EQ(time_after(173), -8'700 + 57'800 + 2'890 * 9);
+  EXPECT_EQ(time_after(2 * 173), -8'700 + 53'300 + 2'665 * 9) << "every other one was lost";
+}
+
 // Two returns: blocks of one bank follow each other, and the last four are not used, whatever is in
 // them.
 std::string vls128_dual_packet(std::uint16_t unused) {
@@ -157,7 +178,7 @@ TEST(Vls128, DualReturn) {
   auto packet = vls128_dual_packet(0xffff);
   test::set_velodyne(packet, 2, 5, 2500, 9);
   test::set_velodyne(packet, 3, 5, 1000, 200);
-  DecoderOptions options;
+  DecoderOptions options = plain_options();
   EXPECT_NEAR(decode(packet, "VLS-128", options).points.at(0).position.norm(), 4.0, 1e-5);
   options.returns = ReturnChoice::last;
   EXPECT_NEAR(decode(packet, "VLS-128", options).points.at(0).position.norm(), 10.0, 1e-5);
@@ -175,7 +196,7 @@ TEST(Hdl64, ACalibrationFileAndTimesBeforeTheStamp) {
   }
   auto packet = test::velodyne_packet({0xeeff, 0xddff}, turning(27000, 18, 2), 5'000, 'V', 0x01);
   test::set_velodyne(packet, 11, 31, 4750, 50);  // the very last firing
-  DecoderOptions options = plain_options();
+  DecoderOptions options;
   options.calibration = yaml;
   const Firings firings = decode(packet, "HDL-64E-S3", options);
   ASSERT_EQ(firings.points.size(), 1U);
@@ -187,6 +208,18 @@ TEST(Hdl64, ACalibrationFileAndTimesBeforeTheStamp) {
   EXPECT_NEAR(point.x(), flat * std::cos(azimuth) + 0.02 * std::sin(azimuth), 1e-5);
   EXPECT_NEAR(point.y(), -(flat * std::sin(azimuth) - 0.02 * std::cos(azimuth)), 1e-5);
   EXPECT_NEAR(point.z(), 10.0 * std::sin(0.2) + 0.1 * std::cos(0.2), 1e-5);
+}
+
+// VeloView: with two returns lasers are 7.2 us apart and the last one fires 3.5 us before the
+// stamp.
+TEST(Hdl64, TimesOfTwoReturns) {
+  auto packet = test::velodyne_packet({0xeeff, 0xddff}, turning(27000, 18, 4), 5'000, 'V', 0x01);
+  test::set_velodyne(packet, 8, 0, 2500, 50);
+  test::set_velodyne(packet, 9, 31, 2500, 50);
+  const Firings firings = decode(packet, "HDL-64E-S3", plain_options());
+  ASSERT_EQ(firings.points.size(), 2U);
+  EXPECT_EQ(time_of(firings, 0), -57'600);
+  EXPECT_EQ(time_of(firings, 1), -3'500);
 }
 
 TEST(Hdl64, BrokenCalibrationsAreRefused) {
