@@ -29,6 +29,7 @@ class Motion {
 
   /// Seconds for which the motion is known.
   [[nodiscard]] double duration() const { return spline_.end(); }
+  [[nodiscard]] const Pose& T_body_lidar() const { return T_body_lidar_; }
   /// @param time seconds since the recording's start.
   [[nodiscard]] Pose T_map_body(double time) const;
   [[nodiscard]] Pose T_map_lidar(double time) const { return T_map_body(time) * T_body_lidar_; }

@@ -23,12 +23,12 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr std::int64_t kTruthStepNs = 2'500'000;  // 400 Hz
 constexpr std::size_t kBlockSequences = 16;
 
-/// Trunk and head of a Go2-sized robot, in the LiDAR's frame: the sensor stands on its back.
+/// Trunk and head of a Go2-sized robot, in the body's frame.
 Scene robot_body() {
   Scene scene;
   scene.name = "robot body";
-  scene.mesh.add_box({-0.45, -0.09, -0.25}, {0.25, 0.09, -0.085}, Material::painted_metal);
-  scene.mesh.add_box({0.25, -0.05, -0.20}, {0.42, 0.05, -0.075}, Material::painted_metal);
+  scene.mesh.add_box({-0.35, -0.09, -0.09}, {0.35, 0.09, 0.075}, Material::painted_metal);
+  scene.mesh.add_box({0.35, -0.05, -0.04}, {0.52, 0.05, 0.085}, Material::painted_metal);
   return scene;
 }
 
@@ -201,14 +201,16 @@ void Scanner::aim(const Block& block, double begin_ns, double end_ns) {
 }
 
 void Scanner::aim_at_body(const Block& block) {
+  const Pose& T_body_lidar = motion_.T_body_lidar();
+  const Eigen::Matrix3d R_body_lidar = T_body_lidar.rotation.toRotationMatrix();
   for (std::size_t laser = 0; laser < model_.lasers.size(); ++laser) {
     const RotorBeam& beam = beams_[laser];
     for (std::size_t i = 0; i < block.sequences; ++i) {
       const Rotor& rotor = firings_[slot(laser, i)].rotor;
       Ray* rays = &aimed_[slot(laser, i) * footprint_.size()];
       for (std::size_t part = 0; part < footprint_.size(); ++part) {
-        rays[part] = {(rotor * beam.origin).cast<float>(),
-                      (rotor * beam.footprint[part]).cast<float>(), 0.0F};
+        rays[part] = {(T_body_lidar * (rotor * beam.origin)).cast<float>(),
+                      (R_body_lidar * (rotor * beam.footprint[part])).cast<float>(), 0.0F};
       }
     }
   }
