@@ -9,7 +9,8 @@
 namespace surefoot::sensors {
 
 /// Point packets of the Livox Mid-360 and its kin (HAP), which have no turn: a sweep is a tenth of
-/// a second. Points come in the sensor's own frame; rings are its four lines.
+/// a second. Points come in the sensor's own frame; rings are the Mid-360's four lines. A HAP has
+/// six, but no packet says whose it is: a HAP's rings are wrong.
 class LivoxDecoder final : public PacketDecoder {
  public:
   [[nodiscard]] PacketKind decode(std::span<const std::byte> payload, Firings& firings) override;
