@@ -153,6 +153,24 @@ TEST(CompanionTest, StaysNearTheRobotOutOfItsSensorAndOutOfWalls) {
   EXPECT_TRUE(make_companions(0, scene, rays, gait, 60.0, 7).empty());
 }
 
+// In a corridor there is no room beside the robot, only before and behind it.
+TEST(CompanionTest, GoesAtAPersonsPaceRoundTheSensor) {
+  const Scene scene = build_scene("corridor", 1);
+  const RayCaster rays(scene);
+  const GaitModel gait = gait_model("trot");
+  const Motion motion = make_motion(scene, rays, gait, 60.0, 1, kMount);
+  for (const MovingObject& person : make_companions(6, scene, rays, gait, 60.0, 1)) {
+    constexpr double kStep = 0.02;  // between the places that are kept
+    Eigen::Vector3d before = person.T_map_object(0.0).translation;
+    for (double time = 0.0; time < 60.0; time += kStep) {
+      const Eigen::Vector3d at = person.T_map_object(time).translation;
+      EXPECT_GT((at - motion.T_map_lidar(time).translation).head<2>().norm(), 0.6) << time;
+      EXPECT_LT((at - before).head<2>().norm(), 8.0 * kStep) << time;
+      before = at;
+    }
+  }
+}
+
 /// Share of points whose neighbours within 0.8 m lie within 5 cm (RMS) of a plane.
 double planar_share(const SimulatedScan& scan) {
   constexpr double kReach = 0.8;
