@@ -180,9 +180,12 @@ struct RayCaster::Impl {
   }
 
   static void place(const Instance& instance, double begin, double end) {
-    const std::array<double, 2> times = {begin, end};
+    constexpr double kFarthest = 10.0;  // what goes farther in a scan starts anew elsewhere [m]
+    std::array<Pose, 2> poses = {instance.T_map_object(begin), instance.T_map_object(end)};
+    const double way = (poses[1].translation - poses[0].translation).norm();
+    if (way > kFarthest) poses[1] = poses[0];
     for (unsigned step = 0; step < 2; ++step) {
-      const auto matrix = column_major_3x4(instance.T_map_object(times[step]));
+      const auto matrix = column_major_3x4(poses.at(step));
       rtcSetGeometryTransform(instance.geometry, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                               matrix.data());
     }

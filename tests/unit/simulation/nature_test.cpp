@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// What is no wall: leaves that a foot sinks through, panes, rain and dust, people that come along.
+// What is no wall: leaves that a foot sinks through, panes, rain and dust, people that come along,
+// what starts anew elsewhere.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -169,6 +170,31 @@ TEST(CompanionTest, GoesAtAPersonsPaceRoundTheSensor) {
       before = at;
     }
   }
+}
+
+// As a car that leaves the scene at one end of the road and enters it at the other.
+TEST(MoverTest, DoesNotSweepTheWayBackToWhereItStartsAnew) {
+  Scene scene = room();
+  // At either side of the robot: the head looks at one of them in the middle of the way back.
+  for (const double x : {-6.0, 6.0}) {
+    MovingObject box;
+    box.mesh.add_box({-0.5, -0.5, 0.0}, {0.5, 0.5, 3.0}, Material::concrete);
+    box.T_map_object = [x](double time) {
+      const double along = std::fmod(2.0 * (time + 4.95), 14.0);  // anew at 2.05 s
+      return Pose{Eigen::Quaterniond::Identity(), {x, along - 7.0, 0.0}};
+    };
+    scene.moving.push_back(box);
+  }
+  std::size_t moving = 0;
+  for (std::uint64_t index = 18; index < 23; ++index) {
+    const SimulatedScan scan = scan_of(scene, {.seed = 3, .footprint = false}, index);
+    for (std::size_t i = 0; i < scan.labels.size(); ++i) {
+      if (scan.labels[i] != kLabelMoving) continue;
+      ++moving;
+      EXPECT_GT(std::abs(scan.true_points[i].y()), 5.9) << index;  // at either end
+    }
+  }
+  EXPECT_GT(moving, 50U);
 }
 
 /// Share of points whose neighbours within 0.8 m lie within 5 cm (RMS) of a plane.
