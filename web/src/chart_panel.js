@@ -4,9 +4,10 @@
 // One chart: uPlot with this page's axes, shading, legend and cursor.
 import uPlot from "uplot";
 
+import { peaksOf, valueRange } from "./chart_range.js";
 import { interpolate, nearestIndex } from "./data.js";
 import { el } from "./dom.js";
-import { quantile, significant } from "./numbers.js";
+import { decimalsOf, fixed, quantile, significant } from "./numbers.js";
 import { gradedSpans } from "./status.js";
 import { color } from "./theme.js";
 
@@ -21,20 +22,6 @@ function joined(lines, axis) {
     return [xs, Array.from(values, (value) => (Number.isFinite(value) ? value : null))];
   });
   return tables.length === 1 ? tables[0] : uPlot.join(tables);
-}
-
-const usual = (values) => quantile(values, 0.95);
-
-/** Whether a few values are so large that in full range the others would lie flat. */
-const isPeaked = (values) => quantile(values, 1) > 3 * usual(values);
-
-/** The range of the values; with `cut`, without rare peaks that would flatten all others. */
-function valueRange(spec, lines, low, high) {
-  if (spec.rows) return [-0.6, spec.rows.length - 0.4];
-  if (low === null || high === null) return [0, 1];
-  const top = spec.cut && isPeaked(lines[0].values) ? 1.6 * usual(lines[0].values) : high;
-  const margin = Math.max(0.06 * (top - low), 1e-6);
-  return [spec.fromZero ? Math.min(0, low) : low - margin, top + margin];
 }
 
 function shade(plot, spans, axis) {
@@ -101,6 +88,7 @@ export class ChartPanel {
     this.lines = this.spec.lines(this.context).filter(({ times }) => times.length > 0);
     this.element.hidden = this.lines.length === 0;
     if (this.element.hidden) return;
+    this.peaks = this.spec.cut ? peaksOf(this.lines) : null;
     this.#describe();
     const spans = gradedSpans(this.context.run());
     this.plot = new uPlot(this.#options(spans), joined(this.lines, axis), this.holder);
@@ -108,7 +96,7 @@ export class ChartPanel {
   }
 
   #options(spans) {
-    const { spec, lines, axis, context } = this;
+    const { spec, lines, peaks, axis, context } = this;
     return {
       width: Math.max(this.holder.clientWidth, 200),
       height: kHeight,
@@ -117,7 +105,7 @@ export class ChartPanel {
       cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: {
         x: { time: false, range: (plot, low, high) => context.store.get("range") ?? [low, high] },
-        y: { range: (plot, low, high) => valueRange(spec, lines, low, high) },
+        y: { range: (plot, low, high) => valueRange(spec, peaks, low, high) },
       },
       axes: [
         axisStyle({ label: axis.label, labelSize: 16, labelGap: -2, size: 26 }),
@@ -144,10 +132,8 @@ export class ChartPanel {
       "aria-label",
       `${title} ${unit} over ${this.axis.label}: ${parts.join("; ")}`,
     );
-    const { values } = this.lines[0];
-    const cut = this.spec.cut && isPeaked(values);
-    this.note.textContent = cut
-      ? `Peaks up to ${significant(quantile(values, 1), 3)} are cut off.`
+    this.note.textContent = this.peaks
+      ? `Peaks up to ${significant(this.peaks.most, 3)} are cut off.`
       : "";
   }
 

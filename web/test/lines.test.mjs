@@ -5,6 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { peaksOf, valueRange } from "../src/chart_range.js";
 import { brokenLine, isBreak } from "../src/data.js";
 import { fixed, niceStep, quantile } from "../src/numbers.js";
 
@@ -32,4 +33,19 @@ test("ticks are round", () => {
   assert.equal(niceStep(8.9, 10), 1);
   assert.equal(niceStep(0.43, 4), 0.2);
   assert.equal(fixed(-0.5, 1), "−0.5");
+});
+
+test("peaks of one line do not cut what is usual of another", () => {
+  const hundred = Array.from({ length: 100 }, (_, i) => 1 + (i % 10) / 10);
+  const peaked = hundred.map((value, i) => (i === 50 ? 90 : value));
+  const tenfold = hundred.map((value) => 10 * value);
+  const lines = [{ values: peaked }, { values: tenfold }];
+  const peaks = peaksOf(lines);
+  assert.equal(peaks.most, 90);
+  const [low, high] = valueRange({ fromZero: true }, peaks, 1, 90);
+  assert.equal(low, 0);
+  assert.ok(high >= 19 && high < 40, `up to ${high}`);
+  assert.equal(peaksOf([{ values: tenfold }, { values: hundred }]), null);
+  assert.equal(peaksOf([{ values: [NaN] }, ...lines]).most, 90);
+  assert.equal(valueRange({}, peaks, 1, 2)[1], 2.06); // a closer look
 });
