@@ -44,8 +44,13 @@ function seriesOf({ label, stroke, width, fill, dash, dots = false, gaps = dots 
   return { label, stroke, width, fill, dash, points, spanGaps: !gaps };
 }
 
+/** All that a tick's place has: rounded, neighbours would read alike; in no language but the page's. */
+const tickTexts = (_plot, splits, _axis, _space, step) =>
+  splits.map((value) => fixed(value, decimalsOf(step)));
+
 function axisStyle(more) {
   return {
+    values: tickTexts,
     stroke: color("muted"),
     font: `11px ${color("font")}`,
     labelFont: `11px ${color("font")}`,
@@ -55,7 +60,12 @@ function axisStyle(more) {
   };
 }
 
-const valueAxis = (unit) => ({ label: unit, labelSize: 16, labelGap: 0, size: 46 });
+const valueAxis = (unit) => ({
+  label: unit,
+  labelSize: 16,
+  labelGap: 0,
+  size: (_, texts) => Math.max(46, 8 + 6.5 * Math.max(...(texts ?? []).map(({ length }) => length))),
+});
 
 /** Words in place of numbers. */
 const rowAxis = (rows) => ({

@@ -33,6 +33,15 @@ export function duration(seconds) {
   return `${Math.floor(seconds / 60)} min ${String(Math.round(seconds % 60)).padStart(2, "0")} s`;
 }
 
+/** How many decimals a step has, and with it all of its multiples. */
+export function decimalsOf(step) {
+  for (let decimals = 0; decimals < 12; ++decimals) {
+    const whole = step * 10 ** decimals;
+    if (Math.abs(whole - Math.round(whole)) < 1e-6 * whole) return decimals;
+  }
+  return 12;
+}
+
 /** A step of 1, 2 or 5 times a power of ten that makes about so many over the range. */
 export function niceStep(range, count) {
   const rough = range / count;

@@ -6,7 +6,7 @@
 import { interpolate, isBreak, nearestIndex } from "./data.js";
 import { onResize } from "./dom.js";
 import { isTaken } from "./loops.js";
-import { fixed, niceStep } from "./numbers.js";
+import { decimalsOf, fixed, niceStep } from "./numbers.js";
 import { pathShades, shadeColors } from "./path_shades.js";
 import { ends } from "./path_lines.js";
 import { color, runColor } from "./theme.js";
@@ -173,7 +173,7 @@ export class PlanView {
     context.lineWidth = 1;
     const ticks = ([low, high], pixels, each) => {
       const step = niceStep(high - low, Math.max(2, pixels / 70));
-      const decimals = Math.max(0, -Math.floor(Math.log10(step)));
+      const decimals = decimalsOf(step);
       for (let k = Math.ceil(low / step); k * step <= high; ++k)
         each(k * step, fixed(k * step, decimals));
     };

@@ -7,7 +7,7 @@ import { test } from "node:test";
 
 import { peaksOf, valueRange } from "../src/chart_range.js";
 import { brokenLine, isBreak } from "../src/data.js";
-import { fixed, niceStep, quantile } from "../src/numbers.js";
+import { decimalsOf, fixed, niceStep, quantile } from "../src/numbers.js";
 
 test("no line joins two segments", () => {
   const scans = { times: [0, 1, 2, 3, 4], columns: { segment: [0, 0, 0, 1, 1] } };
@@ -33,6 +33,8 @@ test("ticks are round", () => {
   assert.equal(niceStep(8.9, 10), 1);
   assert.equal(niceStep(0.43, 4), 0.2);
   assert.equal(fixed(-0.5, 1), "−0.5");
+  const steps = [1, 2.5, 50, 0.5, 0.25, 0.0025, 2e-7];
+  assert.deepEqual(steps.map(decimalsOf), [0, 1, 0, 1, 2, 4, 7]);
 });
 
 test("peaks of one line do not cut what is usual of another", () => {

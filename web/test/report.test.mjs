@@ -43,6 +43,38 @@ test("draws every view and chart", async () => {
   assert.equal((await page.$$(".chart:not([hidden]) canvas")).length, 12);
 });
 
+/** What is written at each axis of the charts when they are drawn anew: those of one are aligned alike. */
+async function tickTexts() {
+  await page.evaluate(() => {
+    const texts = (window.tickTexts = new Map());
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+      if (!texts.has(this.canvas)) texts.set(this.canvas, { center: [], right: [] });
+      texts.get(this.canvas)[this.textAlign]?.push(text);
+      fillText.call(this, text, ...place);
+    };
+    window.surefootReport.store.set("axis", "distance");
+  });
+  await settle(page);
+  const axes = await page.evaluate(() =>
+    [...window.tickTexts.values()].flatMap(({ center, right }) => [center, right]),
+  );
+  await page.evaluate(() => window.surefootReport.store.set("axis", "time"));
+  await settle(page);
+  return axes;
+}
+
+test("writes whole numbers of the ticks' step at every axis", async () => {
+  const axes = await tickTexts();
+  assert.ok(axes.length >= 24, `${axes.length} axes`);
+  for (const texts of axes) {
+    const numbers = texts.map((text) => Number(text.replace("−", "-"))).filter(Number.isFinite);
+    const step = numbers[1] - numbers[0];
+    for (let i = 2; i < numbers.length; ++i)
+      assert.ok(Math.abs(numbers[i] - numbers[i - 1] - step) < 1e-6 * step, texts.join());
+  }
+});
+
 test("colours the map by height, intensity and time", async () => {
   const seen = new Set();
   for (const mode of ["height", "intensity", "time"]) {
