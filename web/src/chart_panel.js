@@ -74,6 +74,14 @@ const rowAxis = (rows) => ({
   values: (_, splits) => splits.map((i) => rows[i]),
 });
 
+/** The way back to the whole from what was dragged over. */
+export function showAll(store) {
+  const button = el("button", { type: "button" }, "Show all");
+  button.addEventListener("click", () => store.set("range", null));
+  store.watch(["range"], () => (button.hidden = store.get("range") === null));
+  return button;
+}
+
 export class ChartPanel {
   constructor(spec, context) {
     this.spec = spec;

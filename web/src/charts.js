@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The section with everything over time or path.
-import { ChartPanel } from "./chart_panel.js";
+import { ChartPanel, showAll } from "./chart_panel.js";
 import { axisOf, kCharts } from "./chart_specs.js";
 import { choice, el } from "./dom.js";
 
@@ -18,8 +18,6 @@ function shadingLegend() {
 export function addCharts(page, context) {
   const { store } = context;
   const panels = kCharts.map((spec) => new ChartPanel(spec, context));
-  const reset = el("button", { type: "button" }, "Show all");
-  reset.addEventListener("click", () => store.set("range", null));
   const axes = choice(
     "Axis of the charts",
     [
@@ -50,7 +48,7 @@ export function addCharts(page, context) {
         {},
         el("h2", { id: "charts-title" }, "Scan by scan"),
         shadingLegend(),
-        el("div.controls", {}, axes, reset),
+        el("div.controls", {}, axes, showAll(store)),
       ),
       el("p.note", {}, "Hover to mark an instant everywhere; drag to look closer."),
       ...groups,
@@ -62,10 +60,7 @@ export function addCharts(page, context) {
     for (const group of groups)
       group.hidden = [...group.lastChild.children].every((panel) => panel.hidden);
   });
-  store.watch(["range"], () => {
-    reset.hidden = store.get("range") === null;
-    for (const panel of panels) panel.showRange();
-  });
+  store.watch(["range"], () => panels.forEach((panel) => panel.showRange()));
   let scheduled = false;
   store.watch(["cursor"], () => {
     if (scheduled) return;

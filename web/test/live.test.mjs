@@ -10,7 +10,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { colorsOf, launch, settle } from "./browser.mjs";
+import { colorsOf, hover, launch, settle } from "./browser.mjs";
 
 const { SUREFOOT_TEST_PROGRAM: program, SUREFOOT_TEST_WALK: walk } = process.env;
 const folder = mkdtempSync(join(tmpdir(), "surefoot_live_"));
@@ -117,6 +117,23 @@ test("shows the figures", async () => {
   assert.match(texts.scans, /^\d+$/);
   assert.match(texts.wrong, /^(–|0|[01]\.\d+|\d\.\d+e-\d+)$/);
   assert.equal(await page.$eval("h1", ({ textContent }) => textContent), "walk.mcap");
+});
+
+test("shows a part of the charts closely, and all of them again", async () => {
+  const range = () => page.evaluate(() => window.surefootLive.store.get("range"));
+  const [button] = await page.$$("section .heading .controls button");
+  assert.equal(await button.isVisible(), false);
+  const plot = await page.$(".chart .u-over");
+  await hover(page, plot, 0.3, 0.5);
+  const { x, y, width, height } = await plot.boundingBox();
+  await page.mouse.down();
+  await page.mouse.move(x + 0.7 * width, y + 0.5 * height);
+  await page.mouse.up();
+  await settle(page);
+  assert.equal((await range()).length, 2);
+  await button.click();
+  assert.equal(await range(), null);
+  assert.equal(await button.isVisible(), false);
 });
 
 test("keeps the token to itself", async () => {

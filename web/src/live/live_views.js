@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Map, path and charts of a run that goes on: the report's, drawn again as it grows.
-import { ChartPanel } from "../chart_panel.js";
+import { ChartPanel, showAll } from "../chart_panel.js";
 import { axisOf, columnLines } from "../chart_specs.js";
 import { el } from "../dom.js";
 import { kAlongTheWay, kFromAbove, PlanView } from "../plan_view.js";
@@ -82,6 +82,7 @@ export function addLiveViews(page, context) {
     side: el("div.canvas.side"),
   };
   const panels = kCharts.map((spec) => new ChartPanel(spec, context));
+  const whole = showAll(context.store);
   page.append(
     el(
       "section.views",
@@ -103,6 +104,7 @@ export function addLiveViews(page, context) {
     el(
       "section",
       { "aria-label": "Scan by scan" },
+      el("div.heading", {}, el("p.note", {}, "Drag to look closer."), el("div.controls", {}, whole)),
       el("div.charts", {}, ...panels.map((panel) => panel.element)),
     ),
   );
