@@ -143,12 +143,23 @@ test("keeps the token to itself", async () => {
   await stranger.waitForSelector("html[data-ready]");
   assert.equal((await stranger.$$("button[data-command]")).length, 0);
   assert.match(await stranger.$eval(".chosen", ({ textContent }) => textContent), /look at only/);
+  await stranger.goto(address); // in the same tab
+  await stranger.waitForSelector("button[data-command]");
   await stranger.close();
 });
 
 test("saves the map", async () => {
   await press("save_map", "map.ply");
   assert.ok(statSync(join(folder, "run", "map.ply")).size > 1000);
+});
+
+test("takes the token of the address that is opened in its tab", async () => {
+  await page.evaluate(() => (location.hash = "token=of-an-earlier-run"));
+  await press("pause", "token is missing or wrong");
+  assert.doesNotMatch(page.url(), /token/);
+  complaints.length = 0; // the browser tells of every refusal
+  await page.goto(address);
+  await press("save_map", "map.ply");
 });
 
 test("searches for its place in the map", async () => {

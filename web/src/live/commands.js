@@ -29,7 +29,13 @@ async function ask(command, token) {
 
 /** The buttons, and show(state), which names the first one and has those that the run knows. */
 export function makeCommands() {
-  const token = takeToken();
+  let token = takeToken();
+  // The address of a later run, opened where an earlier one was looked at, loads no page.
+  addEventListener("hashchange", () => {
+    const earlier = token;
+    token = takeToken();
+    if (token && !earlier) location.reload();
+  });
   const said = el("span.note", { role: "status" });
   const element = el("div.controls.chosen", { role: "group", "aria-label": "Commands" });
   if (!token) {
