@@ -58,6 +58,8 @@ export class Scene3d {
     };
     for (const marker of Object.values(this.markers)) this.scene.add(marker.object);
     onResize(canvas.parentElement, () => this.resize());
+    // The browser may take the graphics away for a while; with them goes what was drawn.
+    canvas.addEventListener("webglcontextrestored", () => this.setTheme());
     canvas.addEventListener("pointermove", (event) => this.#hover(event));
   }
 

@@ -22,8 +22,8 @@ export function launch(executablePath) {
   });
 }
 
-/** Opens the file and waits until it is shown; what it complains of, and asks the network for, is kept. */
-export async function open(browser, file, { theme = "light", width = 1100, height = 800 } = {}) {
+/** Opens the file, after `first` has run in it, and waits until it is shown; what it complains of, and asks the network for, is kept. */
+export async function open(browser, file, { theme = "light", width = 1100, height = 800, first } = {}) {
   const page = await browser.newPage();
   page.setDefaultTimeout(kPatience);
   const complaints = [];
@@ -33,6 +33,7 @@ export async function open(browser, file, { theme = "light", width = 1100, heigh
   });
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("request", (request) => requests.push(request.url().slice(0, 80)));
+  if (first) await page.evaluateOnNewDocument(first);
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: theme }]);
   await page.goto(`file://${file}`);
@@ -74,5 +75,17 @@ export async function hover(page, element, x, y) {
   await element.scrollIntoView();
   const box = await element.boundingBox();
   await page.mouse.move(box.x + x * box.width, box.y + y * box.height, { steps: 3 });
+  await settle(page);
+}
+
+/** Takes a canvas its graphics, as a browser may at any time, and gives them back. */
+export async function loseGraphics(page, selector) {
+  const extension = await page.evaluateHandle(
+    (at) => document.querySelector(at).getContext("webgl2").getExtension("WEBGL_lose_context"),
+    selector,
+  );
+  await extension.evaluate((context) => context.loseContext());
+  await settle(page);
+  await extension.evaluate((context) => context.restoreContext());
   await settle(page);
 }

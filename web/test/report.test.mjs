@@ -7,10 +7,12 @@
 // a run without map and truth; SUREFOOT_TEST_LOOPED, the page of a run with a loop and a refused
 // one; SUREFOOT_TEST_BROWSER, a Chromium.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { colorsOf, hover, launch, open, settle } from "./browser.mjs";
+import { colorsOf, hover, launch, loseGraphics, open, settle } from "./browser.mjs";
 
 const report = process.env.SUREFOOT_TEST_REPORT;
 const kViews = [".scene canvas", ".top canvas", ".side canvas"];
@@ -166,6 +168,12 @@ test("obeys the keys", async () => {
   await page.keyboard.press("Home");
   await page.keyboard.press("ArrowRight");
   assert.equal(await stored("cursor"), (await times())[1]);
+});
+
+test("draws again when the browser gives its graphics back", async () => {
+  const { text } = await colorsOf(page, ".scene canvas");
+  await loseGraphics(page, ".scene canvas");
+  assert.equal((await colorsOf(page, ".scene canvas")).text, text);
 });
 
 test("replays the run", async () => {

@@ -4,14 +4,15 @@
 // A map as 3D Tiles: each tile as glTF's own validator sees it, and the page beside them.
 // Environment: SUREFOOT_TEST_TILES, a folder of `surefoot export --tiles`; SUREFOOT_TEST_BROWSER.
 import assert from "node:assert/strict";
-import { readdir, readFile } from "node:fs/promises";
+import { copyFile, mkdir, mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";
+import { tmpdir } from "node:os";
 import { join, normalize } from "node:path";
 import { after, before, test } from "node:test";
 
 import validator from "gltf-validator";
 
-import { colorsOf, launch, settle } from "./browser.mjs";
+import { colorsOf, launch, loseGraphics, settle } from "./browser.mjs";
 
 const { SUREFOOT_TEST_TILES: folder, SUREFOOT_TEST_BROWSER: chromium } = process.env;
 const asked = [];
@@ -77,7 +78,29 @@ test("draws the tiles, from afar and from nearby", async () => {
   assert.deepEqual(complaints, []);
 });
 
+test("draws again when the browser gives its graphics back", async () => {
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+  await settle(page);
+  const { text, dark } = await colorsOf(page, "#map");
+  assert.ok(dark);
+  await loseGraphics(page, "#map");
+  assert.equal((await colorsOf(page, "#map")).text, text);
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "light" }]);
+});
+
 test("says how it is to be served where it is opened as a file", async () => {
   await page.goto(`file://${join(folder, "index.html")}`);
-  assert.match(await page.$eval("#state", ({ textContent }) => textContent), /http\.server/);
+  const said = () => page.$eval("#state", ({ textContent }) => textContent);
+  assert.match(await said(), /http\.server/);
+  assert.equal(await page.$eval("html", ({ dataset }) => dataset.theme), "light");
+  const odd = await mkdtemp(join(tmpdir(), "it's_"));
+  await copyFile(join(folder, "index.html"), join(odd, "index.html"));
+  await page.goto(`file://${odd}/index.html`);
+  assert.match(await said(), /-d '[^']*it'\\''s_[^']*',/);
+  const unreadable = Buffer.concat([Buffer.from(odd), Buffer.from([0x2f, 0x62, 0xe9])]);
+  await mkdir(unreadable);
+  await copyFile(join(folder, "index.html"), Buffer.concat([unreadable, Buffer.from("/index.html")]));
+  await page.goto(`file://${odd}/b%E9/index.html`);
+  assert.match(await said(), /-d FOLDER,/);
+  await rm(odd, { recursive: true });
 });

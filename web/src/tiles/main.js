@@ -7,12 +7,15 @@ import { TilesRenderer } from "3d-tiles-renderer/three";
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { Store } from "../store.js";
+import { color, followTheme } from "../theme.js";
+
 const kTarget = 8; // [px] of geometricError, which is four times the points' spacing: 2 px apart
 const kPointSize = 2; // [px]
 
 class TilesView {
   /** Throws where the browser has no WebGL. */
-  constructor(canvas, state) {
+  constructor(canvas, state, store) {
     this.canvas = canvas;
     this.state = state;
     this.renderer = new THREE.WebGLRenderer({
@@ -21,10 +24,6 @@ class TilesView {
       preserveDrawingBuffer: true,
     });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    const dark = matchMedia("(prefers-color-scheme: dark)");
-    const paint = () => this.renderer.setClearColor(dark.matches ? "#15171b" : "#fbfaf7");
-    paint();
-    dark.addEventListener("change", () => (paint(), this.draw()));
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(50, 1, 0.1, 5000);
     this.camera.up.set(0, 0, 1);
@@ -35,6 +34,13 @@ class TilesView {
     this.#load();
     addEventListener("resize", () => this.resize());
     this.resize();
+    store.watch(["theme"], () => this.#paint());
+    canvas.addEventListener("webglcontextrestored", () => this.#paint());
+  }
+
+  #paint() {
+    this.renderer.setClearColor(color("scene"));
+    this.draw();
   }
 
   #load() {
@@ -117,14 +123,25 @@ class TilesView {
   }
 }
 
+/** This page's folder as a shell takes it. */
+function folderHere() {
+  try {
+    const folder = decodeURIComponent(location.pathname).replace(/\/[^/]*$/, "");
+    return `'${folder.replaceAll("'", "'\\''")}'`;
+  } catch {
+    return "FOLDER"; // its name is no UTF-8
+  }
+}
+
+const store = new Store({ themeWish: "auto", theme: "light" });
+followTheme(store);
 const state = document.getElementById("state");
 if (location.protocol === "file:") {
   // Browsers keep a page that was opened as a file from reading the files beside it.
-  const folder = decodeURIComponent(location.pathname).replace(/\/[^/]*$/, "");
-  state.textContent = `A browser shows this only from a server. Run: python3 -m http.server --bind 127.0.0.1 -d '${folder}', and open http://127.0.0.1:8000/`;
+  state.textContent = `A browser shows this only from a server. Run: python3 -m http.server --bind 127.0.0.1 -d ${folderHere()}, and open http://127.0.0.1:8000/`;
 } else {
   try {
-    window.surefootTiles = new TilesView(document.getElementById("map"), state);
+    window.surefootTiles = new TilesView(document.getElementById("map"), state, store);
   } catch (error) {
     state.textContent = `The map cannot be drawn here: ${error.message}`;
   }
