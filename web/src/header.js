@@ -93,10 +93,13 @@ export function addHeader(page, context) {
     const truth = run.figures ? "compared with the truth" : "no truth to compare with";
     const names = [context.recording().name, run.name].filter((name) => name !== report.title);
     subtitle.textContent = `${names.join(", ")}; ${truth}`;
-    const focused = chosen.contains(document.activeElement) && document.activeElement.value;
+    const focused = chosen.contains(document.activeElement) && document.activeElement;
     chosen.replaceChildren(...runChoice(context));
     chosen.hidden = chosen.childElementCount === 0;
-    if (focused) chosen.querySelector(`input[value="${CSS.escape(focused)}"]`)?.focus();
+    if (focused) {
+      const same = focused.matches("select") ? "select" : `input[value="${CSS.escape(focused.value)}"]`;
+      chosen.querySelector(same)?.focus();
+    }
     figures.replaceChildren(...keyFigures(run));
   });
 }

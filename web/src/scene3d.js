@@ -51,6 +51,7 @@ export class Scene3d {
     this.mode = "height";
     this.pointSize = 1.5;
     this.showMap = true;
+    this.showTruth = true;
     this.markers = {
       start: new Marker("start", 20),
       end: new Marker("end", 20),
@@ -79,6 +80,7 @@ export class Scene3d {
     const run = this.context.run();
     const truth = this.context.recording().truth;
     if (truth) this.#addLine("truth", truth.positions, { width: 2, dashed: true, order: 3 });
+    this.setTruthShown(this.showTruth);
     this.context.companions().forEach((companion, place) => {
       const here = companion === run;
       const { segment: segments } = companion.scans.columns;
@@ -151,6 +153,7 @@ export class Scene3d {
   }
 
   setTruthShown(shown) {
+    this.showTruth = shown;
     for (const line of this.lines) {
       if (line.role === "truth") line.object.visible = shown && !line.empty;
     }

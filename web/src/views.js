@@ -37,21 +37,24 @@ function pathLegend({ run, recording, companions }) {
   return items;
 }
 
-/** What the path is coloured by, with the range of its colours. */
-function shadeControls(context) {
-  const { store } = context;
-  const choices = shadeChoices(context.run());
+/** What the path is coloured by. */
+function shadeControls({ store, run }) {
+  const choices = shadeChoices(run());
   if (!choices.some(([key]) => key === store.get("shade"))) store.set("shade", "run");
   if (choices.length === 1) return [];
-  const chosen = choice("Colour of the path", choices, store.get("shade"), (key) =>
-    store.set("shade", key),
-  );
+  return [
+    choice("Colour of the path", choices, store.get("shade"), (key) => store.set("shade", key)),
+  ];
+}
+
+/** The range of the path's colours. */
+function shadeRange(context) {
   const shades = pathShades(context);
-  if (!shades) return [chosen];
+  if (!shades) return [];
   const bar = el("i.palette");
-  bar.style.background = paletteGradient(store.get("theme"));
+  bar.style.background = paletteGradient(context.store.get("theme"));
   const text = (value) => el("span", {}, `${significant(value, 2)} m`);
-  return [chosen, el("div.colours", {}, text(shades.low), bar, text(shades.high))];
+  return [text(shades.low), bar, text(shades.high)];
 }
 
 function mapControls(scene, context, legend) {
@@ -81,7 +84,7 @@ function mapControls(scene, context, legend) {
     map && colours,
     map && el("label.slider", {}, el("span", {}, "Points"), size),
     map && toggle("Map", scene.showMap, (shown) => scene.setMapShown(shown)),
-    recording().truth && toggle("Truth", true, (shown) => scene.setTruthShown(shown)),
+    recording().truth && toggle("Truth", scene.showTruth, (shown) => scene.setTruthShown(shown)),
     reset,
   ].filter(Boolean);
 }
@@ -134,7 +137,9 @@ export function addViews(page, context) {
   const legend = el("ul.legend");
   const colours = el("div.colours");
   const controls = el("div.controls", { role: "group", "aria-label": "3-D view" });
-  const shades = el("div.controls", { role: "group", "aria-label": "Paths" });
+  const shades = el("div.controls");
+  const range = el("div.colours");
+  const paths = el("div.controls", { role: "group", "aria-label": "Paths" }, shades, range);
   const scene = el("div.canvas.scene");
   const top = el("div.canvas.top");
   const side = el("div.canvas.side");
@@ -143,7 +148,7 @@ export function addViews(page, context) {
     el(
       "section.views",
       { "aria-labelledby": "views-title" },
-      el("div.heading", {}, el("h2", { id: "views-title" }, "Path and map"), legend, shades),
+      el("div.heading", {}, el("h2", { id: "views-title" }, "Path and map"), legend, paths),
       el(
         "div.grid",
         {},
@@ -161,8 +166,10 @@ export function addViews(page, context) {
   );
   context.store.watch(["run"], () => (note.textContent = mapNote(context.run().map)));
   context.store.watch(["run", "theme"], () => legend.replaceChildren(...pathLegend(context)));
+  // Not with the choice itself: who is at it with the keyboard stays there.
+  context.store.watch(["run"], () => shades.replaceChildren(...shadeControls(context)));
   context.store.watch(["run", "theme", "shade"], () =>
-    shades.replaceChildren(...shadeControls(context)),
+    range.replaceChildren(...shadeRange(context)),
   );
   addScene(scene, controls, colours, context);
   addPlan(top, context, kFromAbove, "Paths seen from above, x to the right, y upwards, in metres");

@@ -97,6 +97,15 @@ test("colours the path by its error and by what it says of itself", async () => 
   assert.equal(seen.size, 9);
 });
 
+test("leaves the keyboard where it chooses the path's colour", async () => {
+  await page.focus('.controls input[value="run"]');
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await stored("shade"), "sigma");
+  await page.keyboard.press("ArrowRight"); // round
+  assert.equal(await stored("shade"), "run");
+});
+
 test("gives every line of a legend its colour", async () => {
   const swatches = await page.$$eval(".chart:not([hidden]) .legend i", (all) =>
     all.map((swatch) => getComputedStyle(swatch).background),
@@ -211,6 +220,14 @@ test("is dark where it is asked to be", async () => {
   await settle(page);
   assert.equal(await page.$eval("html", (html) => html.dataset.theme), "dark");
   assert.equal((await colorsOf(page, ".scene canvas")).dark, true);
+});
+
+test("keeps the truth's switch as it is in another theme", async () => {
+  const truth = '.controls label.toggle:last-of-type input';
+  await page.$eval(truth, (input) => input.click());
+  await page.click('header .choice label:has(input[value="light"])');
+  await settle(page);
+  assert.equal(await page.$eval(truth, ({ checked }) => checked), false);
 });
 
 test("fits a telephone", async () => {
