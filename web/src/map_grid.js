@@ -19,18 +19,18 @@ function addScenes(grid, context, runs) {
   const scenes = [];
   for (const run of runs) {
     const canvas = el("canvas", { role: "img", "aria-label": `Map of ${run.name}` });
-    grid.append(
-      el(
-        "figure.card",
-        {},
-        el("figcaption", {}, el("h3", {}, run.name)),
-        el("div.canvas.one-map", {}, canvas),
-      ),
+    const card = el(
+      "figure.card",
+      {},
+      el("figcaption", {}, el("h3", {}, run.name)),
+      el("div.canvas.one-map", {}, canvas),
     );
+    grid.append(card);
     try {
       scenes.push(new Scene3d(canvas, { ...context, run: () => run }));
     } catch {
-      return scenes; // the large view says why
+      card.remove(); // the large view says why
+      break;
     }
   }
   scenes.forEach((scene) => {
@@ -72,7 +72,8 @@ export function addMapGrid(page, context) {
     section.hidden = runs.length < 2;
     note.textContent = runs.length > kMaps ? `The first ${kMaps} of ${runs.length}.` : "";
     scenes = section.hidden ? [] : addScenes(grid, context, runs.slice(0, kMaps));
+    section.hidden = scenes.length < 2;
   });
   context.store.watch(["cursor", "playing"], () => scenes.forEach((scene) => scene.setCursor()));
-  context.store.watch(["theme"], () => scenes.forEach((scene) => scene.setTheme()));
+  context.store.watch(["theme", "shade"], () => scenes.forEach((scene) => scene.setTheme()));
 }

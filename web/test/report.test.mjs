@@ -264,7 +264,47 @@ test("shows several runs beside each other, dark where the system is", async () 
   assert.equal(await comparison.evaluate(() => window.surefootReport.store.get("run")), 1);
   assert.ok(await comparison.$('td[data-place="1"]'));
   await turnsBoth(comparison);
+  const first = ".card:nth-child(1) .one-map canvas";
+  const { text } = await colorsOf(comparison, first);
+  await comparison.click('.controls label:has(input[value="sigma"])');
+  await settle(comparison);
+  assert.notEqual((await colorsOf(comparison, first)).text, text);
   assertQuiet(opened.complaints, opened.requests);
+});
+
+test("says once that there is no WebGL", async () => {
+  const { page: plain } = await open(browser, process.env.SUREFOOT_TEST_COMPARISON, {
+    first: () => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+        return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...more);
+      };
+    },
+  });
+  assert.equal((await plain.$$(".failure")).length, 1);
+  assert.equal(await plain.$eval(".side-by-side", (section) => section.hidden), true);
+});
+
+test("leaves the keyboard where it chooses the recording", async () => {
+  const folder = await mkdtemp(join(tmpdir(), "surefoot_report_"));
+  const text = await readFile(process.env.SUREFOOT_TEST_COMPARISON, "utf8");
+  const two = text.replace(/(id="report-data">)([^<]*)/, (_, tag, data) => {
+    const { recordings, runs, ...more } = JSON.parse(data);
+    const apart = runs.map((run, i) => ({ ...run, recording: i }));
+    const named = ["one", "another"].map((name) => ({ ...recordings[0], name }));
+    return tag + JSON.stringify({ ...more, recordings: named, runs: apart });
+  });
+  await writeFile(join(folder, "two.html"), two);
+  const { page: chosen } = await open(browser, join(folder, "two.html"));
+  await rm(folder, { recursive: true });
+  await chosen.focus(".chosen select");
+  for (const [key, run] of [
+    ["ArrowDown", 1],
+    ["ArrowUp", 0],
+  ]) {
+    await chosen.keyboard.press(key);
+    assert.equal(await chosen.evaluate(() => window.surefootReport.store.get("run")), run);
+  }
 });
 
 test("does without map and truth", async () => {
