@@ -141,7 +141,8 @@ export class ChartPanel {
   /** For those who do not see the chart. */
   #describe() {
     const { title, unit } = this.spec;
-    const parts = this.lines.map(({ label, own, values }) => {
+    const parts = this.lines.map(({ label, own, values, told }) => {
+      if (told) return `${label} in ${told}`;
       const numbers = own ?? values;
       return `${label} median ${significant(quantile(numbers, 0.5), 3)}, largest ${significant(quantile(numbers, 1), 3)}`;
     });
@@ -194,7 +195,7 @@ export class ChartPanel {
       swatch.style.background = line.stroke;
       if (line.dash) swatch.className = "line dashed";
       const value = cursor === null ? "" : significant(this.#valueAt(line, cursor), 3);
-      return el("li", {}, swatch, line.label, el("b", {}, value));
+      return el("li", {}, swatch, line.label, el("b", {}, line.told ?? value));
     });
     this.legend.replaceChildren(...entries);
   }

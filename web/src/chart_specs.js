@@ -3,6 +3,7 @@
 //
 // What each chart shows of the run that is looked at and of its companions.
 import { brokenLine, interpolate } from "./data.js";
+import { grouped } from "./numbers.js";
 import { color, runColor, stepColor } from "./theme.js";
 
 /** One line of a chart: values at times of its own. */
@@ -102,7 +103,7 @@ function positionSigmaLines(context) {
   return lines;
 }
 
-/** A row a direction, a dot a scan that hardly sees it. */
+/** A row a direction, a dot a scan that hardly sees it; a row's number says nothing, `told` does. */
 const kDirections = ["forward", "lateral", "up", "roll", "pitch", "yaw"];
 function weakDirectionLines(context) {
   const { scans } = context.run();
@@ -110,7 +111,9 @@ function weakDirectionLines(context) {
     const weak = scans.degenerate.map((names) => names.split(" ").includes(direction));
     if (!weak.some(Boolean)) return [];
     const values = weak.map((is) => (is ? row : NaN));
-    return [line(direction, scans.times, values, stepColor(row), { width: 0, dots: true })];
+    const count = weak.filter(Boolean).length;
+    const told = `${grouped(count)} ${count === 1 ? "scan" : "scans"}`;
+    return [line(direction, scans.times, values, stepColor(row), { width: 0, dots: true, told })];
   });
 }
 
