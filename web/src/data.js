@@ -26,12 +26,14 @@ function decodeAll(series) {
 export function pathLengths(positions, segments = null) {
   const lengths = new Float32Array(positions.length / 3);
   let sum = 0;
-  let last = null;
+  let last = -1; // the last pose that there is: a segment may begin with scans that have none
   for (let i = 0; i < lengths.length; ++i) {
-    const here = positions.subarray(3 * i, 3 * i + 3);
-    if (!Number.isNaN(here[0])) {
-      if (last && !isBreak(segments, i)) sum += Math.hypot(here[0] - last[0], here[1] - last[1], here[2] - last[2]);
-      last = here;
+    const [x, y, z] = positions.subarray(3 * i, 3 * i + 3);
+    if (!Number.isNaN(x)) {
+      const from = positions.subarray(3 * last, 3 * last + 3);
+      const joined = last >= 0 && (!segments || segments[i] === segments[last]);
+      if (joined) sum += Math.hypot(x - from[0], y - from[1], z - from[2]);
+      last = i;
     }
     lengths[i] = sum;
   }
@@ -164,5 +166,6 @@ export function interpolate(times, values, time) {
   if (times[index] > time) --index;
   const step = times[index + 1] - times[index];
   const share = step > 0 ? (time - times[index]) / step : 0;
+  if (share === 0) return values[index]; // whose neighbour may be missing
   return values[index] + share * (values[index + 1] - values[index]);
 }

@@ -30,7 +30,8 @@ export function quantile(values, share) {
 
 export function duration(seconds) {
   if (seconds < 120) return `${fixed(seconds, 1)} s`;
-  return `${Math.floor(seconds / 60)} min ${String(Math.round(seconds % 60)).padStart(2, "0")} s`;
+  const whole = Math.round(seconds);
+  return `${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, "0")} s`;
 }
 
 /** How many decimals a step has, and with it all of its multiples. */

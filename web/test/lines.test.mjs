@@ -6,8 +6,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { peaksOf, valueRange } from "../src/chart_range.js";
-import { brokenLine, isBreak } from "../src/data.js";
-import { decimalsOf, fixed, niceStep, quantile } from "../src/numbers.js";
+import { brokenLine, interpolate, isBreak, pathLengths } from "../src/data.js";
+import { decimalsOf, duration, fixed, niceStep, quantile } from "../src/numbers.js";
 
 test("no line joins two segments", () => {
   const scans = { times: [0, 1, 2, 3, 4], columns: { segment: [0, 0, 0, 1, 1] } };
@@ -19,6 +19,23 @@ test("no line joins two segments", () => {
   assert.ok(!isBreak(undefined, 3)); // a run of before there were segments
   const [all] = brokenLine(scans.times, [1, 2, 3, 4, 5], { times: scans.times, columns: {} });
   assert.deepEqual([...all], scans.times);
+});
+
+test("no way leads to a segment that begins with a scan that was rejected", () => {
+  const positions = Float32Array.from([0, 0, 0, 3, 0, 4, NaN, NaN, NaN, 100, 0, 0, 101, 0, 0]);
+  assert.deepEqual([...pathLengths(positions, [0, 0, 1, 1, 1])], [0, 5, 5, 5, 6]);
+  assert.deepEqual([...pathLengths(positions.subarray(0, 9))], [0, 5, 5]);
+});
+
+test("a value beside a missing one is there at its own time", () => {
+  assert.equal(interpolate([0, 1, 2], [NaN, 5, NaN], 1), 5);
+  assert.equal(interpolate([0, 1, 2], [1, 5, 7], 1.5), 6);
+});
+
+test("durations have no 60 seconds", () => {
+  assert.equal(duration(119.7), "119.7 s");
+  assert.equal(duration(179.7), "3 min 00 s");
+  assert.equal(duration(125), "2 min 05 s");
 });
 
 test("quantiles are the nearest values, as surefoot run prints them", () => {
