@@ -92,7 +92,7 @@ struct ReportRun {
   std::vector<Fact> facts;
   std::vector<std::string> notes;
   std::vector<ReportParameter> parameters;
-  ScanTable scans;
+  ScanTable scans;                         ///< with stamps of a clock that goes on
   std::vector<std::optional<Pose>> poses;  ///< one a scan; none for a rejected one
   std::optional<RunEvaluation> evaluation;
   MapCloud map;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -19,6 +20,7 @@
 #include "report/report_json.hpp"
 #include "runs/run_folder.hpp"
 #include "runs/run_truth.hpp"
+#include "runs/walk_times.hpp"
 
 namespace surefoot::runs {
 
@@ -101,11 +103,10 @@ std::string name_of(const fs::path& path) {
 }  // namespace
 
 std::size_t ReportMaker::recording_of(const fs::path& input) {
-  const auto found = std::find(inputs_.begin(), inputs_.end(), input);
-  const auto index = static_cast<std::size_t>(found - inputs_.begin());
-  if (found == inputs_.end()) {
-    inputs_.push_back(input);
-    origins_.emplace_back();
+  const auto found = std::ranges::find(recordings_, input, &Recording::input);
+  const auto index = static_cast<std::size_t>(found - recordings_.begin());
+  if (found == recordings_.end()) {
+    recordings_.push_back({input, {}, {}});
     report_.recordings.push_back({input.empty() ? "recording not known" : name_of(input), {}});
   }
   return index;
@@ -121,6 +122,8 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   run.parameters = std::move(read.parameters);
   run.scans = std::move(read.scans);
   run.poses = std::move(read.poses);
+  // Views and charts take times that ascend.
+  run.scans.stamps_ns = walk_times(run.scans.stamps_ns, run.poses);
   run.map = std::move(read.map);
   run.deskewing = std::move(read.deskewing);
   run.loops = std::move(read.loops);
@@ -138,14 +141,10 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
     const Trajectory poses = read_truth_poses(truth_file);
     run.facts.emplace_back("Truth", truth_file.string());
     try {
-      std::optional<Eigen::Vector3d>& origin = origins_[run.recording];
-      if (!origin) origin = origin_near(poses);
-      evaluate_run(poses, read.measured, *origin, run);
-      Trajectory& shown = report_.recordings[run.recording].truth;
-      if (shown.empty() && run.scans.size() > 0) {
-        shown = truth_between(poses, run.scans.stamps_ns.front(), run.scans.stamps_ns.back());
-        for (StampedPose& pose : shown) pose.pose.translation -= *origin;
-      }
+      Recording& recording = recordings_[run.recording];
+      if (!recording.origin) recording.origin = origin_near(poses);
+      evaluate_run(poses, read.measured, *recording.origin, run);
+      if (recording.truth.empty()) recording.truth = poses;
     } catch (const std::exception& error) {
       run.notes.push_back(fmt::format("not compared with the truth: {}", error.what()));
       problems_.push_back(fmt::format("{}: {}", folder.string(), run.notes.back()));
@@ -154,9 +153,26 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   report_.runs.push_back(std::move(run));
 }
 
+/// While any of the recording's runs lasted: they may be of different parts of it.
+Trajectory ReportMaker::shown_truth(std::size_t recording) const {
+  std::int64_t first_ns = std::numeric_limits<std::int64_t>::max();
+  std::int64_t last_ns = std::numeric_limits<std::int64_t>::min();
+  for (const report::ReportRun& run : report_.runs) {
+    if (run.recording != recording || run.scans.size() == 0) continue;
+    first_ns = std::min(first_ns, run.scans.stamps_ns.front());
+    last_ns = std::max(last_ns, run.scans.stamps_ns.back());
+  }
+  Trajectory shown = truth_between(recordings_[recording].truth, first_ns, last_ns);
+  for (StampedPose& pose : shown) pose.pose.translation -= *recordings_[recording].origin;
+  return shown;
+}
+
 report::Report ReportMaker::take(const std::string& title) {
   report_.version = SUREFOOT_VERSION;
   report_.title = title;
+  for (std::size_t i = 0; i < recordings_.size(); ++i) {
+    report_.recordings[i].truth = shown_truth(i);
+  }
   if (title.empty() && report_.recordings.size() == 1) {
     report_.title = report_.recordings.front().name;
   } else if (title.empty()) {

@@ -34,12 +34,17 @@ class ReportMaker {
 
  private:
   std::size_t recording_of(const std::filesystem::path& input);
+  [[nodiscard]] Trajectory shown_truth(std::size_t recording) const;
 
   std::filesystem::path truth_;
   report::Report report_;
-  std::vector<std::filesystem::path> inputs_;  // of report_.recordings
-  std::vector<std::optional<Eigen::Vector3d>>
-      origins_;  // of the truths' worlds, where one is known
+  /// What is known of one of report_.recordings.
+  struct Recording {
+    std::filesystem::path input;
+    std::optional<Eigen::Vector3d> origin;  // of the truth's world, where one is known
+    Trajectory truth;                       // the whole of it
+  };
+  std::vector<Recording> recordings_;
   std::vector<std::string> problems_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "io/files/ply_writer.hpp"
@@ -71,6 +72,47 @@ TEST_F(ReportMakerTest, OfCoordinatesInUtmIsShownFromAnOriginNearby) {
   }
   const report::Fact said{"Coordinates", "of the truth, less x 512000, y 5412000, z 0 m"};
   EXPECT_NE(std::find(run.facts.begin(), run.facts.end(), said), run.facts.end());
+}
+
+/// Copies the run's first scans into a folder of its own.
+void copy_part(const std::filesystem::path& run, const std::filesystem::path& part, int scans) {
+  std::filesystem::create_directories(part);
+  for (const auto& [file, head] : {std::pair{kScansFile, 1}, {kKittiTrajectoryFile, 0}}) {
+    std::ifstream whole(run / file);
+    std::ofstream kept(part / file);
+    std::string line;
+    for (int i = 0; i < scans + head && std::getline(whole, line); ++i) kept << line << '\n';
+  }
+  Trajectory measured = io::read_tum(run / kTrajectoryFile);
+  measured.resize(static_cast<std::size_t>(scans));
+  io::write_tum(part / kTrajectoryFile, measured);
+}
+
+TEST_F(ReportMakerTest, ShowsTheTruthOverAllRunsOfARecording) {
+  copy_part(run_, folder_ / "first", 10);
+  ReportMaker maker;
+  maker.add_run(folder_ / "first", {}, folder_ / "utm.tum");
+  maker.add_run(run_, {}, folder_ / "utm.tum");
+  const report::Report report = maker.take({});
+  ASSERT_EQ(report.runs.at(0).scans.size(), 10U);
+  EXPECT_EQ(report.recordings.at(0).truth.size(), truth_.size());
+}
+
+TEST_F(ReportMakerTest, OfAClockThatWasSetBackHasTimesThatAscend) {
+  std::string scans = scans_csv_header();
+  for (std::size_t i = 0; i < 40; ++i) {
+    Estimate estimate;
+    estimate.status = Status::ok;
+    estimate.stamp_ns = (static_cast<std::int64_t>(i) - (i < 20 ? 0 : 3000)) * 100'000'000;
+    scans += scans_csv_line({i, "a", estimate, {}});
+  }
+  write("run/scans.csv", scans);
+  ReportMaker maker;
+  maker.add_run(run_);
+  const report::Report report = maker.take({});
+  const std::vector<std::int64_t>& stamps = report.runs.at(0).scans.stamps_ns;
+  EXPECT_TRUE(std::ranges::is_sorted(stamps));
+  EXPECT_LT(stamps.back() - stamps.front(), 6'000'000'000);
 }
 
 TEST_F(ReportMakerTest, OfCoordinatesNearTheOriginIsShownAsTheyAre) {
