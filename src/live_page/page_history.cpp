@@ -56,6 +56,7 @@ std::optional<std::uint64_t> cube_of(const Eigen::Vector3f& point, double cube) 
 
 void PageHistory::begin(int segment) {
   segment_ = segment;
+  way_ = 0.0;
   path_.clear();
   points_.clear();
   cubes_.clear();
@@ -68,7 +69,11 @@ void PageHistory::begin(int segment) {
 
 void PageHistory::add(PageScan scan) {
   if (!last_) first_stamp_ns_ = scan.stamp_ns;
-  if (!last_ || scan.segment != segment_) begin(scan.segment);
+  if (!last_ || scan.segment != segment_) {
+    begin(scan.segment);
+  } else {
+    way_ += (scan.T_world_lidar.translation - last_->T_world_lidar.translation).norm();
+  }
   if (since_kept_++ % stride_ == 0) {
     path_.push_back(scan);
     if (path_.size() > limits_.poses) thin_path();
@@ -156,6 +161,7 @@ Json PageHistory::news(Told& told) const {
             {"message", last_->message},
             {"segment", last_->segment},
             {"pose", pose_json(last_->T_world_lidar)},
+            {"way_m", number(way_)},
             {"wrong_probability", number(last_->wrong_probability)},
             {"weak", last_->weak},
             {"latency_ms", number(last_->latency_ms)}};

@@ -39,7 +39,7 @@ class PageHistory {
   void add(const PageCloud& cloud);
 
   /// What the viewer has yet to be told of path and map, and the last scan; it counts as told then.
-  /// web/src/live/stream.js reads it.
+  /// web/src/live/live_run.js reads it.
   [[nodiscard]] nlohmann::ordered_json news(Told& told) const;
   /// Whether the viewer has been told all of the map that there is.
   [[nodiscard]] bool all_told(const Told& told) const;
@@ -56,6 +56,7 @@ class PageHistory {
   std::optional<PageScan> last_;
   std::int64_t first_stamp_ns_ = 0;
   int segment_ = 0;
+  double way_ = 0.0;  ///< [m] in this segment, over all its scans
   std::uint64_t path_number_ = 1, map_number_ = 1;
   std::vector<PageScan> path_;
   std::size_t stride_ = 1;  ///< one scan of so many is kept

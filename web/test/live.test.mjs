@@ -113,6 +113,7 @@ test("shows the figures", async () => {
   );
   assert.match(texts.status, /^(ok|first scan)$/);
   assert.match(texts.pose, /^−?\d+\.\d\d, −?\d+\.\d\d, −?\d+\.\d\d$/);
+  assert.match(texts.way, /^\d+\.\d m$/);
   assert.match(texts.latency, /^\d+\.\d ms$/);
   assert.match(texts.scans, /^\d+$/);
   assert.match(texts.wrong, /^(–|0|[01]\.\d+|\d\.\d+e-\d+)$/);

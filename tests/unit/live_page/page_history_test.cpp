@@ -83,6 +83,23 @@ TEST(PageHistory, APathIsBoundedAndCoversTheWholeWay) {
   EXPECT_EQ(news["scan"]["name"], "9999");
 }
 
+TEST(PageHistory, TheWayIsThatOfAllScansHoweverFewPosesAreKept) {
+  PageHistory::Limits limits;
+  limits.poses = 10;
+  PageHistory history(limits);
+  Told told;
+  for (int i = 0; i < 100; ++i) {
+    PageScan scan = scan_at(i);
+    scan.T_world_lidar.translation.y() = i % 2;  // to and fro
+    history.add(scan);
+  }
+  EXPECT_NEAR(history.news(told)["scan"]["way_m"].get<double>(), 99.0 * std::sqrt(2.0), 1e-9);
+  history.add(scan_at(200, 1));
+  EXPECT_EQ(history.news(told)["scan"]["way_m"], 0.0);
+  history.add(scan_at(203, 1));
+  EXPECT_EQ(history.news(told)["scan"]["way_m"], 3.0);
+}
+
 TEST(PageHistory, AMapIsBoundedAndToldInParts) {
   PageHistory::Limits limits;
   limits.points = 3000;

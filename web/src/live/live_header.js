@@ -18,9 +18,8 @@ function anglesOf([x, y, z, w]) {
 
 const kUntold = "–";
 
-function figuresOf({ scan, figures, paused }, run) {
+function figuresOf({ scan, figures, paused }) {
   const { latency_ms: latency } = figures;
-  const way = run.lengths.at(-1) ?? 0;
   const [x, y, z] = scan?.pose.position ?? [];
   const [roll, pitch, yaw] = scan ? anglesOf(scan.pose.quaternion) : [];
   const grade = scan ? gradeOf({ scans: { status: [scan.status] } }, 0) : "ok";
@@ -45,7 +44,7 @@ function figuresOf({ scan, figures, paused }, run) {
     [
       "way",
       "Way",
-      `${fixed(way, 1)} m`,
+      `${fixed(scan?.way_m ?? 0, 1)} m`,
       scan ? `segment ${scan.segment}, ${duration(scan.time)}` : "",
     ],
     [
@@ -93,11 +92,11 @@ export function addLiveHeader(page, store, commands) {
   };
   return {
     say: (text) => (connection.textContent = text),
-    show: ({ state }, run) => {
+    show: ({ state }) => {
       document.title = `${state.title} · Surefoot live`;
       title.textContent = state.title;
       eyebrow.textContent = `Surefoot ${state.version}, live`;
-      for (const [key, label, text, note, grade] of figuresOf(state, run)) {
+      for (const [key, label, text, note, grade] of figuresOf(state)) {
         const [value, below] = place(key, label);
         value.textContent = text;
         below.textContent = note;

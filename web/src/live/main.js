@@ -47,7 +47,6 @@ const views = addLiveViews(page, context);
 const drawPaths = within(400, () => {
   run = live.run;
   views.drawPaths();
-  header.show(live, run);
 });
 const drawCharts = within(1000, views.drawCharts);
 
@@ -56,7 +55,7 @@ events.onopen = () => header.say("as it runs");
 events.onerror = () => header.say("no word from the run: it has ended, or cannot be reached");
 events.onmessage = ({ data }) => {
   live.take(JSON.parse(data));
-  header.show(live, run);
+  header.show(live);
   commands.show(live.state);
   drawPaths();
   drawCharts();
