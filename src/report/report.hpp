@@ -104,6 +104,7 @@ struct ReportRun {
 struct ReportRecording {
   std::string name;
   Trajectory truth;  ///< over the time of the runs; empty if there is none
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m] what was taken off coordinates
 };
 
 struct ReportCell {

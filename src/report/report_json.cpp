@@ -240,8 +240,11 @@ std::string to_json(const Report& report, std::size_t map_points) {
   for (const ReportTable& table : report.tables) json["tables"].push_back(table_json(table));
   for (std::size_t i = 0; i < report.recordings.size(); ++i) {
     starts.push_back(start_of(report, i));
-    json["recordings"].push_back({{"name", report.recordings[i].name},
-                                  {"truth", truth_json(report.recordings[i].truth, starts[i])}});
+    const ReportRecording& recording = report.recordings[i];
+    const Eigen::Vector3d& origin = recording.origin;
+    json["recordings"].push_back({{"name", recording.name},
+                                  {"truth", truth_json(recording.truth, starts[i])},
+                                  {"origin", {origin.x(), origin.y(), origin.z()}}});
   }
   for (const ReportRun& run : report.runs) {
     if (run.recording >= starts.size()) {

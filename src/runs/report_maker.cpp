@@ -172,6 +172,7 @@ report::Report ReportMaker::take(const std::string& title) {
   report_.title = title;
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
     report_.recordings[i].truth = shown_truth(i);
+    report_.recordings[i].origin = recordings_[i].origin.value_or(Eigen::Vector3d::Zero());
   }
   if (title.empty() && report_.recordings.size() == 1) {
     report_.title = report_.recordings.front().name;

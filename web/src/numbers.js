@@ -43,6 +43,13 @@ export function decimalsOf(step) {
   return 12;
 }
 
+/** A coordinate with what was taken off it: the truth's world may begin far away (UTM). */
+export function axisLabel(axis, origin) {
+  const less = origin?.["xyz".indexOf(axis)];
+  if (!less) return `${axis} [m]`;
+  return `${axis} ${less > 0 ? "−" : "+"} ${grouped(Math.abs(less))} [m]`;
+}
+
 /** A step of 1, 2 or 5 times a power of ten that makes about so many over the range. */
 export function niceStep(range, count) {
   const rough = range / count;

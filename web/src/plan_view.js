@@ -6,7 +6,7 @@
 import { interpolate, isBreak, nearestIndex } from "./data.js";
 import { onResize } from "./dom.js";
 import { isTaken } from "./loops.js";
-import { decimalsOf, fixed, niceStep } from "./numbers.js";
+import { axisLabel, decimalsOf, fixed, niceStep } from "./numbers.js";
 import { pathShades, shadeColors } from "./path_shades.js";
 import { ends } from "./path_lines.js";
 import { color, runColor } from "./theme.js";
@@ -18,7 +18,7 @@ const strided = (values, offset) => values.filter((_, i) => i % 3 === offset);
 
 /** x to the right, y upwards, equal scales. */
 export const kFromAbove = {
-  labels: ["x [m]", "y [m]"],
+  axes: ["x", "y"],
   equal: true,
   shadow: [0, 1], // axes of the map
   loops: true,
@@ -30,7 +30,7 @@ export const kFromAbove = {
 /** Height over the way, so that a ramp is one in whichever direction it leads. The truth is laid out
  * by the run's way at the same instant: a denser trajectory has another length. */
 export const kAlongTheWay = {
-  labels: ["way [m]", "z [m]"],
+  axes: ["way", "z"],
   equal: false,
   shadow: null,
   loops: false, // lines over the whole way say nothing
@@ -192,11 +192,13 @@ export class PlanView {
     });
     context.stroke();
     context.textAlign = "center";
-    context.fillText(this.projection.labels[0], (kMargin.left + right) / 2, this.height - 7);
+    const { origin } = this.context.recording();
+    const [h, v] = this.projection.axes.map((axis) => axisLabel(axis, origin));
+    context.fillText(h, (kMargin.left + right) / 2, this.height - 7);
     context.save();
     context.translate(13, (kMargin.top + bottom) / 2);
     context.rotate(-Math.PI / 2);
-    context.fillText(this.projection.labels[1], 0, 0);
+    context.fillText(v, 0, 0);
     context.restore();
   }
 

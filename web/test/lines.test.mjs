@@ -7,7 +7,7 @@ import { test } from "node:test";
 
 import { peaksOf, valueRange } from "../src/chart_range.js";
 import { brokenLine, interpolate, isBreak, pathLengths } from "../src/data.js";
-import { decimalsOf, duration, fixed, niceStep, quantile } from "../src/numbers.js";
+import { axisLabel, decimalsOf, duration, fixed, niceStep, quantile } from "../src/numbers.js";
 
 test("no line joins two segments", () => {
   const scans = { times: [0, 1, 2, 3, 4], columns: { segment: [0, 0, 0, 1, 1] } };
@@ -36,6 +36,13 @@ test("durations have no 60 seconds", () => {
   assert.equal(duration(119.7), "119.7 s");
   assert.equal(duration(179.7), "3 min 00 s");
   assert.equal(duration(125), "2 min 05 s");
+});
+
+test("axes tell what was taken off", () => {
+  const origin = [512000, -5000, 0];
+  const labels = ["x", "y", "z", "way"].map((axis) => axisLabel(axis, origin));
+  assert.deepEqual(labels, ["x − 512\u202f000 [m]", "y + 5\u202f000 [m]", "z [m]", "way [m]"]);
+  assert.equal(axisLabel("x", undefined), "x [m]"); // of a live run
 });
 
 test("quantiles are the nearest values, as surefoot run prints them", () => {

@@ -95,6 +95,13 @@ TEST(ReportJson, TimesStartWithTheRecording) {
   EXPECT_FLOAT_EQ(numbers<float>(data["recordings"][0]["truth"]["times"]).at(0), 0.1F);
 }
 
+TEST(ReportJson, TellsWhatWasTakenOffCoordinates) {
+  Report report = one_run();
+  report.recordings[0].origin = {512'000.0, -5'000.0, 0.0};
+  const json data = json::parse(to_json(report));
+  EXPECT_EQ(data["recordings"][0]["origin"], (json{512'000.0, -5'000.0, 0.0}));
+}
+
 TEST(ReportJson, TimesStartWithTheLeastStampOfAClockThatWasSetBack) {
   Report report = one_run();
   report.runs[0].scans.stamps_ns[1] = kStart - kStep;

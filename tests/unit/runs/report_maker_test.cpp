@@ -60,6 +60,7 @@ TEST_F(ReportMakerTest, OfCoordinatesInUtmIsShownFromAnOriginNearby) {
   const report::Report report = maker.take({});
   const report::ReportRun& run = report.runs.at(0);
   const Eigen::Vector3d origin(512'000.0, 5'412'000.0, 0.0);
+  EXPECT_EQ(report.recordings.at(0).origin, origin);
   const Trajectory& shown = report.recordings.at(0).truth;
   ASSERT_EQ(shown.size(), truth_.size());
   for (std::size_t i = 0; i < truth_.size(); ++i) {
