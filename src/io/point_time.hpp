@@ -42,6 +42,17 @@ struct PointTimeRule {
   return rule.certain != before.certain ? rule.certain : rule.spread > before.spread;
 }
 
+/// Whether two scans in a row that are about equally long confirm each other: a sensor's first
+/// packets are shorter than the scan after them, and a clock of its own stays one. They do not
+/// where both lie so near zero that relative and absolute are alike.
+[[nodiscard]] inline bool confirms(const PointTimeRule& rule, const PointTimeRule& before) {
+  constexpr double kAlike = 1.5;
+  const bool is_vague =
+      !rule.certain && rule.spread > 0.0 && rule.reference != TimeReference::own_clock;
+  return !is_vague && rule.unit == before.unit && rule.reference == before.reference &&
+         rule.spread <= kAlike * before.spread && before.spread <= kAlike * rule.spread;
+}
+
 /// The options with the unit of a time field that is defined by who made the points: Livox's
 /// offset_time and Ouster's t are in nanoseconds, however short a scan is.
 [[nodiscard]] OpenOptions with_defined_unit(OpenOptions options, const PointTable& table,

@@ -87,7 +87,7 @@ class CloudTopic final : public Recording {
         const ScanColumns columns = find_scan_columns(cloud.table, options_);
         zero_stamps_ += cloud.stamp_ns == 0 ? 1 : 0;
         look_at_times(cloud, stamp_of(cloud, *message), columns);
-        settled = columns.time == nullptr || times_are_left_out() ||
+        settled = columns.time == nullptr || times_are_left_out() || is_confirmed_ ||
                   (rule_ && rule_->certain && rule_->unit_certain);
         ++good;
       } catch (const ReadError& error) {
@@ -118,6 +118,8 @@ class CloudTopic final : public Recording {
       const PointTimeRule rule =
           decide_point_time(extents, columns.time->type, stamp_ns,
                             with_defined_unit(options_, cloud.table, *columns.time));
+      is_confirmed_ = last_rule_ && confirms(rule, *last_rule_);
+      last_rule_ = rule;
       if (rule_ && !knows_better(rule, *rule_)) return;
       rule_ = rule;
       rule_text_ = describe_point_time(columns.time->name, columns.time->type, rule, extents);
@@ -126,12 +128,23 @@ class CloudTopic final : public Recording {
     }
   }
 
+  /// From a message behind the first ones, none of which had times that differ.
+  void learn_times(const CloudMessage& cloud, std::int64_t stamp_ns, const ScanColumns& columns) {
+    const std::string before = rule_text_;
+    try {
+      look_at_times(cloud, stamp_ns, columns);
+    } catch (const ReadError&) {
+      if (!rule_) throw;
+    }
+    if (rule_text_ != before) parts_.notes.push_back(rule_text_);
+  }
+
   void read_scan(const Message& message, ScanItem& item) {
     const CloudMessage cloud = read(message);
     item.layout = cloud.table.layout();
     const ScanColumns columns = find_scan_columns(cloud.table, options_);
     const std::int64_t stamp_ns = stamp_of(cloud, message);
-    if (!rule_) look_at_times(cloud, stamp_ns, columns);
+    if (!rule_ || rule_->spread == 0.0) learn_times(cloud, stamp_ns, columns);
     BuiltScan built = build_scan(cloud.table, columns, rule_, stamp_ns, options_.stamp_at);
     item.dropped_points = built.dropped_points;
     item.dropped_not_finite = built.dropped_not_finite;
@@ -145,7 +158,8 @@ class CloudTopic final : public Recording {
 
   TopicRecordingParts parts_;
   OpenOptions options_;
-  std::optional<PointTimeRule> rule_;
+  std::optional<PointTimeRule> rule_, last_rule_;
+  bool is_confirmed_ = false;  ///< the last message's rule, by the one before
   std::string rule_text_;
   std::size_t bag_notes_ = 0;
   std::size_t next_ = 0;

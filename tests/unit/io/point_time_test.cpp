@@ -114,6 +114,21 @@ TEST(PointTimeRules, AScanThatMayBeOnePacketIsUncertainOfItsUnit) {
       << "the longer one, but relative or absolute nobody knows";
 }
 
+TEST(PointTimeRules, TwoScansOfOneLengthConfirmEachOther) {
+  const auto rule = [](double least, double greatest, std::int64_t stamp_ns) {
+    return decide_point_time({least, greatest, 5}, f64, stamp_ns, {});
+  };
+  const PointTimeRule slow = rule(0.0, 0.2, kEpochNs);
+  EXPECT_TRUE(confirms(slow, slow));
+  EXPECT_TRUE(confirms(slow, rule(0.0, 0.19, kEpochNs)));
+  EXPECT_FALSE(confirms(slow, rule(0.0, 0.1, kEpochNs))) << "a part of a scan";
+  EXPECT_FALSE(confirms(slow, rule(0.0, 200.0, kEpochNs))) << "another unit";
+  EXPECT_TRUE(confirms(rule(50.2, 50.3, kEpochNs), rule(50.1, 50.2, kEpochNs)));
+  EXPECT_TRUE(confirms(rule(0.0, 0.0, kEpochNs), rule(0.0, 0.0, kEpochNs)));
+  const PointTimeRule vague = rule(0.0, 0.1, 0);
+  EXPECT_FALSE(confirms(rule(0.1, 0.2, 100'000'000), vague)) << "relative or absolute, both fit";
+}
+
 TEST(PointTimeRules, UnitsThatAreDefined) {
   const auto unit_of = [](const char* time, ScalarType type, const char* other, const char* more) {
     PointTable table;

@@ -4,11 +4,13 @@
 // A topic's messages as scans, from a source that is no network.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <utility>
 
 #include "io/messages/point_cloud2_writer.hpp"
+#include "live/live_recording.hpp"
 #include "live/scan_stream.hpp"
 #include "support/scratch.hpp"
 
@@ -83,6 +85,53 @@ TEST(TopicStream, GivesAScanAsSoonAsItsMessageCame) {
                 kStart + static_cast<std::int64_t>(i) * kSecond / 10);
     }
   }
+}
+
+/// Two clouds a second of two points, the first and the last that a sweep takes.
+std::deque<std::string> sweeps(int count, double first_s, double last_s, bool is_absolute,
+                               int begin = 0) {
+  std::deque<std::string> messages;
+  for (int i = begin; i < begin + count; ++i) {
+    const double start_s = is_absolute ? i / 2.0 : 0.0;
+    const std::array<double, 2> times = {start_s + first_s, start_s + last_s};
+    const std::array<float, 2> places = {1.0F, 2.0F};
+    std::vector<io::Column> columns;
+    const auto column = [](const char* name, io::ScalarType type, const auto& values) {
+      return io::Column{name, type, reinterpret_cast<const std::byte*>(values.data()),
+                        sizeof(values[0])};
+    };
+    for (const char* name : {"x", "y", "z"}) {
+      columns.push_back(column(name, io::ScalarType::f32, places));
+    }
+    columns.push_back(column("time", io::ScalarType::f64, times));
+    messages.push_back(io::format_point_cloud2({kStart + i * kSecond / 2, "lidar"}, columns, 2,
+                                               io::MessageWriter::Flavour::cdr));
+  }
+  return messages;
+}
+
+// More would push each other out of a live run's queue.
+TEST(TopicStream, TwoMessagesTellWhatOneLeavesOpen) {
+  const auto asked_first = [](const std::deque<std::string>& messages) {
+    const Streamed result = streamed(messages);
+    EXPECT_EQ(result.items.size(), messages.size());
+    EXPECT_EQ(result.items.back().error, "");
+    return result.asked_first;
+  };
+  EXPECT_EQ(LiveOptions{}.queue, 2U);
+  EXPECT_EQ(asked_first(sweeps(30, 0.0, 0.2, false)), 2U) << "a scan, or a packet in milliseconds";
+  EXPECT_EQ(asked_first(sweeps(30, 50.0, 50.1, true)), 2U) << "a clock of its own";
+  EXPECT_EQ(asked_first(sweeps(30, 0.0, 0.0, false)), 2U) << "no times";
+}
+
+// A sensor whose times are zeros until it knows them.
+TEST(TopicStream, TimesThatComeLaterAreRead) {
+  std::deque<std::string> messages = sweeps(6, 0.0, 0.0, false);
+  const std::deque<std::string> timed = sweeps(6, 0.0, 0.1, false, 6);
+  messages.insert(messages.end(), timed.begin(), timed.end());
+  const Streamed result = streamed(messages);
+  ASSERT_EQ(result.items.size(), 12U);
+  EXPECT_EQ(result.items.back().scan->times_ns, (std::vector<std::int32_t>{0, 100'000'000}));
 }
 
 class TopicStreamRecord : public test::Scratch {};

@@ -343,14 +343,14 @@ TEST(BagRecording, AStampOfZeroAmongOthersIsSaid) {
   const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
   for (int i = 0; i < 20; ++i) {
     Scan scan = scan_at(i);
-    if (i == 19) scan.stamp_ns = 0;
+    if (i == 1) scan.stamp_ns = 0;
     scan.times_ns.assign(scan.times_ns.size(), 0);
     bag->write(topic, scan_at(i).stamp_ns,
                format_point_cloud2(scan, "lidar", MessageWriter::Flavour::cdr));
   }
   bag->finish();
   const std::string notes = test::joined(open_recording(file)->notes());
-  EXPECT_NE(notes.find("as in 1 of the first 20"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("as in 1 of the first 2,"), std::string::npos) << notes;
 }
 
 TEST(BagRecording, RefusalTellsWhatReadingMet) {
