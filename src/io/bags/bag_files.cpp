@@ -85,7 +85,7 @@ class BagParts final : public MessageSource {
            const BagMetadata& metadata)
       : files_(std::move(files)),
         part_(open_part(files_.front())),
-        follow_in_time_(!metadata.files.empty()),
+        follow_in_time_(metadata.files.size() > 1),
         announced_messages_(metadata.messages) {
     for (const std::string& name : missing) {
       note("metadata.yaml names " + printable(name) + ", which is not there");
@@ -104,6 +104,7 @@ class BagParts final : public MessageSource {
   }
 
   bool rewind() override { return files_.size() == 1 && part_->rewind(); }
+  bool is_in_order_of_time() const override { return follow_in_time_; }
   bool leave_file() override {
     announced_messages_.reset();  // not all are met any more
     return !follow_in_time_ && open_next();

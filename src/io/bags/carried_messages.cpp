@@ -10,6 +10,8 @@ namespace surefoot::io {
 namespace {
 
 constexpr std::size_t kMostTopics = 10'000;
+// Messages of a bag in order of time are no further from their places [ns].
+constexpr std::int64_t kOutOfOrder = 10'000'000'000;
 
 bool is_latched(const Topic& topic) {
   return topic.name.ends_with("tf_static") || (topic.definition && topic.definition->latched);
@@ -96,9 +98,9 @@ void CarriedMessages::copy(BagWriter& to, std::int64_t from_ns, std::int64_t upt
 
 void CarriedMessages::copy_the_rest(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns) {
   copy(to, from_ns, upto_ns);
-  while (!ended_) {
+  while (!ended_) {  // the next message is too late
+    if (bag_->is_in_order_of_time() && next_->logged_ns - kOutOfOrder > upto_ns) return;
     next_.reset();
-    if (!bag_->leave_file()) return;
     copy(to, from_ns, upto_ns);
   }
 }

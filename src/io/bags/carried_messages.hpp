@@ -32,7 +32,7 @@ class CarriedMessages {
   /// before `from_ns` is left out, but for what latched topics said, as transforms that never
   /// change. Throws WriteError.
   void copy(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns);
-  /// The same of every file of the bag, for the last time: each may hold other topics.
+  /// The same of all of the bag, for the last time: what is earlier may lie behind what is later.
   void copy_the_rest(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns);
 
   [[nodiscard]] std::size_t messages() const { return messages_; }

@@ -78,8 +78,11 @@ class MessageSource {
   /// Messages that were come across so far, of whatever topic, and since the last rewind.
   [[nodiscard]] std::uint64_t met() const { return met_; }
   [[nodiscard]] const PassedOver& passed_over() const { return passed_over_; }
+  /// Whether messages come about in the order that they were recorded in, over all files: so does
+  /// what rosbag2 split.
+  [[nodiscard]] virtual bool is_in_order_of_time() const { return false; }
   /// Leaves the rest of a file for the next one, which may be of the same time; false where there
-  /// is none, and where it cannot be: files that rosbag2 wrote follow each other.
+  /// is none, and where it cannot be.
   virtual bool leave_file() { return false; }
   /// From here on messages of one topic alone are needed.
   void want(std::string topic) { wanted_ = std::move(topic); }

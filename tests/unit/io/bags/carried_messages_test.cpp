@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kPublishedBefore = 7;  // [ns] it was recorded
 
-/// A message at each of the times 100 to 109, and what else an MCAP file may hold.
-void write_topic(const fs::path& file, const std::string& topic) {
+/// Ten messages from 100 ns on, and what else an MCAP file may hold.
+void write_topic(const fs::path& file, const std::string& topic, std::uint64_t step_ns = 1) {
   McapWriter writer(file, {});
   const std::uint16_t channel =
       writer.add_channel(writer.add_schema("pkg/msg/Type", "ros2msg", "int32 a\n"), topic, "cdr");
   for (std::uint32_t i = 0; i < 10; ++i) {
-    writer.write(channel, i, 100 + i, 100 + i - kPublishedBefore, "message");
+    const std::uint64_t at = 100 + i * step_ns;
+    writer.write(channel, i, at, at - kPublishedBefore, "message");
   }
   writer.attach(1, 2, "notes.txt", "text/plain", "hello");
   writer.add_metadata("about", {{"robot", "dog"}});
@@ -63,14 +64,31 @@ TEST_F(Carried, EveryFileOfABagUpToTheEnd) {
   }
 }
 
+// As this program writes what it converts from several files.
+TEST_F(Carried, ATopicMayLieBehindAllOfAnotherInOneFile) {
+  const auto one = make_mcap_bag(folder_.path() / "one.mcap");
+  CarriedMessages(in(), {}, {}).copy_the_rest(*one, 0, 1'000);
+  one->finish();
+  CarriedMessages others(folder_.path() / "one.mcap", {}, {});
+  const auto to = make_mcap_bag(out());
+  others.copy(*to, 102, 103);
+  others.copy_the_rest(*to, 102, 105);
+  to->finish();
+  EXPECT_EQ(others.messages(), 8U);
+  EXPECT_EQ(others.topics(), 2U);
+}
+
 // rosbag2 begins a new file when the last one is full: what follows is later.
 TEST_F(Carried, FilesThatRosbag2WroteAreNotLookedAtBehindTheEnd) {
+  constexpr std::uint64_t kStep = 10'000'000'000;
+  write_topic(in() / "camera.mcap", "/camera", kStep);
+  write_topic(in() / "imu.mcap", "/imu", kStep);
   folder_.write("in/metadata.yaml",
                 "rosbag2_bagfile_information:\n  relative_file_paths:\n    - camera.mcap\n"
                 "    - imu.mcap\n  message_count: 20\n");
   CarriedMessages others(in(), {}, {});
   const auto to = make_mcap_bag(out());
-  others.copy_the_rest(*to, 102, 105);
+  others.copy_the_rest(*to, 0, 100 + 3 * std::int64_t{kStep});
   to->finish();
   EXPECT_EQ(others.messages(), 4U);
   EXPECT_TRUE(others.notes().empty());
