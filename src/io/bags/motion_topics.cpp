@@ -14,7 +14,7 @@ namespace {
 
 // Gaps of a gyroscope that are still bridged [s].
 constexpr double kLongestStep = 0.1;
-// Messages logged so much later than stamped are still looked at [ns].
+// Messages may be out of order by so much [ns].
 constexpr std::int64_t kLate = 2'000'000'000;
 
 // Names of the topics with poses, in the order they appear; all of the bag is read.
@@ -81,18 +81,14 @@ Gyroscope read_gyroscope(const std::filesystem::path& bag, std::int64_t begin_ns
                          std::int64_t end_ns) {
   Gyroscope gyroscope;
   const auto source = open_bag(bag);
-  // Where headers have another clock than the recorder's, they alone tell the end. Where it is
-  // reached the bag's next file may hold another topic.
-  std::optional<bool> is_recorders_clock;
+  // Its own headers alone tell the end: other topics may lie before it, and clocks may differ.
   bool is_over = false;
   while (!is_over || source->leave_file()) {
+    is_over = false;
     const std::optional<Message> message = source->next();
     if (!message) break;
-    is_over = message->logged_ns - kLate > end_ns;
-    if (!is_recorders_clock) is_recorders_clock = !is_over;
-    is_over = is_over && *is_recorders_clock;
     const Topic& topic = *message->topic;
-    if (is_over || topic.type != "sensor_msgs/Imu") continue;
+    if (topic.type != "sensor_msgs/Imu") continue;
     if (gyroscope.topic.empty()) {
       gyroscope.topic = topic.name;
       source->want(topic.name);

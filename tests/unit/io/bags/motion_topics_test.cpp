@@ -72,6 +72,22 @@ TEST(Gyroscope, EveryFileOfABagMayHoldIt) {
   EXPECT_EQ(begin.turning.size(), 5U);
 }
 
+TEST(Gyroscope, ItMayLieBehindAllOfAnotherTopic) {
+  const test::TemporaryFolder folder;
+  const auto bag = make_mcap_bag(folder.path() / "a.mcap");
+  for (const char* type : {"sensor_msgs/Image", "sensor_msgs/Imu"}) {
+    const std::size_t topic = bag->add_topic(type, {type, "", "", ""});
+    for (int i = 0; i < 20; ++i) {
+      const std::int64_t stamp = kFirstStamp + i * 1'000'000'000LL;
+      bag->write(topic, stamp, imu(stamp, {0.0, 0.0, 0.5}));
+    }
+  }
+  bag->finish();
+  const Gyroscope begin =
+      read_gyroscope(folder.path() / "a.mcap", kFirstStamp, kFirstStamp + 4'000'000'000);
+  EXPECT_EQ(begin.turning.size(), 5U);
+}
+
 // A LiDAR and its IMU that know no time of day.
 TEST(Gyroscope, HeadersMayHaveAClockOfTheirOwn) {
   const test::TemporaryFolder folder;
