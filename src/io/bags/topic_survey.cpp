@@ -143,7 +143,8 @@ BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options) {
   std::optional<std::int64_t> begin_ns;
   bool any_usable = false;
   while (const std::optional<Message> message = bag.next()) {
-    if (!begin_ns) begin_ns = message->logged_ns;
+    const std::string& type = message->topic->type;
+    if (!begin_ns && (is_cloud_type(type) || is_packet_type(type))) begin_ns = message->logged_ns;
     const auto [place, is_new] =
         places.try_emplace({message->topic->name, message->topic->type}, topics.size());
     if (is_new) {

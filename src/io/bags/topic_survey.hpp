@@ -38,8 +38,9 @@ struct BagSurvey {
   [[nodiscard]] std::string metadata_for(const std::string& topic) const;
 };
 
-/// A bag's first seconds, or all that comes until there is a topic that scans can be made of: the
-/// one that is asked for, where one is. Packets may lie before their sensor's metadata.
+/// A bag's first seconds from its first cloud or packets on, or all that comes until there is a
+/// topic that scans can be made of: the one that is asked for, where one is. Packets may lie before
+/// their sensor's metadata.
 [[nodiscard]] BagSurvey survey_topics(MessageSource& bag, const OpenOptions& options);
 
 /// The topic to read: the one that is asked for, or the only usable one. Throws ReadError that

@@ -266,6 +266,21 @@ TEST(BagRecording, SeveralTopicsAreListedWithTheWayToTakeEach) {
       std::string::npos);
 }
 
+// As /tf_static of a node whose clock stood at zero.
+TEST(BagRecording, AMessageOfLongBeforeDoesNotHideASecondLidar) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.mcap";
+  const auto bag = make_mcap_bag(file);
+  bag->write(bag->add_topic("/tf_static", {"tf2_msgs/TFMessage", "", "", ""}), 0, "once");
+  for (const char* name : {"/front", "/rear"}) {
+    bag->write(bag->add_topic(name, point_cloud2_definition()), kStart,
+               format_point_cloud2(scan_at(0), "lidar", MessageWriter::Flavour::cdr));
+  }
+  bag->finish();
+  const std::string message = test::message_of<ReadError>([&] { (void)open_recording(file); });
+  EXPECT_NE(message.find("2 topics"), std::string::npos) << message;
+}
+
 // It begins when the bag's first seconds, in which another topic could be taken, are over.
 TEST(BagRecording, TopicThatIsAskedForMayBeginLate) {
   const test::TemporaryFolder folder;
