@@ -142,9 +142,9 @@ def single_runs(settings):
 
 
 def file_named_in(word):
-    """Of --config=walk.yaml the file; else the word, which may be one."""
-    name, _, value = word.partition("=")
-    return value if name.startswith("-") else word
+    """Of --config=walk.yaml, or --pass=--stamps=times.txt, the file; else the word, which may be one."""
+    name, _, value = word.removeprefix("--pass=").partition("=")
+    return value if name.startswith("-") else name
 
 
 def make(settings, hashes):

@@ -6,7 +6,10 @@
 #include <fstream>
 #include <map>
 
+#include "io/file_kind.hpp"
 #include "io/files/folder_listing.hpp"
+#include "io/packets/metadata_file.hpp"
+#include "io/stamps.hpp"
 
 namespace surefoot::experiments {
 
@@ -52,8 +55,14 @@ FilesMark mark_of(const fs::path& path) {
       }
     }
     for (const auto& [name, file] : files) add_file(file, name, fingerprint, mark.bytes);
+    if (const fs::path stamps = io::find_stamps_file(path); !stamps.empty()) {
+      std::uint64_t no_scans = 0;
+      add_file(stamps, stamps.filename().string(), fingerprint, no_scans);
+    }
   } else {
     add_file(path, path.filename().string(), fingerprint, mark.bytes);
+    const bool is_capture = io::kind_of(path) == io::FileKind::capture;
+    if (is_capture) fingerprint.add(io::metadata_beside(path).text);
   }
   mark.fingerprint = fingerprint.text();
   return mark;

@@ -27,8 +27,9 @@ struct FilesMark {
   std::uint64_t bytes = 0;  ///< of all files together
 };
 
-/// Of a file, or of a folder's files (not of folders within): names, sizes and times of change.
-/// Nothing is read from them. Throws std::filesystem::filesystem_error.
+/// Of a file, or of a folder's files (not of folders within) and the stamps beside them: names,
+/// sizes and times of change, not what is in them. Of a capture what its sensor says of itself,
+/// too, which lies in a file beside it. Throws std::filesystem::filesystem_error.
 [[nodiscard]] FilesMark mark_of(const std::filesystem::path& path);
 
 /// Of this program's own bytes: changes whenever it is built from other sources. Empty where the

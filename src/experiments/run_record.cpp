@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "evaluation/statistics.hpp"
+#include "experiments/fingerprint.hpp"
 #include "io/file_writer.hpp"
 #include "runs/run_files.hpp"
 #include "runs/scans_csv.hpp"
@@ -37,6 +38,18 @@ std::string last_words(const fs::path& log) {
   return last;
 }
 
+/// Of the files that arguments name, as --stamps=FILE does.
+OrderedJson marks_of_files(const std::vector<std::string>& arguments) {
+  OrderedJson marks = OrderedJson::object();
+  for (const std::string& argument : arguments) {
+    const std::size_t value = argument.starts_with('-') ? argument.find('=') + 1 : 0;  // npos + 1
+    const std::string file = argument.substr(value);
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) marks[file] = mark_of(file).fingerprint;
+  }
+  return marks;
+}
+
 }  // namespace
 
 std::string run_key(const CompareInput& input, const MethodVariant& variant, const Config& config,
@@ -50,6 +63,7 @@ std::string run_key(const CompareInput& input, const MethodVariant& variant, con
                   {"method", variant.method},
                   {"parameters", values},
                   {"arguments", arguments},
+                  {"files", marks_of_files(arguments)},
                   {"version", SUREFOOT_VERSION},
                   {"build", build}});
 }

@@ -22,7 +22,8 @@ struct RunRecord {
   int jobs = 1;  ///< runs at the same time
 };
 
-/// Recording (path and fingerprint), method, all parameters as used, arguments, program.
+/// Recording (path and fingerprint), method, all parameters as used, arguments and marks of the
+/// files that they name, program.
 [[nodiscard]] std::string run_key(const CompareInput& input, const MethodVariant& variant,
                                   const Config& config, const std::vector<std::string>& arguments,
                                   const std::string& build);

@@ -59,6 +59,13 @@ class KeysTest(Scratch):
                 saved = self.write("campus/map.surefoot", "a map")
                 self.assert_part_of_the_key(saved, walk, f"{words[0]}={self.folder / name}")
 
+    def test_files_that_are_passed_on(self):
+        walk = self.write("walk.pcap", "packets")
+        stamps = self.write("stamps.txt", "0")
+        self.assert_part_of_the_key(stamps, walk, f"--pass=--stamps={stamps}")
+        stamps = self.write("stamps.txt", "0")
+        self.assert_part_of_the_key(stamps, walk, "--pass", f"--stamps={stamps}")
+
     def test_what_is_read_beside_a_recording(self):
         for walk, beside in (("walk.pcap", "walk.json"), ("walk_0000.pcap", "walk.json"),
                              ("walk.pcap.gz", "walk_meta.json"), ("walk.mcap", "gt.tum")):

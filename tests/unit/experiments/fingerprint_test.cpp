@@ -56,6 +56,22 @@ TEST_F(FilesMarkTest, ChangesWithScansBelow) {
   EXPECT_NE(mark_of(folder_ / "in").fingerprint, before.fingerprint);
 }
 
+// Stamps that lie above a folder of scans, and what an Ouster says of itself.
+TEST_F(FilesMarkTest, ChangesWithWhatIsReadBesideARecording) {
+  write("in/scans/000.pcd", "12345");
+  const std::string without = mark_of(folder_ / "in/scans").fingerprint;
+  write("in/times.txt", "0\n");
+  EXPECT_NE(mark_of(folder_ / "in/scans").fingerprint, without);
+  EXPECT_EQ(mark_of(folder_ / "in/scans").bytes, 5U);
+  const fs::path capture = write("walk.pcap", "packets");
+  const std::string bare = mark_of(capture).fingerprint;
+  write("walk.json", "{\"beam_altitude_angles\": [1]}");
+  const std::string one = mark_of(capture).fingerprint;
+  EXPECT_NE(one, bare);
+  write("walk.json", "{\"beam_altitude_angles\": [2]}");
+  EXPECT_NE(mark_of(capture).fingerprint, one);
+}
+
 TEST_F(FilesMarkTest, OfOneFile) {
   const fs::path file = write("drive.pcap", "packets");
   EXPECT_EQ(mark_of(file).bytes, 7U);

@@ -38,6 +38,18 @@ TEST(RunKey, ChangesWithWhatDecidesTheResult) {
   }
 }
 
+TEST_F(RunRecordTest, TheKeyChangesWithFilesThatArgumentsName) {
+  const std::string file = write("stamps.txt", "0\n").string();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--stamps=" + file}, {"--stamps", file}}) {
+    write("stamps.txt", "0\n");
+    const std::string key = key_of(kInput, "paper", arguments, "b");
+    EXPECT_EQ(key, key_of(kInput, "paper", arguments, "b"));
+    write("stamps.txt", "0\n1\n");
+    EXPECT_NE(key, key_of(kInput, "paper", arguments, "b"));
+  }
+}
+
 TEST_F(RunRecordTest, IsReadBack) {
   const RunRecord record{key_of(kInput, "paper", {}, "b"), {0, 0, 1.5, 1.25, 4096}, 2};
   write_record(folder_, record);
