@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -111,6 +112,67 @@ std::optional<std::int64_t> stamp_of_name(const std::string& whole_name, bool wi
   return std::nullopt;
 }
 
+// Of names that are all "SECONDS.NANOSECONDS", these without leading zeros, as of Python's
+// f"{sec}.{nanosec}": ".20000000" is 0.02 s. Nothing where they cannot be.
+std::optional<std::vector<std::int64_t>> stamps_with_nanoseconds(
+    const std::vector<std::filesystem::path>& files) {
+  constexpr std::size_t kNanosecondDigits = 9;
+  std::vector<std::int64_t> stamps;
+  std::size_t most = 0, fewest = kNanosecondDigits;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = last_part(file.stem().string());
+    const std::size_t point = std::min(name.find('.'), name.size());
+    const std::string seconds = name.substr(0, point);
+    const std::string rest = name.substr(std::min(point + 1, name.size()));
+    const bool leads = rest.size() > 1 && rest.front() == '0';
+    if (!is_whole(seconds) || !is_whole(rest) || rest.size() > kNanosecondDigits || leads) {
+      return std::nullopt;
+    }
+    const std::optional<std::int64_t> whole_seconds = parse_decimal_seconds(seconds);
+    std::int64_t stamp = 0;
+    if (!whole_seconds || __builtin_add_overflow(*whole_seconds, *parse_whole(rest), &stamp)) {
+      return std::nullopt;
+    }
+    stamps.push_back(stamp);
+    most = std::max(most, rest.size());
+    fewest = std::min(fewest, rest.size());
+  }
+  const bool are_alike = most < kNanosecondDigits || fewest == most;
+  return are_alike ? std::nullopt : std::optional(stamps);
+}
+
+// How far the intervals are from their median, together.
+double unsteadiness(std::vector<std::int64_t> stamps) {
+  std::sort(stamps.begin(), stamps.end());
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    intervals.push_back(static_cast<double>(stamps[i] - stamps[i - 1]));
+  }
+  if (intervals.empty()) return 0.0;
+  const auto middle = intervals.begin() + std::ssize(intervals) / 2;
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  const double median = *middle;
+  double sum = 0.0;
+  for (const double interval : intervals) sum += std::abs(interval - median);
+  return sum;
+}
+
+// The points between digits, with what is around them: natural order takes what is behind a decimal
+// point for a whole number.
+std::string fractions_in(const std::string& stem) {
+  constexpr std::string_view kNumber = "0123456789.";
+  std::string fractions;
+  for (std::size_t begin = 0; begin < stem.size();) {
+    begin = std::min(stem.find_first_of(kNumber, begin), stem.size());
+    const std::size_t end = std::min(stem.find_first_not_of(kNumber, begin), stem.size());
+    const std::string number = stem.substr(begin, end - begin);
+    const std::size_t point = number.find('.', 1);
+    if (point != std::string::npos && point + 1 < number.size()) fractions += number + ' ';
+    begin = end;
+  }
+  return fractions;
+}
+
 }  // namespace
 
 void WholeTimes::add(std::string_view word) {
@@ -204,26 +266,24 @@ std::optional<std::vector<std::int64_t>> stamps_from_names(
     }
     stamps.push_back(*stamp);
   }
+  const auto with_nanoseconds = stamps_with_nanoseconds(files);
+  if (with_nanoseconds && unsteadiness(*with_nanoseconds) < unsteadiness(stamps)) {
+    if (unit != nullptr) *unit = "seconds and nanoseconds without leading zeros";
+    return with_nanoseconds;
+  }
   return stamps;
 }
 
 bool are_counted(const std::vector<std::filesystem::path>& files) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto without_digits = [&](const std::filesystem::path& file) {
-    std::string stem = file.stem().string();
-    std::erase_if(stem, is_digit);
+  const auto without_digits = [](std::string stem) {
+    std::erase_if(stem, [](char c) { return c >= '0' && c <= '9'; });
     return stem;
   };
-  // Natural order takes what is behind a decimal point for a whole number.
-  const auto has_fraction = [&](const std::filesystem::path& file) {
-    const std::string stem = file.stem().string();
-    for (std::size_t i = 1; i + 1 < stem.size(); ++i) {
-      if (stem[i] == '.' && is_digit(stem[i - 1]) && is_digit(stem[i + 1])) return true;
-    }
-    return false;
+  const auto differ_by_whole_numbers = [&](const std::string& one, const std::string& other) {
+    return without_digits(one) == without_digits(other) && fractions_in(one) == fractions_in(other);
   };
   return std::all_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
-    return without_digits(file) == without_digits(files.front()) && !has_fraction(file);
+    return differ_by_whole_numbers(file.stem().string(), files.front().stem().string());
   });
 }
 

@@ -124,6 +124,8 @@ TEST(Stamps, NamesWithDecimalPointsDoNotCount) {
   EXPECT_TRUE(are_counted({"scan.0001.pcd", "scan.0002.pcd"}));
   EXPECT_TRUE(are_counted({"1.bin.pcd", "2.bin.pcd"}));
   EXPECT_FALSE(are_counted({"1.5.pcd", "2.5.pcd"}));
+  EXPECT_FALSE(are_counted({"os1.0_1.5.pcd", "os1.0_1.25.pcd"}));
+  EXPECT_TRUE(are_counted({"os1.0_000123.pcd", "os1.0_000124.pcd"}));
   EXPECT_FALSE(are_counted({"a1.pcd", "b2.pcd"}));
 }
 

@@ -45,6 +45,21 @@ TEST(FolderRecording, NamesInUnpaddedDecimalSecondsAreInTheOrderOfTime) {
   EXPECT_EQ(items[1].scan->stamp_ns, 1644823589212340000);
 }
 
+// Of f"{sec}.{nanosec}", without leading zeros.
+TEST(FolderRecording, NamesInSecondsAndUnpaddedNanosecondsAreInTheOrderOfTime) {
+  const TemporaryFolder folder;
+  const auto stamp = [](std::int64_t i) { return 1'600'000'000'020'000'001 + i * 100'000'000; };
+  for (int i = 0; i < 20; ++i) {
+    const std::string name = std::to_string(stamp(i) / 1'000'000'000) + '.' +
+                             std::to_string(stamp(i) % 1'000'000'000) + ".pcd";
+    folder.write(name, timed_pcd<float>({0.0F, 0.0625F}));
+  }
+  const auto recording = open_recording(folder.path(), {});
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(recording->next()->scan->stamp_ns, stamp(i));
+  EXPECT_NE(test::joined(recording->notes()).find("nanoseconds without leading zeros"),
+            std::string::npos);
+}
+
 TEST(FolderRecording, WhatWholeStampsCountIsSaid) {
   const TemporaryFolder folder;
   for (const char* name : {"0.pcd", "1.pcd"}) {
