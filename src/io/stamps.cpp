@@ -26,6 +26,10 @@ std::optional<std::int64_t> parse_whole(std::string_view text) {
 // Whole seconds of this size would be 3,000 years: they are nanoseconds, or what is between.
 constexpr std::int64_t kLeastNanoseconds = 100'000'000'000;
 
+// Smaller ones that are further apart on average are no seconds either, but since a start; and such
+// that are further apart than these are no microseconds.
+constexpr std::int64_t kTooFarApart = 1'000, kFewestNanoseconds = 1'000'000;
+
 struct WholeUnit {
   const char* name;
   std::int64_t scale;
@@ -184,8 +188,19 @@ void WholeTimes::add(std::string_view word) {
   ++count_;
 }
 
+bool WholeTimes::is_near_zero() const { return greatest_ < kLeastNanoseconds; }
+
+// Two are no habit; of epoch seconds there may be few.
+std::string WholeTimes::unit_near_zero() const {
+  if (count_ < 3) return {};
+  const std::int64_t apart = (greatest_ - least_) / static_cast<std::int64_t>(count_ - 1);
+  if (apart >= kFewestNanoseconds) return "nanoseconds";
+  return apart > kTooFarApart && !is_epoch(least_, 1'000'000'000) ? "microseconds" : "";
+}
+
 std::string WholeTimes::unusual_unit() const {
   if (!all_whole_ || count_ == 0) return {};
+  if (is_near_zero()) return unit_near_zero();
   const std::int64_t range = greatest_ - least_;
   for (const WholeUnit& unit : kWholeUnits) {
     const bool is_close =
@@ -196,8 +211,8 @@ std::string WholeTimes::unusual_unit() const {
 }
 
 std::optional<std::int64_t> WholeTimes::scale() const {
-  if (!all_whole_ || greatest_ < kLeastNanoseconds) return std::nullopt;
   const std::string name = unusual_unit();
+  if (!all_whole_ || (name.empty() && is_near_zero())) return std::nullopt;
   for (const WholeUnit& unit : kWholeUnits) {
     if (name == unit.name) return unit.scale;
   }
@@ -256,11 +271,14 @@ std::optional<std::vector<std::int64_t>> stamps_from_names(
   WholeTimes whole;
   for (const std::filesystem::path& file : files) whole.add(last_part(file.stem().string()));
   const std::string unusual_unit = whole.unusual_unit();
+  const bool near_zero = unusual_unit == "nanoseconds";
   if (unit != nullptr) *unit = unusual_unit;
   std::vector<std::int64_t> stamps;
   for (const std::filesystem::path& file : files) {
+    const std::string name = file.stem().string();
     const std::optional<std::int64_t> stamp =
-        stamp_of_name(file.stem().string(), unusual_unit == "milliseconds");
+        near_zero ? parse_whole_time(last_part(name), 1)
+                  : stamp_of_name(name, unusual_unit == "milliseconds");
     if (!stamp) {
       return std::nullopt;
     }

@@ -15,16 +15,22 @@ namespace surefoot::io {
 
 /// What a file's times count, where all are whole numbers and the greatest is 1e11 or more, which
 /// no seconds are: microseconds or milliseconds where the least is such a time since the epoch
-/// (2001 to 2103) and they follow each other too closely for nanoseconds, else nanoseconds.
+/// (2001 to 2103) and they follow each other too closely for nanoseconds, else nanoseconds. Smaller
+/// ones, as of a simulator's clock, are nanoseconds where they are 1e6 or more apart on average,
+/// and microseconds from 1000 on: no scans are hours apart.
 class WholeTimes {
  public:
   void add(std::string_view word);
+  [[nodiscard]] bool all_whole() const { return all_whole_; }
   /// Nanoseconds in one of them; nothing where they are decimal seconds or else.
   [[nodiscard]] std::optional<std::int64_t> scale() const;
-  /// "microseconds" or "milliseconds"; empty: neither.
+  /// "microseconds" or "milliseconds", and "nanoseconds" where they are that small; empty: none.
   [[nodiscard]] std::string unusual_unit() const;
 
  private:
+  [[nodiscard]] bool is_near_zero() const;
+  [[nodiscard]] std::string unit_near_zero() const;
+
   bool all_whole_ = true;
   std::int64_t least_ = 0, greatest_ = 0;
   std::size_t count_ = 0;
@@ -47,9 +53,10 @@ class WholeTimes {
 
 /// Stamps from file names that are numbers: 18 or 19 digits are nanoseconds, 16 microseconds and 13
 /// milliseconds of epoch size, numbers with a decimal point or of epoch size (1e9 .. 4.2e9)
-/// seconds; "cloud_1583836591_182590976" is seconds and nanoseconds, as Newer College has them; of
-/// nuScenes' what follows the last "__". Nothing where one name is neither: then they are names or
-/// indices. `unit` as of parse_stamps().
+/// seconds, smaller ones that are 1e6 or more apart nanoseconds; "1600000000.20000000" is 0.02 s
+/// past the second where the scans come more steadily so; "cloud_1583836591_182590976" is seconds
+/// and nanoseconds, as Newer College has them; of nuScenes' what follows the last "__". Nothing
+/// where one name is neither: then they are names or indices. `unit` as of parse_stamps().
 [[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_from_names(
     const std::vector<std::filesystem::path>& files, std::string* unit = nullptr);
 

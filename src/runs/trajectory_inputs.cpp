@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/bags/bag_files.hpp"
+#include "io/stamps.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
 
@@ -40,19 +41,38 @@ std::string name_of(const fs::path& path) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-/// The first line that is no comment, or of names; empty where there is none.
-std::string first_row(const fs::path& file) {
+/// Calls `take` with every line that is no comment, or of names, until it has enough.
+template <typename Take>
+void for_rows(const fs::path& file, Take&& take) {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return {};  // its reader says what it is
+  if (!fs::is_regular_file(file, ignored)) return;  // its reader says what it is
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
     const std::size_t begin = line.find_first_not_of(" \t\r");
-    const bool comment = begin != std::string::npos && line[begin] == '#';
-    const bool names =
-        begin != std::string::npos && std::isalpha(static_cast<unsigned char>(line[begin]));
-    if (begin != std::string::npos && !comment && !names) return line;
+    if (begin == std::string::npos || line[begin] == '#') continue;
+    const bool names = std::isalpha(static_cast<unsigned char>(line[begin])) != 0;
+    if (!names && !take(line.substr(begin))) return;
   }
-  return {};
+}
+
+/// Empty where there is none.
+std::string first_row(const fs::path& file) {
+  std::string first;
+  for_rows(file, [&](std::string row) {
+    first = std::move(row);
+    return false;
+  });
+  return first;
+}
+
+/// Whether what its rows begin with are whole numbers that are no seconds, as TUM's stamps are.
+bool has_whole_times(const fs::path& file) {
+  io::WholeTimes times;
+  for_rows(file, [&](const std::string& row) {
+    times.add(row.substr(0, row.find_first_of(" \t\r,;")));
+    return times.all_whole();
+  });
+  return times.scale().has_value();
 }
 
 std::size_t columns_of(const fs::path& file) {
@@ -77,12 +97,7 @@ bool is_table(const fs::path& file, bool find_format) {
   if (!find_format || !fs::exists(file, ignored)) return false;
   if (io::is_bag_file(file) || fs::is_directory(file, ignored)) return true;
   const std::size_t columns = columns_of(file);
-  constexpr std::size_t kNanosecondDigits = 16;  // TUM's stamps are seconds
-  const std::string row = first_row(file);
-  const std::size_t begin = std::min(row.find_first_not_of(" \t"), row.size());
-  const std::size_t end = std::min(row.find_first_not_of("0123456789", begin), row.size());
-  if (end - begin >= kNanosecondDigits && (end == row.size() || row[end] != '.')) return true;
-  return columns == 4 || columns == 9 || columns == 13 || has_commas(file);
+  return columns == 4 || columns == 9 || columns == 13 || has_commas(file) || has_whole_times(file);
 }
 
 Trajectory read_trajectory(const fs::path& file, TrajectoryFormat format) {

@@ -89,6 +89,28 @@ TEST(Stamps, WholeMicrosecondsAndMilliseconds) {
   EXPECT_EQ(unit, "");
 }
 
+// Of a simulator whose clock began with the recording. Scans are not hours apart, but numbered.
+TEST(Stamps, WholeNumbersNearZero) {
+  using Stamps = std::vector<std::int64_t>;
+  std::string unit;
+  EXPECT_EQ(parse_stamps("0\n100000000\n200000000\n", &unit), (Stamps{0, 100000000, 200000000}));
+  EXPECT_EQ(unit, "nanoseconds");
+  EXPECT_EQ(parse_stamps("1500000000\n1600000000\n1700000000\n"),
+            (Stamps{1500000000, 1600000000, 1700000000}));
+  EXPECT_EQ(parse_stamps("0\n100000\n200000\n", &unit), (Stamps{0, 100000000, 200000000}));
+  EXPECT_EQ(unit, "microseconds");
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  EXPECT_EQ(parse_stamps("0\n10\n20\n", &unit), (Stamps{0, 10 * kSecond, 20 * kSecond}));
+  EXPECT_EQ(parse_stamps("0\n100000000\n", &unit), (Stamps{0, 100000000 * kSecond}));
+  EXPECT_EQ(parse_stamps("1630577758\n1630581358\n1630584958\n", &unit),
+            (Stamps{1630577758 * kSecond, 1630581358 * kSecond, 1630584958 * kSecond}));
+  EXPECT_EQ(unit, "");
+  EXPECT_EQ(stamps_from_names({"0.pcd", "100000000.pcd", "200000000.pcd"}, &unit),
+            (Stamps{0, 100000000, 200000000}));
+  EXPECT_EQ(unit, "nanoseconds");
+  EXPECT_EQ(stamps_from_names({"0.pcd", "100000.pcd", "200000.pcd"}), std::nullopt);
+}
+
 TEST(Stamps, ErrorsNameTheLine) {
   for (const char* bad : {"1.0\nx\n", "1.0\n2.0 3.0\n", "1.0\nnan\n", "1.0\n99999999999999999999\n",
                           "1.0\n2011-99-26 14:30:14\n"}) {

@@ -26,5 +26,35 @@ TEST(TrajectoryInputs, TellWithWhichPosesAnotherSegmentBegins) {
   EXPECT_TRUE(segment_begins(file).empty()) << "there is no pose after: the run was cut short";
 }
 
+TEST(TrajectoryInputs, WholeTimesThatAreNoSecondsAreRead) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "whole.tum";
+  constexpr std::int64_t kStep = 100'000'000;  // [ns]
+  const auto write = [&](std::int64_t first, std::int64_t step) {
+    std::ofstream stream(file);
+    for (int i = 0; i < 3; ++i) stream << first + i * step << " 0 0 0 0 0 0 1\n";
+  };
+  const auto read = [&] {
+    ReferenceRequest request;
+    request.path = file;
+    return read_reference(request).truth.poses;
+  };
+  const auto is = [&](std::int64_t first_ns) {
+    const Trajectory poses = read();
+    ASSERT_EQ(poses.size(), 3U);
+    EXPECT_EQ(poses.front().stamp_ns, first_ns);
+    EXPECT_EQ(poses.back().stamp_ns, first_ns + 2 * kStep);
+  };
+  write(1'630'577'758'569, kStep / 1'000'000);
+  is(1'630'577'758'569'000'000);
+  write(1'630'577'758'569'489, kStep / 1'000);
+  is(1'630'577'758'569'489'000);
+  write(200'000'000'000, kStep);  // since a start
+  is(200'000'000'000);
+  write(0, kStep);
+  is(0);
+  std::ofstream(file) << "1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n";
+  EXPECT_EQ(read().back().stamp_ns, 2'000'000'000);
+}
+
 }  // namespace
 }  // namespace surefoot::runs
