@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "io/bags/bag_writer.hpp"
@@ -12,17 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// rosbag2_storage_sqlite3, version 3 of its tables: what every ROS 2 since Humble reads.
+// rosbag2_storage_sqlite3, version 4 of its tables, with types' definitions. Who knows version 3
+// alone, as Humble, finds its own columns.
 constexpr const char* kTables =
     "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
     "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL,"
     " metadata TEXT NOT NULL);"
     "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,"
-    " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);"
+    " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL,"
+    " type_description_hash TEXT NOT NULL);"
+    "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL,"
+    " encoding TEXT NOT NULL, encoded_message_definition TEXT NOT NULL,"
+    " type_description_hash TEXT NOT NULL);"
     "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL,"
     " timestamp INTEGER NOT NULL, data BLOB NOT NULL);"
     "CREATE INDEX timestamp_idx ON messages (timestamp ASC);"
-    "INSERT INTO schema(schema_version, ros_distro) VALUES (3, 'humble');";
+    "INSERT INTO schema(schema_version, ros_distro) VALUES (4, 'iron');";
 
 // A text as YAML has it: in quotes, unless it is a name as ROS gives them.
 std::string yaml_word(std::string_view text) {
@@ -76,13 +82,14 @@ class SqliteBag final : public BagWriter {
 
   std::size_t add_topic(const std::string& name, const MessageDefinition& definition) override {
     topics_.push_back({name, definition.ros2_type(), definition.qos, 0});
-    const Statement statement = prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', ?)");
+    const Statement statement = prepare("INSERT INTO topics VALUES (?, ?, ?, 'cdr', ?, '')");
     sqlite3_stmt* const row = statement.get();
     sqlite3_bind_int64(row, 1, static_cast<sqlite3_int64>(topics_.size()));
     sqlite3_bind_text(row, 2, name.c_str(), -1, SQLITE_TRANSIENT);
     sqlite3_bind_text(row, 3, topics_.back().type.c_str(), -1, SQLITE_TRANSIENT);
     sqlite3_bind_text(row, 4, definition.qos.c_str(), -1, SQLITE_TRANSIENT);
     if (sqlite3_step(row) != SQLITE_DONE) fail();
+    define(definition);
     return topics_.size();
   }
 
@@ -113,6 +120,19 @@ class SqliteBag final : public BagWriter {
     std::string qos;
     std::size_t messages;
   };
+
+  /// Every type once.
+  void define(const MessageDefinition& definition) {
+    if (definition.ros2_text.empty() || !defined_.insert(definition.ros2_type()).second) return;
+    const Statement statement = prepare(
+        "INSERT INTO message_definitions(topic_type, encoding, encoded_message_definition,"
+        " type_description_hash) VALUES (?, ?, ?, '')");
+    sqlite3_stmt* const row = statement.get();
+    sqlite3_bind_text(row, 1, definition.ros2_type().c_str(), -1, SQLITE_TRANSIENT);
+    sqlite3_bind_text(row, 2, definition.ros2_language.c_str(), -1, SQLITE_TRANSIENT);
+    sqlite3_bind_text(row, 3, definition.ros2_text.c_str(), -1, SQLITE_TRANSIENT);
+    if (sqlite3_step(row) != SQLITE_DONE) fail();
+  }
 
   [[noreturn]] void fail() const {
     throw WriteError((folder_ / file_name_).string() + ": cannot be written: " +
@@ -154,6 +174,7 @@ class SqliteBag final : public BagWriter {
   Database database_;
   Statement insert_;
   std::vector<TopicCount> topics_;
+  std::set<std::string> defined_;  ///< types
   std::int64_t first_ns_ = 0;
   std::int64_t last_ns_ = 0;
   std::size_t messages_ = 0;

@@ -301,5 +301,25 @@ TEST(SqliteBag, WhatIsWrittenIsReadBack) {
   EXPECT_NE(metadata.find("message_count: 3"), std::string::npos);
 }
 
+TEST(SqliteBag, DefinitionsOfTypesAreReadBack) {
+  const test::TemporaryFolder folder;
+  const auto bag = make_sqlite_bag(folder.path() / "walk");
+  MessageDefinition own{"pkg/Own", "int32 a\n", "", ""};
+  own.ros2_language = "ros2idl";
+  for (const char* name : {"/a", "/b"}) {
+    bag->write(bag->add_topic(name, own), 100, "message");
+  }
+  bag->finish();
+  const auto source = open_bag(folder.path() / "walk");
+  std::size_t messages = 0;
+  for (; const auto message = source->next(); ++messages) {
+    ASSERT_NE(message->topic->definition, nullptr);
+    EXPECT_EQ(message->topic->definition->type, "pkg/msg/Own");
+    EXPECT_EQ(message->topic->definition->text, "int32 a\n");
+    EXPECT_EQ(message->topic->definition->language, "ros2idl");
+  }
+  EXPECT_EQ(messages, 2U);
+}
+
 }  // namespace
 }  // namespace surefoot::io
