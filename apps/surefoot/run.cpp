@@ -32,7 +32,7 @@ namespace surefoot::app {
 namespace {
 
 void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& options) {
-  if (outcome.interrupted && outcome.scans() == 0) {
+  if (outcome.interrupted && outcome.scans() + outcome.unreadable == 0) {
     fmt::print("interrupted before any pose was known: nothing is written\n");
     return;
   }

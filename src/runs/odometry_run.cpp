@@ -144,7 +144,7 @@ RunOutcome OdometryRun::execute() {
   outcome_.folder = output.folder().path();
   if (reference) know_all(std::move(*reference), item);
   outcome_.interrupted = listener_.interrupted();
-  if (outcome_.interrupted && options_.reference) return std::move(outcome_);
+  if (outcome_.interrupted) return std::move(outcome_);  // an earlier run's files stay
   output.begin(options_);
   if (output.folder().replaced()) {
     listener_.say(
@@ -205,12 +205,12 @@ void OdometryRun::check_truth(const RunOutput& output) {
 void OdometryRun::for_all(std::optional<io::ScanItem> item,
                           const std::function<void(const io::ScanItem&)>& use) {
   std::size_t done = 0;
-  while (item && !listener_.interrupted()) {
+  while (item) {  // one at least: a run that has begun leaves more than empty files
     account_.say_notes_of(scans_.recording());
     use(*item);
     ++done;
     listener_.progress(done, shares_.of(scans_.progress(done)));
-    if (done == options_.count) break;
+    if (done == options_.count || listener_.interrupted()) break;
     item = scans_.next();
   }
   outcome_.interrupted = listener_.interrupted();

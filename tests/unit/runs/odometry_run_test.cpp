@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,11 @@ class OdometryRunTest : public test::Scratch {
     listener_.interrupted = [] { return false; };
   }
 
+  [[nodiscard]] std::string text_of(const char* name) const {
+    std::ifstream file(options_.output / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
   RunOptions options_;
   RunListener listener_;
   test::MemoryRecording recording_{test::take_scans(test::furnished_hall(), test::standing({}), 3)};
@@ -47,9 +53,34 @@ TEST_F(OdometryRunTest, AMapThatCannotBeFinishedLeavesTheRest) {
   for (const char* name : {kMapFile, kTrajectoryFile, kScansFile}) {
     EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
   }
-  std::ifstream file(folder_ / "out" / kDescriptionFile);
-  const std::string description{std::istreambuf_iterator<char>(file), {}};
+  const std::string description = text_of(kDescriptionFile);
   EXPECT_NE(description.find("no map after loops: "), std::string::npos) << description;
+}
+
+TEST_F(OdometryRunTest, InterruptedBeforeItsFirstScanLeavesTheEarlierRun) {
+  options_.loop_closure = options_.save_map = options_.overwrite = true;
+  test::MemoryRecording again = recording_;
+  (void)run_odometry(options_, listener_, recording_);
+  std::map<std::string, std::string> before;
+  for (const char* name : {kMapFile, kTrajectoryFile, kScansFile, kSavedMapFile}) {
+    before[name] = text_of(name);
+    EXPECT_FALSE(before[name].empty()) << name;
+  }
+  listener_.interrupted = [] { return true; };
+  const RunOutcome outcome = run_odometry(options_, listener_, again);
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_EQ(outcome.scans(), 0);
+  for (const auto& [name, text] : before) EXPECT_EQ(text_of(name.c_str()), text) << name;
+}
+
+/// The files are new by then.
+TEST_F(OdometryRunTest, InterruptedOnceItHasBegunWritesAPose) {
+  bool interrupted = false;
+  listener_.started = [&](const fs::path&, RunControl&) { interrupted = true; };
+  listener_.interrupted = [&] { return interrupted; };
+  const RunOutcome outcome = run_odometry(options_, listener_, recording_);
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_EQ(outcome.poses, 1);
 }
 
 }  // namespace
