@@ -27,8 +27,9 @@ struct MeasuredRun {
   std::uint64_t peak_memory_bytes = 0;
   int jobs = 1;  ///< runs that shared the machine at most
   std::size_t scans = 0;
-  double median_ms = 0.0;                            ///< per scan
-  double p99_ms = 0.0;                               ///< per scan
+  std::size_t unreadable = 0;  ///< scans that the run could not read, not among those
+  double median_ms = 0.0;      ///< per scan
+  double p99_ms = 0.0;         ///< per scan
   std::map<std::string, std::size_t> statuses = {};  ///< how many scans had each, "ok" included
 };
 

@@ -33,6 +33,7 @@ Json json_of(const MeasuredRun& run) {
                {"peak_memory_bytes", run.peak_memory_bytes},
                {"jobs", run.jobs},
                {"scans", run.scans},
+               {"unreadable", run.unreadable},
                {"statuses", Json::object()},
                {"time_per_scan_ms", {{"median", run.median_ms}, {"p99", run.p99_ms}}}};
   for (const auto& [status, count] : run.statuses) json["statuses"][status] = count;

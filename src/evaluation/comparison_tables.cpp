@@ -141,6 +141,9 @@ std::string status_text(const MethodResult& result) {
   for (const auto& [status, count] : not_ok(result)) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
   }
+  if (const std::size_t unreadable = result.runs.front().unreadable; unreadable > 0) {
+    text += fmt::format("{}{} unreadable", text.empty() ? "" : ", ", unreadable);
+  }
   return text.empty() ? "none" : text;
 }
 

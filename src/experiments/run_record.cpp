@@ -12,6 +12,7 @@
 #include "experiments/fingerprint.hpp"
 #include "io/file_writer.hpp"
 #include "runs/run_files.hpp"
+#include "runs/run_yaml.hpp"
 #include "runs/scans_csv.hpp"
 #include "surefoot/quantile.hpp"
 
@@ -28,14 +29,23 @@ std::string text_of(const OrderedJson& json) {
   return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-/// The last line of a run's log that says something: why it failed.
+/// Why a run failed, by its log: the program's last error, what is wrong with its command line, or
+/// the last line that says something.
 std::string last_words(const fs::path& log) {
   std::ifstream stream(log);
-  std::string last;
+  std::string last, error;
   for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("Run with --help")) break;
+    if (line.starts_with("surefoot: ")) error = line;
     if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
   }
-  return last;
+  return error.empty() ? last : error;
+}
+
+/// As run.yaml says, which a run that did not come to its end does not have.
+std::size_t unreadable_scans(const fs::path& folder) {
+  const fs::path file = folder / runs::kDescriptionFile;
+  return fs::exists(file) ? std::stoul('0' + runs::read_run_yaml(file).unreadable) : 0;
 }
 
 /// Of the files that arguments name, as --stamps=FILE does.
@@ -126,6 +136,7 @@ evaluation::MeasuredRun measured_run(const fs::path& folder, const RunRecord& re
     run.statuses = runs::count_statuses(scans);
     run.median_ms = quantile(milliseconds, 0.5);
     run.p99_ms = quantile(milliseconds, 0.99);
+    run.unreadable = unreadable_scans(folder);
   } catch (const std::exception& error) {
     if (run.error.empty()) run.error = error.what();
   }

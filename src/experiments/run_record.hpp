@@ -40,8 +40,8 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record);
 /// no run of a comparison has left.
 void clear_run_folder(const std::filesystem::path& folder);
 
-/// The run as the comparison tells it: from its record, its log and its scans.csv. Never throws for
-/// what is in these; what is wrong becomes the run's `error`.
+/// The run as the comparison tells it: from its record, its log, its scans.csv and run.yaml. Never
+/// throws for what is in these; what is wrong becomes the run's `error`.
 [[nodiscard]] evaluation::MeasuredRun measured_run(const std::filesystem::path& folder,
                                                    const RunRecord& record);
 

@@ -119,6 +119,18 @@ TEST(ComparisonTables, TheFirstScanIsNoTrouble) {
   EXPECT_EQ(cell(tables[3], "Coverage (%)", 3).text, "37.3");
 }
 
+TEST(ComparisonTables, ScansThatCouldNotBeReadAreTold) {
+  Comparison comparison = five_methods();
+  for (MeasuredRun& run : comparison.recordings[0].results[0].runs) run.unreadable = 2;
+  comparison.recordings[0].results[1].runs.front().statuses = {{"ok", 399}, {"first_scan", 1}};
+  comparison.recordings[0].results[1].runs.front().unreadable = 1;
+  const std::vector<Table> tables = comparison_tables(comparison);
+  EXPECT_EQ(cell(tables[3], "Scans that were not ok", 0).text, "2 degenerate, 2 unreadable");
+  EXPECT_EQ(cell(tables[3], "Scans that were not ok", 1).text, "1 unreadable");
+  const nlohmann::json json = nlohmann::json::parse(to_json(comparison));
+  EXPECT_EQ(json["recordings"][0]["results"][0]["runs"][0]["unreadable"], 2);
+}
+
 bool any_note(const Comparison& comparison, const std::string& part) {
   for (const std::string& note : comparison_notes(comparison)) {
     if (note.find(part) != std::string::npos) return true;

@@ -91,11 +91,34 @@ TEST_F(RunRecordTest, AFailureIsToldWithTheLogsLastWords) {
   EXPECT_NE(killed.error.find("out of memory"), std::string::npos) << killed.error;
 }
 
+/// What follows an error is no reason.
+TEST_F(RunRecordTest, TheReasonIsTheProgramsLastError) {
+  const auto error_of = [&](const std::string& log) {
+    write("run.log", log);
+    return measured_run(folder_, {"{}", {2, 0, 1.0, 1.0, 4096}, 1}).error;
+  };
+  const std::string ended = "ended with exit code 2: ";
+  EXPECT_EQ(error_of("surefoot: walk.bag: several topics hold scans; choose one:\n"
+                     "  --topic /points\n  --topic /surefoot/local_map\n"),
+            ended + "surefoot: walk.bag: several topics hold scans; choose one:");
+  EXPECT_EQ(error_of("The following argument was not expected: --pass=--foo\n"
+                     "Run with --help for more information.\n"),
+            ended + "The following argument was not expected: --pass=--foo");
+  EXPECT_EQ(error_of("note: the file is cut short\nsurefoot: walk.db3: no scans\n"
+                     "note: the first 3 scans are whole\n"),
+            ended + "surefoot: walk.db3: no scans");
+  EXPECT_EQ(error_of("reading\nterminate called\n\n"), ended + "terminate called");
+}
+
 // `surefoot run` says so of a recording with scans that it could not read.
 TEST_F(RunRecordTest, ARunThatLeftScansOutIsDone) {
   write("run.log", "left out: 000003.pcd: empty file\n");
   write("scans.csv", "stamp,status,ms_total\n0.05,first_scan,1\n0.15,ok,9\n");
   EXPECT_EQ(measured_run(folder_, {"{}", {1, 0, 1.0, 0.5, 4096}, 1}).error, "");
+  write("run.yaml", "surefoot: 0.1.0\nresult:\n  scans: 2\n  unreadable_scans: 1\n");
+  const evaluation::MeasuredRun run = measured_run(folder_, {"{}", {1, 0, 1.0, 0.5, 4096}, 1});
+  EXPECT_EQ(run.error, "");
+  EXPECT_EQ(run.unreadable, 1U);
 }
 
 TEST_F(RunRecordTest, AGoodRunIsMeasured) {
