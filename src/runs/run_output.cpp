@@ -29,6 +29,15 @@ fs::path map_file_of(const fs::path& given) {
 /// An hour of ten scans a second, more than a picture can show.
 constexpr std::size_t kPicturePoses = 1 << 15;
 
+/// Of a scan's duration, between it and the one before: more is a scan that is missing.
+constexpr std::int64_t kLongestSeam = 4;
+
+/// That is no less than `least`.
+std::int64_t first_multiple(std::int64_t period, std::int64_t least) {
+  const std::int64_t over = least % period;
+  return over > 0 ? least - over + period : least - over;
+}
+
 }  // namespace
 
 RunOutput::RunOutput(const RunOptions& options)
@@ -93,15 +102,16 @@ void RunOutput::add_sample(const Scan& scan, const Estimate& estimate) {
   samples_.add(lines_ - 1, scan, estimate);
 }
 
-/// Poses at multiples of the period, each once: of two scans that overlap, the first one's. Where
-/// the clock was set back it begins again, as trajectory.tum does.
+/// Poses at multiples of the period, each once: of two scans that overlap, the first one's; between
+/// two that follow each other as the second one's motion has it, carried back. Where the clock was
+/// set back it begins again, as trajectory.tum does.
 void RunOutput::add_dense(const Estimate& estimate, const Pose& T_lidar_written) {
-  if (estimate.stamp_ns <= dense_mid_ns_) dense_until_ns_ = estimate.trajectory.start_ns();
+  const std::int64_t start = estimate.trajectory.start_ns(), to = estimate.trajectory.end_ns();
+  if (estimate.stamp_ns <= dense_mid_ns_) dense_until_ns_ = start - 1;
   dense_mid_ns_ = estimate.stamp_ns;
-  const std::int64_t from = std::max(estimate.trajectory.start_ns(), dense_until_ns_);
-  const std::int64_t to = estimate.trajectory.end_ns();
-  for (std::int64_t t = (from / pose_period_ns_ + 1) * pose_period_ns_; t <= to;
-       t += pose_period_ns_) {
+  const bool follows = start - dense_until_ns_ <= (to - start) / kLongestSeam;
+  const std::int64_t from = follows ? dense_until_ns_ + 1 : start;
+  for (std::int64_t t = first_multiple(pose_period_ns_, from); t <= to; t += pose_period_ns_) {
     dense_ << io::format_tum({{t, estimate.pose_at(t) * T_lidar_written}});
   }
   dense_ << std::flush;
