@@ -83,6 +83,7 @@ void print_end(const live_runs::LiveOutcome& outcome) {
     if (status != Status::ok) fmt::print("  {:5} {}\n", count, to_string(status));
   }
   if (outcome.run.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.run.partial);
+  print_frames(outcome.run);
   fmt::print("results: {}\n", outcome.run.folder.string());
 }
 

@@ -7,15 +7,11 @@
 #include <numbers>
 
 #include "io/counted.hpp"
+#include "runs/run_files.hpp"
 
 namespace surefoot::app {
 
-std::string place_in_map(const Pose& begin) {
-  const Eigen::Vector3d& t = begin.translation;
-  const double yaw = roll_pitch_yaw(begin.rotation).z() * 180.0 / std::numbers::pi;
-  return fmt::format("it begins at {:.1f}, {:.1f}, {:.1f} m, heading {:.0f} deg", t.x(), t.y(),
-                     t.z(), yaw);
-}
+namespace {
 
 void print_map_outcome(const runs::MapOutcome& outcome) {
   fmt::print("loops: {} taken of {} compared, {} of way; poses moved by up to {:.2f} m\n",
@@ -35,6 +31,24 @@ void print_map_outcome(const runs::MapOutcome& outcome) {
       io::counted(outcome.join->pieces, "piece"));
 }
 
+void print_localization(const runs::LocalizationOutcome& outcome) {
+  if (!outcome.first_found) {
+    fmt::print("not found in the map: {}\n", outcome.message);
+    return;
+  }
+  fmt::print("found in the map after {:.1f} s; place known for {} of {}\n", *outcome.first_found,
+             outcome.found, io::counted(outcome.scans, "scan"));
+}
+
+}  // namespace
+
+std::string place_in_map(const Pose& begin) {
+  const Eigen::Vector3d& t = begin.translation;
+  const double yaw = roll_pitch_yaw(begin.rotation).z() * 180.0 / std::numbers::pi;
+  return fmt::format("it begins at {:.1f}, {:.1f}, {:.1f} m, heading {:.0f} deg", t.x(), t.y(),
+                     t.z(), yaw);
+}
+
 bool say_if_apart(const runs::RunOutcome& outcome) {
   if (!outcome.map || !outcome.map->join || outcome.map->join->joined) return false;
   fmt::print(stderr,
@@ -44,13 +58,13 @@ bool say_if_apart(const runs::RunOutcome& outcome) {
   return true;
 }
 
-void print_localization(const runs::LocalizationOutcome& outcome) {
-  if (!outcome.first_found) {
-    fmt::print("not found in the map: {}\n", outcome.message);
-    return;
+void print_frames(const runs::RunOutcome& outcome) {
+  if (outcome.segments > 1) {
+    fmt::print("  {} segments, each in a frame of its own: {}N.tum\n", outcome.segments,
+               runs::kSegmentFiles);
   }
-  fmt::print("found in the map after {:.1f} s; place known for {} of {}\n", *outcome.first_found,
-             outcome.found, io::counted(outcome.scans, "scan"));
+  if (outcome.map) print_map_outcome(*outcome.map);
+  if (outcome.localization) print_localization(*outcome.localization);
 }
 
 }  // namespace surefoot::app

@@ -11,11 +11,10 @@ namespace surefoot::app {
 
 /// Where something begins in a map, in words.
 std::string place_in_map(const Pose& begin);
-/// What came of the loops, in a line or two.
-void print_map_outcome(const runs::MapOutcome& outcome);
+/// Which frames the poses are in: the segments, what came of the loops, and whether the place in
+/// the map was found, and when; a line or two each, of what there is.
+void print_frames(const runs::RunOutcome& outcome);
 /// Says on stderr where a map was to be continued and could not be; whether that is so.
 bool say_if_apart(const runs::RunOutcome& outcome);
-/// Whether the place in the map was found, and when.
-void print_localization(const runs::LocalizationOutcome& outcome);
 
 }  // namespace surefoot::app

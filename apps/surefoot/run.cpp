@@ -21,7 +21,6 @@
 #include "run_command.hpp"
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
-#include "runs/run_files.hpp"
 #include "surefoot/quantile.hpp"
 #ifdef SUREFOOT_HAS_PCAP
 #include "live/live_log.hpp"
@@ -50,12 +49,7 @@ void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& opti
   }
   if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
   if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
-  if (outcome.segments > 1) {
-    fmt::print("  {} segments, each in a frame of its own: {}N.tum\n", outcome.segments,
-               runs::kSegmentFiles);
-  }
-  if (outcome.map) print_map_outcome(*outcome.map);
-  if (outcome.localization) print_localization(*outcome.localization);
+  print_frames(outcome);
   fmt::print("results: {}\n", outcome.folder.string());
 }
 

@@ -73,6 +73,20 @@ TEST_F(LiveTest, AReplayLeavesWhatTheCaptureDoes) {
   EXPECT_EQ(content("live/live.log").find("dropped"), std::string::npos);
 }
 
+TEST_F(LiveTest, WhatBecameOfLoopsAndOfThePlaceInTheMapIsSaid) {
+  const auto done = [&](const std::vector<std::string>& arguments) {
+    const ProcessResult result =
+        run_surefoot(with(arguments, {"--no-report", "--no-picture"}), scratch_.path());
+    EXPECT_EQ(result.exit_code, 0) << result;
+    return result.output;
+  };
+  (void)done({"map", "hall.pcap", "-o", "map"});
+  const std::string output = done({"live", "--replay", "hall.pcap", "--speed", "0", "-o", "live",
+                                   "--localize", "map", "--loop-closure"});
+  EXPECT_NE(output.find("\nloops: "), std::string::npos) << output;
+  EXPECT_NE(output.find("found in the map"), std::string::npos) << output;
+}
+
 TEST_F(LiveTest, AReplayedBagLeavesWhatItsRunDoes) {
   const auto done = [&](const std::vector<std::string>& arguments) {
     const ProcessResult result = run_surefoot(arguments, scratch_.path());
