@@ -16,7 +16,8 @@ constexpr double kShortestPath = 0.01;
 std::int64_t median_step_ns(const Trajectory& trajectory) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    steps.push_back(trajectory[i].stamp_ns - trajectory[i - 1].stamp_ns);
+    const std::int64_t step = trajectory[i].stamp_ns - trajectory[i - 1].stamp_ns;
+    if (step > 0) steps.push_back(step);  // a stamp that comes twice is no pace
   }
   if (steps.empty()) return 0;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);

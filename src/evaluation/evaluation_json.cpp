@@ -17,11 +17,15 @@ nlohmann::ordered_json json_of(const NamedStatistics& named) {
   return json;
 }
 
+/// Of no stretch there is no error.
 nlohmann::ordered_json json_of(const SegmentError& segment) {
+  const auto error = [&](double mean) {
+    return segment.count > 0 ? nlohmann::ordered_json(mean) : nlohmann::ordered_json();
+  };
   return {{"length_m", segment.length},
           {"count", segment.count},
-          {"translation_percent", segment.translation_percent},
-          {"rotation_deg_per_m", segment.rotation_deg_per_m}};
+          {"translation_percent", error(segment.translation_percent)},
+          {"rotation_deg_per_m", error(segment.rotation_deg_per_m)}};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "evaluation/marked_table.hpp"
 #include "evaluation/option_names.hpp"
 #include "experiments/compare_results.hpp"
+#include "io/counted.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
@@ -126,12 +127,55 @@ void adapt(evaluation::EvaluationOptions& options, const runs::ReferenceTrajecto
   }
 }
 
-/// Of what is asked for and no estimate so short has; empty: there is all of it.
-std::string left_out_text(const Evaluation& evaluation, const evaluation::PairOptions& stretches) {
-  if (!evaluation.relative.empty()) return {};
-  return fmt::format("{}: has no stretch of {:g} {}, so there is no relative error",
-                     evaluation.name, stretches.delta,
-                     evaluation::name_of(evaluation::kDeltaUnitNames, stretches.unit));
+/// Options that somebody gave and that say nothing where poses are paired by their rows.
+void tell_idle(const evaluation::AssociationOptions& given, const EvaluationListener& listener) {
+  const evaluation::AssociationOptions usual;
+  const auto idle = [&](bool is_given, const char* flag) {
+    if (!is_given) return;
+    listener.note(std::string(flag) +
+                  " counts for nothing here: KITTI's files, which have no stamps, are paired by "
+                  "row");
+  };
+  idle(given.method != usual.method, "--pair");
+  idle(given.max_difference != usual.max_difference, "--max-diff");
+  idle(given.max_gap != usual.max_gap, "--max-gap");
+  idle(given.offset != usual.offset, "--offset");
+}
+
+/// Of what is asked for and no estimate so short has.
+void tell_left_out(const Evaluation& evaluation, const evaluation::EvaluationOptions& options,
+                   const EvaluationListener& listener) {
+  if (evaluation.relative.empty()) {
+    const evaluation::PairOptions& stretches = options.stretches;
+    listener.note(fmt::format("{}: has no stretch of {:g} {}, so there is no relative error",
+                              evaluation.name, stretches.delta,
+                              evaluation::name_of(evaluation::kDeltaUnitNames, stretches.unit)));
+  }
+  if (options.segment_lengths.empty()) return;
+  for (const evaluation::SegmentError& segment : evaluation.segments.by_length) {
+    if (segment.count > 0) continue;
+    listener.note(fmt::format("{}: has no segment of {:g} m, so there is no error of these",
+                              evaluation.name, segment.length));
+  }
+}
+
+/// What one should know of an estimate before believing its figures.
+void tell_of(const std::filesystem::path& file, const std::string& name, const Trajectory& estimate,
+             const EvaluationListener& listener) {
+  if (const std::string text = runs::unfinished_text(file); !text.empty()) {
+    listener.note(name + ": " + text);
+  }
+  if (const std::size_t segments = runs::segments_of(file); segments > 1) {
+    listener.note(name + ": " + std::to_string(segments) +
+                  " segments, each in a frame of its own, are laid on the reference as one");
+  }
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < estimate.size(); ++i) {
+    if (estimate[i].stamp_ns == estimate[i - 1].stamp_ns) ++repeated;
+  }
+  if (repeated == 0) return;
+  listener.note(fmt::format("{}: {} {} the stamp of the one before", name,
+                            io::counted(repeated, "pose"), repeated == 1 ? "has" : "have"));
 }
 
 }  // namespace
@@ -155,6 +199,7 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
     listener.note("--topic counts for nothing here: no estimate is a bag");
   }
   evaluation::EvaluationOptions options = request.evaluation;
+  if (reference.format == runs::TrajectoryFormat::kitti) tell_idle(options.association, listener);
   adapt(options, reference);
   const std::vector<std::string> names = runs::estimate_names(request.estimates);
   std::vector<Evaluation> evaluations;
@@ -163,19 +208,11 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
     try {
       const Trajectory estimate =
           runs::read_estimate(request.estimates[i], reference, request.estimate_topic);
-      if (const std::string text = runs::unfinished_text(request.estimates[i]); !text.empty()) {
-        listener.note(names[i] + ": " + text);
-      }
-      if (const std::size_t segments = runs::segments_of(request.estimates[i]); segments > 1) {
-        listener.note(names[i] + ": " + std::to_string(segments) +
-                      " segments, each in a frame of its own, are laid on the reference as one");
-      }
+      const bool by_row = options.association.method == evaluation::AssociationMethod::index;
+      tell_of(request.estimates[i], names[i], by_row ? Trajectory{} : estimate, listener);
       evaluations.push_back(
           evaluation::evaluate(names[i], reference.truth.poses, estimate, options));
-      if (const std::string text = left_out_text(evaluations.back(), options.stretches);
-          !text.empty()) {
-        listener.note(text);
-      }
+      tell_left_out(evaluations.back(), options, listener);
       paths.estimates.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
       paths.begins.push_back(runs::segment_begins(request.estimates[i]));
     } catch (const std::exception& error) {

@@ -222,6 +222,12 @@ TEST_F(Eval, KittiFilesAreFoundOutAndPairedByRow) {
   const nlohmann::json json = eval_json({"truth.txt", "zigzag.txt", "--align", "none"});
   EXPECT_EQ(json[0]["pairs"], kPoses);
   EXPECT_NEAR(json[0]["errors"]["ape_translation"]["rmse"].get<double>(), 0.1, 1e-8);
+  const ProcessResult idle = eval({"truth.txt", "zigzag.txt", "--offset", "5", "--max-diff", "2",
+                                   "--pair", "interpolate", "--max-gap", "3"});
+  for (const char* flag : {"--offset", "--max-diff", "--pair", "--max-gap"}) {
+    EXPECT_NE(idle.errors.find(std::string(flag) + " counts for nothing here"), std::string::npos)
+        << idle;
+  }
 }
 
 TEST_F(Eval, BadInputIsRefused) {
@@ -250,6 +256,31 @@ TEST_F(Eval, AStretchLongerThanTheWayIsTold) {
   EXPECT_NE(result.errors.find("zigzag: has no stretch of 5000 m"), std::string::npos) << result;
   EXPECT_EQ(result.output.find("rpe_"), std::string::npos) << result;
   EXPECT_TRUE(eval({"truth.tum", "zigzag.tum"}).errors.empty());
+  const ProcessResult segments = eval({"truth.tum", "zigzag.tum", "--segments", "5,5000"});
+  EXPECT_NE(segments.errors.find("zigzag: has no segment of 5000 m"), std::string::npos)
+      << segments;
+  EXPECT_EQ(segments.errors.find("segment of 5 m"), std::string::npos) << segments;
+}
+
+TEST_F(Eval, HelpHasTheDefaultsOfItsCommand) {
+  const std::string eval_help = eval({"--help"}).output;
+  const std::string compare_help = run_surefoot({"compare", "--help"}, scratch_.path()).output;
+  for (const char* text : {"s or deg (default: frames)", "(default: --no-all-pairs)",
+                           "(default: --pairs-from-estimate)", "(default: nearest)"}) {
+    EXPECT_NE(eval_help.find(text), std::string::npos) << text << eval_help;
+  }
+  for (const char* text : {"s or deg (default: m)", "(default: --all-pairs)", "(default: se3)"}) {
+    EXPECT_NE(compare_help.find(text), std::string::npos) << text << compare_help;
+  }
+}
+
+TEST_F(Eval, StampsThatComeTwiceAreTold) {
+  Trajectory twice = winding_walk();
+  twice.insert(twice.begin() + 5, twice[4]);
+  io::write_tum(scratch_.path() / "twice.tum", twice);
+  const ProcessResult result = eval({"truth.tum", "twice.tum"});
+  EXPECT_NE(result.errors.find("twice: 1 pose has the stamp of the one before"), std::string::npos)
+      << result;
 }
 
 // One estimate that cannot be used does not take the others' figures away.

@@ -77,6 +77,13 @@ TEST(Coverage, AHoleInTheEstimateIsNotCoveredButADroppedScanIs) {
   EXPECT_NEAR(coverage(truth, dropped, 0.0), 1.0, 1e-9);
 }
 
+TEST(Coverage, OfStampsThatComeTwice) {
+  const Trajectory truth = at_rate(0.0, 10.0, 0.01);
+  Trajectory twice;
+  for (const StampedPose& pose : at_rate(0.0, 10.0, 0.1)) twice.insert(twice.end(), 3, pose);
+  EXPECT_NEAR(coverage(truth, twice, 0.0), 1.0, 1e-9);
+}
+
 TEST(Coverage, OfNothingAndOfAnInstant) {
   const Trajectory instant = {stamped(1.0, {0.0, 0.0, 0.0})};
   EXPECT_DOUBLE_EQ(coverage(instant, {}, 0.0), 0.0);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "walks.hpp"
@@ -68,6 +69,16 @@ TEST(Tables, JsonNamesEveryFigure) {
     EXPECT_TRUE(contains(json, key)) << key;
   }
   EXPECT_NO_THROW((void)to_json({too_high("\xFF", 0.5)})) << "a name that is not UTF-8";
+}
+
+TEST(Tables, SegmentsOfWhichThereAreNoneHaveNoErrorInJson) {
+  Evaluation evaluation = too_high("walk", 0.5);
+  evaluation.segments = {.by_length = {{.length = 500.0}}, .all = {}};
+  const nlohmann::json json = nlohmann::json::parse(to_json({evaluation}))[0];
+  EXPECT_EQ(json["segments"][0]["length_m"], 500.0);
+  EXPECT_EQ(json["segments"][0]["count"], 0);
+  EXPECT_TRUE(json["segments"][0]["translation_percent"].is_null());
+  EXPECT_TRUE(json["segments_all"]["rotation_deg_per_m"].is_null());
 }
 
 TEST(Tables, TextSaysHowMuchWasPaired) {
