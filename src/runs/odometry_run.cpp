@@ -104,7 +104,7 @@ class OdometryRun final : public RunControl {
   void open_bags();
   void begin_map();
   [[nodiscard]] std::exception_ptr finish_map();
-  void write_page(const std::filesystem::path& folder) const;
+  void write_page(const std::filesystem::path& folder);
 
   const RunOptions& options_;
   const RunListener& listener_;
@@ -364,15 +364,15 @@ std::exception_ptr OdometryRun::finish_map() {
   return nullptr;
 }
 
-/// The page is an extra: without it the run is whole all the same.
-void OdometryRun::write_page(const std::filesystem::path& folder) const {
+void OdometryRun::write_page(const std::filesystem::path& folder) {
   if (options_.no_report || !has_report_page()) return;
   try {
     ReportMaker maker(options_.truth);
     maker.add_run(folder);
     write_report(maker.take({}), folder / kReportFile);
   } catch (const std::exception& error) {
-    listener_.say(fmt::format("no {}: {}", kReportFile, error.what()));
+    listener_.say(
+        outcome_.losses.emplace_back(fmt::format("no {}: {}", kReportFile, error.what())));
   }
 }
 

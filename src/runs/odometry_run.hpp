@@ -30,7 +30,7 @@ struct RunOutcome {
   std::size_t unreadable = 0;        ///< scans that could not be read
   std::size_t partial = 0;           ///< scans that were left out for being part of one
   std::size_t segments = 1;          ///< each in a frame of its own
-  std::vector<std::string> losses;   ///< what of the recording is damaged or missing
+  std::vector<std::string> losses;   ///< what of recording or results is damaged or missing
   std::size_t poses = 0;
   bool interrupted = false;
   std::filesystem::path folder;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/file_writer.hpp"
+#include "runs/report_maker.hpp"
 #include "runs/run_files.hpp"
 #include "support/memory_recording.hpp"
 #include "support/scratch.hpp"
@@ -55,6 +56,18 @@ TEST_F(OdometryRunTest, AMapThatCannotBeFinishedLeavesTheRest) {
   }
   const std::string description = text_of(kDescriptionFile);
   EXPECT_NE(description.find("no map after loops: "), std::string::npos) << description;
+}
+
+TEST_F(OdometryRunTest, APageThatCannotBeWrittenIsALoss) {
+  if (!has_report_page()) GTEST_SKIP() << "built without the report";
+  options_.no_report = false;
+  listener_.started = [](const fs::path& folder, RunControl&) {
+    fs::create_directory(folder / kReportFile);
+  };
+  const RunOutcome outcome = run_odometry(options_, listener_, recording_);
+  ASSERT_EQ(outcome.losses.size(), 1);
+  EXPECT_NE(outcome.losses[0].find(std::string("no ") + kReportFile), std::string::npos);
+  EXPECT_EQ(outcome.poses, 3);
 }
 
 TEST_F(OdometryRunTest, InterruptedBeforeItsFirstScanLeavesTheEarlierRun) {
