@@ -74,6 +74,7 @@ std::vector<Eigen::Vector3d> read_route(const std::filesystem::path& file) {
     if (words.at_end()) continue;
     Eigen::Vector3d corner;
     for (int axis = 0; axis < 3; ++axis) corner(axis) = words.number("a corner's coordinate");
+    if (!words.at_end()) fail(file, "got '" + std::string(line) + "', expected a corner's x y z");
     route.push_back(corner);
   }
   if (route.size() < 3) {

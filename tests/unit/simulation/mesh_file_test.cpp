@@ -148,6 +148,8 @@ TEST_F(MeshFileTest, AMeshBecomesASceneWithAWayOnIt) {
   const Scene own = mesh_scene(file, write("way.txt", "# way\n5 5 0\n9 5 0 # corner\n\n9 9 0\n"));
   EXPECT_EQ(own.route.size(), 3U);
   EXPECT_THROW((void)mesh_scene(file, write("short.txt", "1 2 3\n")), std::runtime_error);
+  EXPECT_THROW((void)mesh_scene(file, write("wide.txt", "5 5 0\n9 5 0 7\n9 9 0\n")),
+               std::runtime_error);
   EXPECT_THROW((void)mesh_scene(file, write("bad.txt", "1 2\n")), std::runtime_error);
 }
 
