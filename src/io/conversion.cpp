@@ -11,6 +11,7 @@
 
 #include "io/bags/bag_files.hpp"
 #include "io/bags/carried_messages.hpp"
+#include "io/bags/topic_name.hpp"
 #include "io/bags/topic_survey.hpp"
 #include "io/conversion_lane.hpp"
 #include "io/file_writer.hpp"
@@ -332,6 +333,10 @@ ConversionOutcome convert_recording(const ConversionRequest& asked,
   for (const std::string& topic : asked.topics) {  // each once
     const auto begin = request.topics.begin(), end = request.topics.end();
     if (std::find(begin, end, topic) == end) request.topics.push_back(topic);
+  }
+  if (!request.sink.topic.empty() && !is_topic_name(request.sink.topic)) {
+    throw std::invalid_argument("--out-topic: got '" + printable(request.sink.topic) +
+                                "', expected a name such as /robot_1/points");
   }
   if (is_of_packets(request)) {
 #ifdef SUREFOOT_HAS_PCAP

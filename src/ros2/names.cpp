@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "io/bags/topic_name.hpp"
+
 namespace surefoot::ros2 {
 namespace {
 
@@ -36,17 +38,8 @@ std::string wire_topic(std::string_view topic) {
   return std::string(kTopicPrefix) + std::string(topic);
 }
 
-bool is_topic_name(std::string_view topic) {
-  if (topic.starts_with('/')) topic.remove_prefix(1);
-  char before = '/';
-  for (const char letter : topic) {
-    const bool is_digit = letter >= '0' && letter <= '9';
-    const bool is_letter =
-        (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_';
-    if (!is_letter && (before == '/' || !(is_digit || letter == '/'))) return false;
-    before = letter;
-  }
-  return before != '/';
+bool is_node_name(std::string_view node) {
+  return io::is_topic_name(node) && node.find('/') == std::string_view::npos;
 }
 
 std::string topic_of(std::string_view wire_name) {

@@ -14,8 +14,8 @@ namespace surefoot::ros2 {
 [[nodiscard]] std::string wire_type(std::string_view type);
 /// "rt/points" of "/points" or "points".
 [[nodiscard]] std::string wire_topic(std::string_view topic);
-/// Whether ROS 2 lets a topic have that name: "/points", "points", "/robot_1/points".
-[[nodiscard]] bool is_topic_name(std::string_view topic);
+/// Whether ROS 2 lets a node have that name: "surefoot", "robot_1".
+[[nodiscard]] bool is_node_name(std::string_view node);
 /// "/points" of "rt/points"; empty for what is no topic: a service's, or DDS's own.
 [[nodiscard]] std::string topic_of(std::string_view wire_name);
 

@@ -17,6 +17,8 @@
 
 #include "io/bags/message_source.hpp"
 #include "io/messages/message_writer.hpp"
+#include "io/printable.hpp"
+#include "ros2/names.hpp"
 #include "ros2/raw_type.hpp"
 
 namespace surefoot::ros2 {
@@ -147,6 +149,10 @@ void for_each_publication(dds_entity_t reader, const std::string& own, Visitor&&
 }  // namespace
 
 Participant::Participant(const ParticipantOptions& options) : options_(options) {
+  if (!is_node_name(options_.node)) {
+    throw std::invalid_argument("ROS 2 node: got '" + io::printable(options_.node) +
+                                "', expected a name such as robot_1");
+  }
   const auto fail = [&](dds_return_t error, const std::string& said) {
     const std::string network = options_.interface.empty() ? "" : " on " + options_.interface;
     throw std::runtime_error("ROS 2 domain " + std::to_string(options_.domain) + network + ": " +

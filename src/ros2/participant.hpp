@@ -42,7 +42,8 @@ struct SeenTopic {
 
 class Participant {
  public:
-  /// Throws std::runtime_error that names domain and interface.
+  /// Throws std::runtime_error that names domain and interface, std::invalid_argument for a node
+  /// of no name.
   explicit Participant(const ParticipantOptions& options);
 
   /// Of others, by name; those that are no ROS 2 topics are left out.

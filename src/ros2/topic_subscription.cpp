@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "io/bags/topic_name.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
 #include "io/printable.hpp"
@@ -34,7 +35,7 @@ class TopicSubscription final : public live::TopicSource {
  public:
   TopicSubscription(std::shared_ptr<Participant> participant, SubscriptionOptions options)
       : participant_(std::move(participant)), options_(std::move(options)), begun_(Clock::now()) {
-    if (!is_topic_name(options_.topic)) {
+    if (!io::is_topic_name(options_.topic)) {
       throw std::invalid_argument("ROS 2 topic: got '" + io::printable(options_.topic) +
                                   "', expected a name such as /robot_1/points");
     }

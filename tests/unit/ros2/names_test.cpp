@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "ros2/participant.hpp"
+
 namespace surefoot::ros2 {
 namespace {
 
@@ -18,13 +22,13 @@ TEST(Names, TopicsAndTypesAreSpelledAsOnTheWire) {
   EXPECT_EQ(trigger_reply_topic("/surefoot/reset").type, "std_srvs::srv::dds_::Trigger_Response_");
 }
 
-TEST(Names, OnlyWhatRos2LetsBeATopicIsOne) {
-  for (const char* name : {"/points", "points", "/robot_1/points", "/utlidar/cloud", "_p"}) {
-    EXPECT_TRUE(is_topic_name(name)) << name;
-  }
-  for (const char* name : {"", "/", "//points", "/a//b", "/points/", "/bad topic", "/1st", "/a/1st",
-                           "points\n", "/p\xc3\xbc"}) {
-    EXPECT_FALSE(is_topic_name(name)) << name;
+TEST(Names, OnlyWhatRos2LetsBeANodeIsOne) {
+  for (const char* name : {"surefoot", "robot_1", "_p"}) EXPECT_TRUE(is_node_name(name)) << name;
+  for (const char* name : {"", "/", "/surefoot", "a/b", "a b", "1x", "n\n"}) {
+    EXPECT_FALSE(is_node_name(name)) << name;
+    ParticipantOptions options;
+    options.node = name;
+    EXPECT_THROW(Participant{options}, std::invalid_argument) << name;
   }
 }
 
