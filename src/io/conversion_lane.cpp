@@ -63,7 +63,7 @@ std::vector<std::string> ConversionLane::losses() const {
   std::vector<std::string> lines;
   if (!sink_) return lines;
   if (const std::string fields = sink_->lost(); !fields.empty()) {
-    lines.push_back("lost: fields that the format does not hold: " + printable(fields));
+    lines.push_back("lost: fields that are not written to it: " + printable(fields));
   }
   std::istringstream remarks(sink_->remark());
   for (std::string line; std::getline(remarks, line);) lines.push_back(line);

@@ -84,7 +84,7 @@ TEST(Convert, PartsOfARecordingAndWhatIsLost) {
       run_surefoot({"convert", "pcd", "a", "--stride", "2", "--to", "bin"}, folder);
   EXPECT_EQ(every.exit_code, 0) << every;
   EXPECT_NE(every.output.find("3 scans"), std::string::npos) << every;
-  EXPECT_NE(every.errors.find("lost: fields that the format does not hold: ring, t\n"),
+  EXPECT_NE(every.errors.find("lost: fields that are not written to it: ring, t\n"),
             std::string::npos)
       << every;
   const ProcessResult range = run_surefoot(
@@ -234,7 +234,7 @@ TEST(Convert, SaysWhatTheOutputDoesNotHold) {
                     points);
   const ProcessResult result = run_surefoot({"convert", "pcd", "a.mcap"}, folder);
   EXPECT_EQ(result.exit_code, 0) << result;
-  for (const char* part : {"lost: fields that the format does not hold: ambient\n",
+  for (const char* part : {"lost: fields that are not written to it: ambient\n",
                            "lost: coordinates become floats, which changes them by up to 0.2 m",
                            "left out: 1 points without a usable time"}) {
     EXPECT_NE(result.errors.find(part), std::string::npos) << result;
