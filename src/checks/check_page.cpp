@@ -234,7 +234,12 @@ std::string to_html(const RecordingCheck& check, const std::string& name) {
 
 void require_page_or_nothing(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
-  if (file.empty() || !fs::exists(fs::symlink_status(file))) return;
+  if (file.empty()) return;
+  if (const fs::path folder = fs::absolute(file).parent_path(); !fs::is_directory(folder)) {
+    throw std::invalid_argument("--html " + file.string() + ": there is no folder " +
+                                folder.string());
+  }
+  if (!fs::exists(fs::symlink_status(file))) return;
   if (io::is_file_beginning(file, kMark)) return;
   throw std::invalid_argument("--html " + file.string() +
                               ": is there already and is no page of check's; choose another name");

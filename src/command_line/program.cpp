@@ -26,7 +26,12 @@ namespace {
 
 /// CLI11 only says that something is missing or too much.
 void check_command(const CLI::App& app, const std::vector<const char*>& words) {
-  if (words.size() < 2 || words[1][0] == '-') return;
+  if (words.size() < 2) return;
+  if (words[1][0] == '-') {
+    if (app.get_option_no_throw(words[1]) != nullptr) return;
+    throw std::invalid_argument(
+        fmt::format("got '{}', expected a subcommand; --help shows them", words[1]));
+  }
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), words[1]) != names.end()) return;

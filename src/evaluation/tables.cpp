@@ -25,6 +25,10 @@ std::vector<NamedStatistics> all_statistics(const Evaluation& evaluation) {
   return all;
 }
 
+std::string count_text(const SegmentError& segment) {
+  return fmt::format("{} {}", segment.count, segment.count == 1 ? "segment" : "segments");
+}
+
 void append_text(std::string& text, const Evaluation& evaluation) {
   text +=
       fmt::format("{}: {} of {} poses paired, {:.1f} % of the reference covered\n", evaluation.name,
@@ -42,13 +46,14 @@ void append_text(std::string& text, const Evaluation& evaluation) {
   for (const SegmentError& segment : evaluation.segments.by_length) {
     if (segment.count == 0) continue;
     text +=
-        fmt::format("  segments of {:g} m: {:.4f} %, {:.6f} deg/m ({} segments)\n", segment.length,
-                    segment.translation_percent, segment.rotation_deg_per_m, segment.count);
+        fmt::format("  segments of {:g} m: {:.4f} %, {:.6f} deg/m ({})\n", segment.length,
+                    segment.translation_percent, segment.rotation_deg_per_m, count_text(segment));
   }
   const SegmentError& segments = evaluation.segments.all;
   if (segments.count > 0) {
-    text += fmt::format("  segments of all lengths: {:.4f} %, {:.6f} deg/m ({} segments)\n",
-                        segments.translation_percent, segments.rotation_deg_per_m, segments.count);
+    text += fmt::format("  segments of all lengths: {:.4f} %, {:.6f} deg/m ({})\n",
+                        segments.translation_percent, segments.rotation_deg_per_m,
+                        count_text(segments));
   }
   const EndDrift& drift = evaluation.drift;
   text += fmt::format(

@@ -14,6 +14,7 @@
 #include "experiments/comparison_folder.hpp"
 #include "experiments/comparison_plan.hpp"
 #include "experiments/fingerprint.hpp"
+#include "io/counted.hpp"
 #include "process/exit_codes.hpp"
 #include "process/folder_lock.hpp"
 
@@ -153,7 +154,7 @@ std::optional<CompareResults> compare_variants(const CompareOptions& options,
   fs::create_directories(options.output);
   const process::FolderLock lock(options.output, options.part.has_value());
   const std::string what =
-      fmt::format("{} recordings, {} methods", inputs->size(), variants.size());
+      io::counted(inputs->size(), "recording") + ", " + io::counted(variants.size(), "method");
   if (!work_through(options, queue, what)) return std::nullopt;
   CompareResults results;
   if (!options.part) results = collect_results(options, *inputs, variants, build);

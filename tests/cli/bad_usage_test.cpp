@@ -22,6 +22,7 @@ void PrintTo(const BadUsage& usage, std::ostream* out) { *out << usage.name; }
 const BadUsage kBadCommands[] = {
     {"nothing", {}, {"subcommand"}},
     {"unknown_command", {"walk"}, {"subcommand"}},
+    {"unknown_flag_of_all", {"--foo"}, {"--foo"}},
     {"unknown_flag", {"run", "in", "--fly"}, {"--fly"}},
     {"no_input", {"run"}, {"input"}},
     {"two_inputs", {"run", "in", "in"}, {"in"}},

@@ -157,6 +157,11 @@ TEST(Check, APageReplacesNothingButItsOwn) {
     EXPECT_EQ(result.exit_code, 2) << result;
     EXPECT_NE(result.errors.find("is there already"), std::string::npos) << result;
   }
+  const ProcessResult nowhere =
+      run_surefoot({"check", "in", "--no-motion", "--html", "nowhere/page.html"}, scratch.path());
+  EXPECT_EQ(nowhere.exit_code, 2) << nowhere;
+  EXPECT_EQ(nowhere.output, "") << "said before the work";
+  EXPECT_NE(nowhere.errors.find("there is no folder"), std::string::npos) << nowhere;
   EXPECT_TRUE(file_content(scratch.path() / scan) == before);
   EXPECT_EQ(file_content(scratch.path() / "other.html"), other);
   EXPECT_TRUE(std::filesystem::is_symlink(scratch.path() / "null"));

@@ -122,8 +122,9 @@ FolderListing list_folder(const std::filesystem::path& path, const std::string& 
     }
   }
   if (sorted.kinds() > 1 && format.empty()) {
-    throw ReadError(listing.folder.string() + ": " + sorted.counts() +
-                    "; expected scans of one kind, or the format to read: pcd, ply, bin or las");
+    throw ReadError(
+        listing.folder.string() + ": " + sorted.counts() +
+        "; expected scans of one kind, or --format with the one to read: pcd, ply, bin or las");
   }
   for (const ScanFileKind kind : kKinds) {
     std::vector<std::filesystem::path>& files = sorted.by_kind[static_cast<std::size_t>(kind)];
