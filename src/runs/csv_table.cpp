@@ -10,10 +10,25 @@
 #include "io/ascii_values.hpp"
 #include "io/file_reader.hpp"
 #include "io/recording.hpp"
+#include "io/utf8.hpp"
 
 namespace surefoot::runs {
 
 using io::ReadError;
+
+std::string csv_quoted(std::string_view text) {
+  const unsigned last = io::is_utf8(text) ? 0xFF : 0x7E;
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F || byte > last) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c == '"' ? "\"\"" : std::string(1, c);
+    }
+  }
+  return result + '"';
+}
 
 std::vector<std::string> csv_fields(std::string_view line) {
   std::vector<std::string> fields(1);

@@ -10,6 +10,9 @@
 
 namespace surefoot::runs {
 
+/// A text as a field: in quotes, on one line, as UTF-8, whatever bytes it holds.
+[[nodiscard]] std::string csv_quoted(std::string_view text);
+
 /// Fields of a line of CSV (RFC 4180) that spans no other, without their quotes.
 [[nodiscard]] std::vector<std::string> csv_fields(std::string_view line);
 

@@ -9,6 +9,7 @@
 #include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "io/trajectory_files.hpp"
+#include "runs/csv_table.hpp"
 #include "runs/run_files.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -58,14 +59,14 @@ void LocalizationRun::add(const Estimate& estimate, const mapping::ScanPoints& p
   localizer_.add(placed_.next(estimate), points);
   outcome_.message = localizer_.message();
   if (!localizer_.T_map_world()) {
-    return write(fmt::format("{},0,,,,{}\n", stamp, outcome_.message));
+    return write(fmt::format("{},0,,,,{}\n", stamp, csv_quoted(outcome_.message)));
   }
   const Pose pose = *localizer_.T_map_world() * estimate.T_world_lidar;
   ++outcome_.found;
   if (!outcome_.first_found) outcome_.first_found = seconds(now_ns - clock_.begin_ns());
   poses_ << io::format_tum({{estimate.stamp_ns, pose * T_lidar_written_}});
   write(fmt::format("{},1,{:.4f},{:.4f},{:.4f},{}\n", stamp, pose.translation.x(),
-                    pose.translation.y(), pose.translation.z(), outcome_.message));
+                    pose.translation.y(), pose.translation.z(), csv_quoted(outcome_.message)));
 }
 
 }  // namespace surefoot::runs

@@ -37,13 +37,13 @@ std::string pose_of(const mapping::Loop& loop) {
 
 }  // namespace
 
-std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth) {
+std::string loops_csv(const std::vector<mapping::Piece>& pieces,
+                      const std::vector<mapping::Loop>& loops, const LoopTruth* truth) {
   std::string text = fmt::format(
       "stamp,place_stamp,way_m,place_way_m,verdict,{}drift_chi2,{}true_gap_m,true_gap_deg,why\n",
       kFigureNames, kPoseNames);
-  const std::vector<mapping::Piece>& pieces = mapper.pieces();
-  for (std::size_t i = 0; i < mapper.loops().size(); ++i) {
-    const mapping::Loop& loop = mapper.loops()[i];
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const mapping::Loop& loop = loops[i];
     text += fmt::format("{},{},{:.2f},{:.2f},{},{}{:.2f},{}",
                         io::format_seconds(pieces[loop.query].stamp_ns),
                         io::format_seconds(pieces[loop.place].stamp_ns), pieces[loop.query].way,
@@ -52,7 +52,7 @@ std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth)
     text += truth == nullptr
                 ? ","
                 : fmt::format("{:.3f},{:.3f}", truth->errors[i].metres, truth->errors[i].degrees);
-    text += fmt::format(",{}\n", mapping::explain(loop.check.verdict));
+    text += fmt::format(",{}\n", csv_quoted(mapping::explain(loop.check.verdict)));
   }
   return text;
 }
@@ -94,7 +94,7 @@ std::string join_csv(const mapping::MapJoin& join, std::size_t map) {
                         io::format_seconds(join.pieces[loop.query].stamp_ns),
                         io::format_seconds(join.pieces[loop.place].stamp_ns),
                         mapping::to_string(loop.check.verdict), figures_of(loop), pose_of(loop),
-                        mapping::explain(loop.check.verdict));
+                        csv_quoted(mapping::explain(loop.check.verdict)));
   }
   return text;
 }

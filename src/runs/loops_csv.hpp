@@ -16,8 +16,11 @@
 
 namespace surefoot::runs {
 
-/// The whole file. `truth` may be null; then two columns are empty.
-[[nodiscard]] std::string loops_csv(const mapping::WalkMapper& mapper, const LoopTruth* truth);
+/// The whole file, of a walk's pieces and the loops between them. `truth` may be null; then two
+/// columns are empty.
+[[nodiscard]] std::string loops_csv(const std::vector<mapping::Piece>& pieces,
+                                    const std::vector<mapping::Loop>& loops,
+                                    const LoopTruth* truth);
 
 /// The file as a report shows it: places by the scans that are nearest to their stamps. Throws
 /// io::ReadError naming file and line.

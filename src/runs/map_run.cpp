@@ -38,7 +38,8 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
   }
   const std::optional<LoopTruth> truth = judged(outcome);
   if (truth) io::write_whole_file(folder / kRevisitsFile, revisits_csv(mapper_, *truth));
-  io::write_whole_file(folder / kLoopsFile, loops_csv(mapper_, truth ? &*truth : nullptr));
+  io::write_whole_file(folder / kLoopsFile,
+                       loops_csv(mapper_.pieces(), mapper_.loops(), truth ? &*truth : nullptr));
   mapping::FinishedWalk walk(mapper_);
   walk.drop_moved();
   if (continued_) join(folder, walk, outcome);

@@ -16,7 +16,6 @@
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
 #include "io/saturated.hpp"
-#include "io/utf8.hpp"
 #include "report/joined_names.hpp"
 #include "runs/csv_table.hpp"
 
@@ -39,21 +38,6 @@ struct Column {
   Kind kind;
   std::function<std::string(const ScanRow&)> value;
 };
-
-/// In quotes, on one line, as UTF-8: a file's name may hold any byte.
-std::string quoted(const std::string& text) {
-  const unsigned last = io::is_utf8(text) ? 0xFF : 0x7E;
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F || byte > last) {
-      result += fmt::format("\\x{:02x}", byte);
-    } else {
-      result += c == '"' ? "\"\"" : std::string(1, c);
-    }
-  }
-  return result + '"';
-}
 
 Column whole(std::string name, int Estimate::*member) {
   return {std::move(name), Column::Kind::number,
@@ -122,14 +106,14 @@ std::vector<Column> make_columns() {
   using Kind = Column::Kind;
   std::vector<Column> columns = {
       {"scan", Kind::number, [](const ScanRow& row) { return std::to_string(row.scan); }},
-      {"name", Kind::text, [](const ScanRow& row) { return quoted(row.name); }},
+      {"name", Kind::text, [](const ScanRow& row) { return csv_quoted(row.name); }},
       {kStamp, Kind::text,
        [](const ScanRow& row) { return io::format_seconds(row.estimate.stamp_ns); }},
       {kStatus, Kind::text,
        [](const ScanRow& row) { return std::string(to_string(row.estimate.status)); }},
       {"segment", Kind::number,
        [](const ScanRow& row) { return std::to_string(row.estimate.segment); }},
-      {kMessage, Kind::text, [](const ScanRow& row) { return quoted(row.estimate.message); }},
+      {kMessage, Kind::text, [](const ScanRow& row) { return csv_quoted(row.estimate.message); }},
       real("x", [](const Estimate& e) { return e.T_world_lidar.translation.x(); }),
       real("y", [](const Estimate& e) { return e.T_world_lidar.translation.y(); }),
       real("z", [](const Estimate& e) { return e.T_world_lidar.translation.z(); }),

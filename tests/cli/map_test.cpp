@@ -200,7 +200,8 @@ TEST_F(MapCommand, IsFoundAgainByItsOwnRecording) {
   ASSERT_GT(found.size(), 10U);
   const Pose& last = found.back().pose;
   EXPECT_LT((last.translation - before.back().pose.translation).norm(), 0.2);
-  EXPECT_EQ(lines_of(path("again/localization.csv")), 56U);       // its head and 55 scans
+  EXPECT_EQ(lines_of(path("again/localization.csv")), 56U);  // its head and 55 scans
+  EXPECT_NE(file_content(path("again/localization.csv")).find(",\"found\"\n"), std::string::npos);
   const std::string told = file_content(path("again/run.yaml"));  // from wherever it is repeated
   EXPECT_NE(told.find("localize: " + path("map").string()), std::string::npos) << told;
 }

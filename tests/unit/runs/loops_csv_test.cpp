@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/recording.hpp"
+#include "runs/csv_table.hpp"
 #include "runs/scans_csv.hpp"
 #include "support/scratch.hpp"
 
@@ -49,6 +50,32 @@ TEST_F(LoopsCsv, PlacesAreFoundWhereTheClockWasSetBack) {
   EXPECT_EQ(loops[0].place, 1U);
   EXPECT_EQ(loops[1].scan, 5U);
   EXPECT_EQ(loops[1].place, 1U);
+}
+
+/// Of a CSV file with a header and one line: how many fields they have.
+void expect_full_line(const std::string& text, const std::string& why) {
+  const std::size_t end = text.find('\n');
+  const std::vector<std::string> head = csv_fields(text.substr(0, end));
+  const std::vector<std::string> line = csv_fields(text.substr(end + 1, text.size() - end - 2));
+  EXPECT_EQ(line.size(), head.size()) << text;
+  EXPECT_EQ(line.back(), why) << text;
+}
+
+TEST_F(LoopsCsv, EveryVerdictsSentenceIsOneField) {
+  mapping::MapJoin join;
+  join.pieces.resize(2);
+  join.loops.resize(1);
+  join.loops[0].query = 1;
+  int verdicts = 0;
+  for (;; ++verdicts) {
+    const auto verdict = static_cast<mapping::LoopVerdict>(verdicts);
+    if (mapping::to_string(verdict) == "?") break;
+    join.loops[0].check.verdict = verdict;
+    const std::string why(mapping::explain(verdict));
+    expect_full_line(loops_csv(join.pieces, join.loops, nullptr), why);
+    expect_full_line(join_csv_header() + join_csv(join, 2), why);
+  }
+  EXPECT_GT(verdicts, 12);
 }
 
 TEST_F(LoopsCsv, ABrokenOneIsRefusedByLine) {
