@@ -234,12 +234,12 @@ void write_results(const CompareOptions& options, const CompareResults& results)
     io::write_whole_file(options.output / name, text);
   };
   write("compare.json", evaluation::to_json(comparison));  // first: by it the others are ours
-#ifdef SUREFOOT_HAS_PICTURES
-  if (options.figures) draw_comparison(results, options.output / "figures");
-#endif
   write("tables.md", evaluation::tables_markdown(comparison));
   write("tables.csv", evaluation::tables_csv(comparison));
   write("tables.tex", evaluation::tables_latex(comparison));
+#ifdef SUREFOOT_HAS_PICTURES
+  if (options.figures) draw_comparison(results, options.output / "figures");
+#endif
 }
 
 }  // namespace surefoot::experiments

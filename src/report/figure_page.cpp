@@ -11,20 +11,25 @@ namespace surefoot::report {
 
 namespace {
 
-constexpr int kDots = 2;                // of a PNG for each pixel of the page
-constexpr double kPageMargin = 24.0;    // [px]
-constexpr double kLegendLine = 44.0;    // [px]
+constexpr int kDots = 2;              // of a PNG for each pixel of the page, where it can hold them
+constexpr double kHighest = 32767.0;  // [dots] that cairo's images can hold
+constexpr double kPageMargin = 24.0;  // [px]
+constexpr double kLegendLine = 44.0;  // [px]
 constexpr double kLegendSample = 52.0;  // [px]
 constexpr double kTextSize = 21.0;      // [px]
 
-struct Layout {
-  int columns;
-  double panel_width;  // [px]
+struct Columns {
+  std::size_t count;
+  double width;  // [px] of each
+
+  [[nodiscard]] double page_width() const {
+    return 2.0 * kPageMargin + static_cast<double>(count) * width;
+  }
 };
 
-Layout layout_for(std::size_t panels) {
+Columns columns_for(std::size_t panels) {
   if (panels == 1) return {1, 760.0};
-  return panels <= 4 ? Layout{2, 620.0} : Layout{3, 560.0};
+  return panels <= 4 ? Columns{2, 620.0} : Columns{3, 560.0};
 }
 
 double sample_width(const LegendEntry& entry) {
@@ -72,6 +77,40 @@ void draw_legend(Canvas& canvas, const std::vector<LegendLine>& lines, double pa
   }
 }
 
+struct Layout {
+  Columns columns;
+  std::vector<LegendLine> legend;
+  std::vector<double> tops;  // [px] of each row, and the last one's end
+
+  [[nodiscard]] double height() const { return tops.back() + kPageMargin; }
+};
+
+Layout layout_in(const FigurePage& page, const Columns& columns) {
+  Canvas ruler(1, 1, PageFormat::png);  // measures text before the page's height is known
+  Layout layout{
+      columns, legend_lines(ruler, page.legend, columns.page_width() - 2.0 * kPageMargin), {}};
+  layout.tops = {kPageMargin + kLegendLine * static_cast<double>(layout.legend.size())};
+  for (std::size_t first = 0; first < page.heights.size(); first += columns.count) {
+    double height = 0.0;
+    for (std::size_t i = first; i < std::min(first + columns.count, page.heights.size()); ++i) {
+      height = std::max(height, page.heights[i] * columns.width);
+    }
+    layout.tops.push_back(layout.tops.back() + height);
+  }
+  return layout;
+}
+
+/// With as many columns as it takes for a picture that can hold all rows.
+Layout layout_of(const FigurePage& page) {
+  Columns columns = columns_for(page.heights.size());
+  Layout layout = layout_in(page, columns);
+  while (layout.height() > kHighest && columns.count < page.heights.size()) {
+    ++columns.count;
+    layout = layout_in(page, columns);
+  }
+  return layout;
+}
+
 }  // namespace
 
 std::string numbered_title(std::size_t panel, std::size_t count, const std::string& title) {
@@ -93,28 +132,16 @@ void draw_remarks(Canvas& canvas, const Rect& rect, const std::vector<std::strin
 
 void draw_figure_page(const FigurePage& page, const std::filesystem::path& path) {
   const PageFormat format = page_format_of(path);
-  const std::size_t count = page.heights.size();
-  const Layout layout = layout_for(count);
-  const auto columns = static_cast<std::size_t>(layout.columns);
-  const double page_width = 2.0 * kPageMargin + layout.columns * layout.panel_width;
-  Canvas ruler(1, 1, PageFormat::png);  // measures text before the page's height is known
-  const std::vector<LegendLine> legend =
-      legend_lines(ruler, page.legend, page_width - 2.0 * kPageMargin);
-  std::vector<double> tops = {kPageMargin + kLegendLine * static_cast<double>(legend.size())};
-  for (std::size_t first = 0; first < count; first += columns) {
-    double height = 0.0;
-    for (std::size_t i = first; i < std::min(first + columns, count); ++i) {
-      height = std::max(height, page.heights[i] * layout.panel_width);
-    }
-    tops.push_back(tops.back() + height);
-  }
-  Canvas canvas(static_cast<int>(page_width), static_cast<int>(tops.back() + kPageMargin), format,
-                kDots);
-  draw_legend(canvas, legend, page_width);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t row = i / columns;
-    const double left = kPageMargin + static_cast<double>(i % columns) * layout.panel_width;
-    page.draw(canvas, {left, tops[row], layout.panel_width, tops[row + 1] - tops[row]}, i);
+  const Layout layout = layout_of(page);
+  const auto& [columns, legend, tops] = layout;
+  const int dots = kDots * layout.height() > kHighest ? 1 : kDots;
+  Canvas canvas(static_cast<int>(columns.page_width()), static_cast<int>(layout.height()), format,
+                dots);
+  draw_legend(canvas, legend, columns.page_width());
+  for (std::size_t i = 0; i < page.heights.size(); ++i) {
+    const std::size_t row = i / columns.count;
+    const double left = kPageMargin + static_cast<double>(i % columns.count) * columns.width;
+    page.draw(canvas, {left, tops[row], columns.width, tops[row + 1] - tops[row]}, i);
   }
   canvas.save(path);
 }

@@ -95,6 +95,20 @@ TEST(TrajectoryFigure, APanelForEachSequence) {
   }
 }
 
+// A picture of 32,768 dots or more in height cannot be made.
+TEST(TrajectoryFigure, APageOfHundredsOfPanelsIsDrawn) {
+  for (const std::size_t panels : {120U, 300U}) {
+    TrajectoryFigure figure{{"m"}, {}};
+    figure.panels.assign(panels, {FigureView::top, "hall", {}, {{}}, {}, {}});
+    const fs::path path = scratch("hundreds.png");
+    draw_trajectory_figure(figure, path);
+    const PngImage image(path);
+    ASSERT_TRUE(image.valid());
+    EXPECT_GT(image.width() * (image.height() / 100), 300 * static_cast<int>(panels)) << panels;
+    fs::remove(path);
+  }
+}
+
 TEST(TrajectoryFigure, PngIsTheSameTwice) {
   const fs::path a = scratch("a.png"), b = scratch("b.png"), svg = scratch("a.svg");
   draw_trajectory_figure(figure_of(FigureView::space, 2), a);
