@@ -14,6 +14,21 @@ namespace surefoot::report {
 namespace {
 constexpr double kTickSize = 19.0;
 constexpr double kLabelSize = 21.0;
+constexpr double kNumberGap = 10.0;    // [px] between the y axis and its numbers
+constexpr double kLabelGap = 11.0;     // [px] between the widest of them and the label's base line
+constexpr double kLeastLabel = 74.0;   // [px] from the axis to that: labels of panels in line
+constexpr double kLabelHeight = 22.0;  // [px] above the base line
+
+double label_distance(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
+  const Ticks ticks = nice_ticks(area.y, labels.y_ticks);
+  double widest = 0.0;
+  for (const double value : ticks.values) {
+    const double width = canvas.text_width(tick_label(value, ticks.step), {.size = kTickSize});
+    widest = std::max(widest, width);
+  }
+  return std::max(kLeastLabel, kNumberGap + widest + kLabelGap);
+}
+
 }  // namespace
 
 bool is_drawable(double value) { return std::abs(value) <= kFarthest; }
@@ -75,6 +90,10 @@ PlotArea equal_aspect(const Rect& rect, const Range& x, const Range& y) {
       rect, {x.center() - half_x, x.center() + half_x}, {y.center() - half_y, y.center() + half_y}};
 }
 
+double left_margin(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
+  return label_distance(canvas, area, labels) + kLabelHeight;
+}
+
 void draw_grid(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
   for (const double value : nice_ticks(area.x, labels.x_ticks).values) {
     const std::array<Pixel, 2> ends = {area.at(value, area.y.low), area.at(value, area.y.high)};
@@ -101,10 +120,11 @@ void draw_axes(Canvas& canvas, const PlotArea& area, const AxisLabels& labels) {
   number.anchor = Anchor::right;
   const Ticks ticks = nice_ticks(area.y, labels.y_ticks);
   for (const double value : ticks.values) {
-    canvas.text(tick_label(value, ticks.step), area.at(area.x.low, value) + Pixel(-10.0, 7.0),
+    canvas.text(tick_label(value, ticks.step), area.at(area.x.low, value) + Pixel(-kNumberGap, 7.0),
                 number);
   }
-  canvas.text(labels.y, {area.rect.x - 74.0, area.rect.center().y()},
+  const double distance = label_distance(canvas, area, labels);
+  canvas.text(labels.y, {area.rect.x - distance, area.rect.center().y()},
               {.size = kLabelSize, .anchor = Anchor::center, .upward = true});
 }
 

@@ -62,6 +62,8 @@ struct AxisLabels {
   int x_ticks = 6;
   int y_ticks = 6;
 };
+/// [px] What the y axis' numbers and label take beside the rectangle.
+[[nodiscard]] double left_margin(Canvas& canvas, const PlotArea& area, const AxisLabels& labels);
 /// Light grid lines; drawn before the data.
 void draw_grid(Canvas& canvas, const PlotArea& area, const AxisLabels& labels);
 /// Frame, tick numbers and labels; drawn after the data.

@@ -16,6 +16,8 @@ namespace {
 
 const Stroke kShadow{{0.72, 0.74, 0.78}, 1.5};  // of the reference, on the floor
 
+constexpr double kLeftMargin = 96.0;  // [px] of axes whose numbers are not too wide for it
+
 /// How panels of a view are laid out: the page's columns have a given width.
 struct Frame {
   double height;                    // by the panel's width
@@ -27,11 +29,11 @@ Frame frame_of(FigureView view) {
     case FigureView::space:
       return {0.72, 0.0, 0.0, 44.0, 0.0};
     case FigureView::side:
-      return {0.55, 96.0, 18.0, 44.0, 74.0};
+      return {0.55, kLeftMargin, 18.0, 44.0, 74.0};
     case FigureView::top:
       break;
   }
-  return {0.82, 96.0, 18.0, 44.0, 74.0};
+  return {0.82, kLeftMargin, 18.0, 44.0, 74.0};
 }
 
 void draw_space(Canvas& canvas, const Rect& rect, const Curves& curves) {
@@ -50,12 +52,17 @@ void draw_space(Canvas& canvas, const Rect& rect, const Curves& curves) {
 void draw_plane(Canvas& canvas, const Rect& rect, const Curves& curves, int up) {
   const Range& x = curves.ranges[0];
   const Range& y = curves.ranges[static_cast<std::size_t>(up)];
-  const PlotArea area = up == 1 ? equal_aspect(rect, x, y) : PlotArea{rect, x, y};
+  const auto area_in = [&](const Rect& within) {
+    return up == 1 ? equal_aspect(within, x, y) : PlotArea{within, x, y};
+  };
   const AxisLabels labels{.x = "x [m]", .y = up == 1 ? "y [m]" : "z [m]"};
+  PlotArea area = area_in(rect);
+  const double more = left_margin(canvas, area, labels) - kLeftMargin;
+  if (more > 0.0) area = area_in({rect.x + more, rect.y, rect.width - more, rect.height});
   draw_grid(canvas, area, labels);
-  canvas.clip(rect);
+  canvas.clip(area.rect);
   const auto at = [&](const Eigen::Vector3d& point) { return area.at(point.x(), point[up]); };
-  draw_curves(canvas, curves, at, {rect, nullptr});
+  draw_curves(canvas, curves, at, {area.rect, nullptr});
   canvas.unclip();
   draw_axes(canvas, area, labels);
 }

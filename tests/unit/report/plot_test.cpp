@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "report/color_map.hpp"
@@ -67,6 +69,41 @@ TEST(Plot, EqualAspectKeepsBothRangesInsideAndPixelsSquare) {
   EXPECT_DOUBLE_EQ(area.x.high, 15.0);
   EXPECT_TRUE(area.at(5.0, 4.0).isApprox(Pixel(210.0, 120.0)));
   EXPECT_TRUE(area.at(5.0, 9.0).isApprox(Pixel(210.0, 20.0))) << "y grows upwards";
+}
+
+/// How many columns of pixels lie blank between the y axis' label and the widest of its numbers; it
+/// takes `margin` pixels.
+int gap_beside_numbers(const Range& y, double& margin) {
+  constexpr int kAxis = 200;
+  Canvas canvas(600, 400, PageFormat::png);
+  const PlotArea area{{kAxis, 20.0, 380.0, 300.0}, {0.0, 1.0}, y};
+  const AxisLabels labels{.x = "", .y = "y [m]"};
+  margin = left_margin(canvas, area, labels);
+  draw_axes(canvas, area, labels);
+  const Raster raster = canvas.raster();
+  int blank = 0, most = 0;
+  bool inked_before = false;
+  for (int x = 0; x < kAxis - 6; ++x) {
+    bool inked = false;
+    for (int row = 0; row < raster.height; ++row) {
+      const auto at = static_cast<std::size_t>(row * raster.width + x);
+      inked = inked || (raster.argb[at] & 0xFFU) < 0xC0U;
+    }
+    EXPECT_FALSE(inked && x < kAxis - margin) << x;
+    if (inked && inked_before) most = std::max(most, blank);
+    blank = inked ? 0 : blank + 1;
+    inked_before = inked_before || inked;
+  }
+  return most;
+}
+
+TEST(Plot, AxisLabelsClearTheWidestNumber) {
+  double usual = 0.0, wide = 0.0;
+  EXPECT_GE(gap_beside_numbers({0.0, 10.0}, usual), 5);
+  EXPECT_GE(gap_beside_numbers({519.6, 519.9}, wide), 5);
+  EXPECT_GT(wide, usual);
+  EXPECT_GE(gap_beside_numbers({-11.97, -11.9}, wide), 5);
+  EXPECT_GE(gap_beside_numbers({5429380.0, 5429400.0}, wide), 5);
 }
 
 TEST(Plot, WhatCannotBeDrawn) {
