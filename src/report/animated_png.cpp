@@ -131,11 +131,7 @@ void AnimatedPng::save(const std::filesystem::path& path) const {
     }
   }
   append_chunk(bytes, "IEND", {});
-  bytes = with_mark(std::move(bytes), PageFormat::png);
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot write the animation");
+  write_picture(path, with_mark(std::move(bytes), PageFormat::png));
 }
 
 }  // namespace surefoot::report

@@ -24,7 +24,7 @@ class AnimatedPng {
   /// @throws std::invalid_argument where it has another size.
   void add(const Raster& frame, std::uint16_t milliseconds);
   [[nodiscard]] std::size_t frame_count() const { return frames_.size(); }
-  /// Writes the animation, which then runs round and round.
+  /// Writes the animation, which then runs round and round, whole or not at all.
   /// @throws std::runtime_error naming the path.
   void save(const std::filesystem::path& path) const;
 

@@ -8,10 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
@@ -277,18 +274,7 @@ void Canvas::save(const std::filesystem::path& path) {
                              ": cannot draw the picture: " + cairo_status_to_string(status));
   }
   bytes = with_mark(std::move(bytes), page_->format);
-  // Beside it, then renamed: there is the old picture or the whole new one.
-  std::filesystem::path part = path;
-  part += ".part";
-  std::ofstream file(part, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (file && !error) return;
-  const std::string why = error ? error.message() : std::strerror(errno);
-  std::filesystem::remove(part, error);
-  throw std::runtime_error(path.string() + ": cannot write the picture: " + why);
+  write_picture(path, bytes);
 }
 
 }  // namespace surefoot::report

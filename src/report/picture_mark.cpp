@@ -5,7 +5,9 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
@@ -63,6 +65,21 @@ std::string with_mark(std::string bytes, PageFormat format) {
       break;
   }
   return bytes.insert(bytes.size() - std::min(kLastChunk, bytes.size()), text_chunk());
+}
+
+void write_picture(const fs::path& file, const std::string& bytes) {
+  fs::path part = file;
+  part += ".surefoot-part";  // as io::kUnfinished: a name that nobody else gives
+  std::ofstream stream(part, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  const int error_number = errno;
+  std::error_code error;
+  if (stream) fs::rename(part, file, error);
+  if (stream && !error) return;
+  const std::string why = error ? error.message() : std::strerror(error_number);
+  fs::remove(part, error);
+  throw std::runtime_error(file.string() + ": cannot write the picture: " + why);
 }
 
 void require_picture_or_nothing(const fs::path& file, bool overwrite) {

@@ -118,7 +118,35 @@ TEST(AnimatedPngTest, RefusesAFrameOfAnotherSizeAndAPlaceThatCannotBeWritten) {
   EXPECT_THROW(animation.add({kWidth, kHeight, std::vector<std::uint32_t>(34)}, 40),
                std::invalid_argument);
   animation.add({kWidth, kHeight, std::vector<std::uint32_t>(35, kWhite)}, 40);
-  EXPECT_THROW(animation.save("/nowhere/at/all.png"), std::runtime_error);
+  try {
+    animation.save("/nowhere/at/all.png");
+    ADD_FAILURE() << "is written";
+  } catch (const std::runtime_error& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("/nowhere/at/all.png"), std::string::npos) << said;
+    EXPECT_NE(said.find("No such file"), std::string::npos) << said;
+  }
+}
+
+TEST(AnimatedPngTest, WhatIsThereStaysUntilTheNewOneIsWhole) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "surefoot_animated_png";
+  fs::create_directory(folder);
+  const auto content = [](const fs::path& path) {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  AnimatedPng animation(kWidth, kHeight);
+  animation.add({kWidth, kHeight, std::vector<std::uint32_t>(35, kWhite)}, 40);
+  const fs::path path = folder / "film.png";
+  std::ofstream(path) << "old";
+  fs::create_hard_link(path, folder / "old.png");  // a rename leaves what it leads to
+  std::ofstream(folder / "film.png.part") << "somebody's";
+  animation.save(path);
+  EXPECT_EQ(content(path).substr(0, 4), "\x89PNG");
+  EXPECT_EQ(content(folder / "old.png"), "old");
+  EXPECT_EQ(content(folder / "film.png.part"), "somebody's");
+  fs::remove_all(folder);
 }
 
 }  // namespace
