@@ -39,7 +39,8 @@ struct GridOptions {
 [[nodiscard]] OccupancyGrid draw_occupancy(const std::vector<Piece>& pieces,
                                            const GridOptions& options);
 
-/// As map_server reads it: an image (PGM, 254 free, 0 occupied, 205 unknown) and its YAML.
+/// As map_server reads it: an image (PGM, 254 free, 0 occupied, 205 unknown) and its YAML, which
+/// has the image's name as it stands.
 [[nodiscard]] std::string format_pgm(const OccupancyGrid& grid);
 [[nodiscard]] std::string format_grid_yaml(const OccupancyGrid& grid, const std::string& image);
 

@@ -17,6 +17,7 @@
 #include "io/files/mesh_writer.hpp"
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
+#include "io/yaml_word.hpp"
 #include "report/page.hpp"
 #include "runs/saved_map.hpp"
 
@@ -179,7 +180,8 @@ ExportedGrid export_occupancy(const mapping::SavedMap& map, const MapExport& wan
   const mapping::OccupancyGrid grid = mapping::draw_occupancy(map.pieces, wanted.occupancy);
   const auto [image, description] = occupancy_files(wanted);
   io::write_whole_file(image, mapping::format_pgm(grid));
-  io::write_whole_file(description, mapping::format_grid_yaml(grid, image.filename().string()));
+  io::write_whole_file(description,
+                       mapping::format_grid_yaml(grid, io::yaml_word(image.filename().string())));
   return {image, grid.width, grid.height, grid.cell};
 }
 

@@ -89,6 +89,8 @@ TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   EXPECT_EQ(file_content(path("all.ply")).substr(0, 3), "ply");
   EXPECT_EQ(file_content(path("all.las")).substr(0, 4), "LASF");
   EXPECT_GT(fs::file_size(path("all.las")), 100'000U);
+  ASSERT_EQ(surefoot({"export", "map", "--grid", "lot #2.pgm"}).exit_code, 0);
+  EXPECT_NE(file_content(path("lot #2.yaml")).find("image: \"lot #2.pgm\"\n"), std::string::npos);
   expect_refused({"export", "map"}, "nothing to write");
   const std::pair<const char*, const char*> lies[] = {
       {"--pcd", "expected .pcd"},

@@ -13,13 +13,31 @@ namespace {
 
 constexpr std::size_t kMostFiles = 100'000;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos) return {};
-  text = text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+std::string_view trimmed(std::string_view text) {
+  text = without_blanks(text);
   const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') &&
                       text.back() == text.front();
   return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+/// A text as it was before YAML put quotes around it.
+std::string unquoted(std::string_view text) {
+  text = without_blanks(text);
+  if (trimmed(text).size() == text.size()) return std::string(text);
+  const char quote = text.front();
+  std::string result;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    const bool escaped = quote == '"' ? text[i] == '\\' : text.substr(i, 2) == "''";
+    if (escaped && i + 2 < text.size()) ++i;
+    result += text[i];
+  }
+  return result;
 }
 
 /// What follows "key:"; false where the line has another key.
@@ -51,7 +69,7 @@ BagMetadata parse_bag_metadata(std::string_view text) {
     const std::string_view plain = trimmed(line);
     if (in_files && plain.starts_with("- ") && metadata.files.size() < kMostFiles) {
       // A name that leads out of the bag's folder leads nowhere.
-      const std::filesystem::path name = std::string(trimmed(plain.substr(2)));
+      const std::filesystem::path name = unquoted(plain.substr(2));
       if (name.has_filename()) metadata.files.push_back(name.filename().string());
       continue;
     }

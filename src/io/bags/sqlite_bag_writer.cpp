@@ -7,6 +7,7 @@
 #include "io/bags/bag_writer.hpp"
 #include "io/bags/sqlite_handles.hpp"
 #include "io/file_writer.hpp"
+#include "io/yaml_word.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -29,28 +30,6 @@ constexpr const char* kTables =
     " timestamp INTEGER NOT NULL, data BLOB NOT NULL);"
     "CREATE INDEX timestamp_idx ON messages (timestamp ASC);"
     "INSERT INTO schema(schema_version, ros_distro) VALUES (4, 'iron');";
-
-// A text as YAML has it: in quotes, unless it is a name as ROS gives them.
-std::string yaml_word(std::string_view text) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/_";
-  const bool plain = text.find_first_not_of(kPlain) == std::string_view::npos;
-  if (plain && text.find('/') != std::string_view::npos) return std::string(text);
-  std::string word = "\"";
-  for (const char c : text) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '\n') {
-      word += "\\n";
-    } else if (code < 0x20 || code == 0x7f) {
-      word += {'\\', 'x', kDigits[code >> 4], kDigits[code & 15]};
-    } else {
-      if (c == '"' || c == '\\') word += '\\';
-      word += c;
-    }
-  }
-  return word + '"';
-}
 
 class SqliteBag final : public BagWriter {
  public:
@@ -150,6 +129,7 @@ class SqliteBag final : public BagWriter {
   [[nodiscard]] std::string metadata() const {
     const std::string duration = std::to_string(last_ns_ - first_ns_);
     const std::string count = std::to_string(messages_);
+    const std::string file = yaml_word(file_name_);
     std::string text =
         "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: sqlite3\n";
     text += "  duration:\n    nanoseconds: " + duration + "\n";
@@ -163,7 +143,7 @@ class SqliteBag final : public BagWriter {
               "\n";
     }
     text += "  compression_format: \"\"\n  compression_mode: \"\"\n";
-    text += "  relative_file_paths:\n    - " + file_name_ + "\n  files:\n    - path: " + file_name_;
+    text += "  relative_file_paths:\n    - " + file + "\n  files:\n    - path: " + file;
     text += "\n      starting_time:\n        nanoseconds_since_epoch: " + std::to_string(first_ns_);
     text += "\n      duration:\n        nanoseconds: " + duration;
     return text + "\n      message_count: " + count + "\n";

@@ -36,6 +36,16 @@ TEST(BagMetadata, IsReadAsRosbag2WritesIt) {
   EXPECT_TRUE(parse_bag_metadata("relative_file_paths:\n  - \n- ..\nx").files.size() <= 1);
 }
 
+TEST(BagMetadata, NamesAreThoseBeforeTheirQuotes) {
+  const BagMetadata metadata = parse_bag_metadata(
+      "relative_file_paths:\n"
+      "  - \"a \\\"b\\\" #2.db3\"\n"
+      "  - 'it''s: c.db3'\n"
+      "  - d \"e\".db3\n");
+  EXPECT_EQ(metadata.files,
+            (std::vector<std::string>{"a \"b\" #2.db3", "it's: c.db3", "d \"e\".db3"}));
+}
+
 TEST(BagMetadata, GivesThePartsTheirOrder) {
   const test::TemporaryFolder scratch;
   for (const char* name : {"walk_a.db3", "walk_b.db3.zstd", "walk_c.db3", "other.db3"}) {

@@ -286,6 +286,22 @@ TEST(SqliteBag, AnotherDatabaseIsRefused) {
   EXPECT_THROW((void)open_bag(folder.path() / "absent.db3"), ReadError);
 }
 
+// YAML would take what stands behind the # for a comment.
+TEST(SqliteBag, FoldersOfAnyNameAreNamedInTheirMetadata) {
+  const test::TemporaryFolder folder;
+  const fs::path bag_folder = folder.path() / "my \"walk\" #2";
+  const auto bag = make_sqlite_bag(bag_folder);
+  bag->write(bag->add_topic("/points", point_cloud2_definition()), 100, "message");
+  bag->finish();
+  const std::string metadata = test::content_of(bag_folder / "metadata.yaml");
+  const std::string name = "\"my \\\"walk\\\" #2_0.db3\"\n";
+  EXPECT_NE(metadata.find("    - " + name), std::string::npos) << metadata;
+  EXPECT_NE(metadata.find("    - path: " + name), std::string::npos) << metadata;
+  const auto read = open_bag(bag_folder);
+  EXPECT_EQ(test::read_all_messages(*read).size(), 1U);
+  EXPECT_TRUE(read->losses().empty());
+}
+
 TEST(SqliteBag, WhatIsWrittenIsReadBack) {
   const test::TemporaryFolder folder;
   const fs::path bag_folder = folder.path() / "walk";
