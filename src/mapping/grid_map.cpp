@@ -37,7 +37,9 @@ Frame frame_of(const std::vector<Piece>& pieces, double cell, double range) {
     }
   }
   Frame frame;
-  if (!(low.array() <= high.array()).all()) return frame;
+  if (!(low.array() <= high.array()).all()) {
+    throw std::invalid_argument("a map without points, for a grid");
+  }
   const Eigen::Vector2d cells = ((high - low) / cell).array() + 3.0;
   if (!(cells.x() * cells.y() < kMostCells)) {
     throw std::invalid_argument(

@@ -35,7 +35,8 @@ struct GridOptions {
   double standing = 0.45;  ///< of the LiDAR above the ground where none is seen [m]
 };
 
-/// Throws std::invalid_argument if the map would have more than 400 million cells.
+/// Throws std::invalid_argument if the map would have more than 400 million cells, or has no
+/// points.
 [[nodiscard]] OccupancyGrid draw_occupancy(const std::vector<Piece>& pieces,
                                            const GridOptions& options);
 

@@ -107,7 +107,8 @@ TEST(OccupancyGridTest, WhatWasNotSeenIsNeitherFreeNorOccupiedToMapServer) {
 }
 
 TEST(OccupancyGridTest, NothingSeenIsAnEmptyGridAndTooMuchIsRefused) {
-  EXPECT_EQ(draw_occupancy({}, {}).cells.size(), 0U);
+  EXPECT_THROW((void)draw_occupancy({}, {}), std::invalid_argument);
+  EXPECT_THROW((void)draw_elevation({}), std::invalid_argument);
   Piece far = room();
   far.T_world_piece.translation = {1e6, 1e6, 0.0};
   EXPECT_THROW((void)draw_occupancy({room(), far}, {}), std::invalid_argument);
