@@ -82,29 +82,39 @@ class Mesher {
     const VoxelIndex across = VoxelIndex::Unit((axis + 1) % 3);
     const VoxelIndex onward = VoxelIndex::Unit((axis + 2) % 3);
     // Anticlockwise about the axis.
-    std::array<std::uint32_t, 4> ring = {
-        vertex_of(field, block, corner - across - onward), vertex_of(field, block, corner - onward),
-        vertex_of(field, block, corner), vertex_of(field, block, corner - across)};
-    if (std::find(ring.begin(), ring.end(), kNoVertex) != ring.end()) return;
+    const std::array<VoxelIndex, 4> cells = {corner - across - onward, corner - onward, corner,
+                                             corner - across};
+    std::array<std::uint32_t, 4> ring{};
+    if (!find_vertices(field, block, cells, ring)) return;
     if (here > 0.0) std::reverse(ring.begin(), ring.end());
     mesh.triangles.push_back({ring[0], ring[1], ring[2]});
     mesh.triangles.push_back({ring[0], ring[2], ring[3]});
   }
 
+  /// False where a cell has none; then none is made for the others, which may be of no triangle.
+  bool find_vertices(const SignedDistance& field, const Block& block,
+                     const std::array<VoxelIndex, 4>& cells, std::array<std::uint32_t, 4>& ring) {
+    std::array<std::optional<Eigen::Vector3d>, 4> fresh;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      ring[i] = known_in(block, cells[i]).find(voxel_key(cells[i]));
+      if (ring[i] != kNoVertex) continue;
+      fresh[i] = vertex_in(field, cells[i], cell_);
+      if (!fresh[i]) return false;
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!fresh[i]) continue;
+      ring[i] = static_cast<std::uint32_t>(mesh.vertices.size());
+      known_in(block, cells[i]).find_or_insert(voxel_key(cells[i]), ring[i]);
+      mesh.vertices.push_back(fresh[i]->cast<float>());
+    }
+    return true;
+  }
+
   /// Blocks share the vertices of cells at their borders, others are forgotten with the block.
-  std::uint32_t vertex_of(const SignedDistance& field, const Block& block, const VoxelIndex& cell) {
+  VoxelTable& known_in(const Block& block, const VoxelIndex& cell) {
     const bool inside =
         block.holds(cell - VoxelIndex(1, 1, 0)) && block.holds(cell + VoxelIndex(1, 1, 0));
-    VoxelTable& known = inside ? inner_ : border_;
-    const std::uint64_t key = voxel_key(cell);
-    const std::uint32_t found = known.find(key);
-    if (found != kNoVertex) return found;
-    const std::optional<Eigen::Vector3d> vertex = vertex_in(field, cell, cell_);
-    if (!vertex) return kNoVertex;
-    const auto index = static_cast<std::uint32_t>(mesh.vertices.size());
-    known.find_or_insert(key, index);
-    mesh.vertices.push_back(vertex->cast<float>());
-    return index;
+    return inside ? inner_ : border_;
   }
 
   double cell_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace surefoot::mapping {
@@ -103,6 +104,18 @@ TEST(SurfaceMeshTest, ARoomIsClosedAndLooksInwards) {
     EXPECT_EQ(times, 1) << place.transpose();
     EXPECT_EQ(edges.count({edge.second, edge.first}), 1U) << place.transpose();
   }
+}
+
+TEST(SurfaceMeshTest, HasNoVerticesThatNoTriangleUses) {
+  Piece wall = seen_from({{0.0F, 0.0F, 0.0F}});  // whose border leaves cells without neighbours
+  for (int i = -20; i <= 20; ++i) {
+    for (int j = 0; j <= 15; ++j) see(wall, 3.0 + 0.02 * i, 0.1 * i, 0.1 * j - 0.02 * i);
+  }
+  const SurfaceMesh mesh = draw_mesh({wall}, {});
+  std::set<std::uint32_t> used;
+  for (const auto& triangle : mesh.triangles) used.insert(triangle.begin(), triangle.end());
+  EXPECT_GT(used.size(), 100U);
+  EXPECT_EQ(used.size(), mesh.vertices.size());
 }
 
 /// Elsewhere and turned it is the same room, however the grid lies in it.
