@@ -65,7 +65,7 @@ std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const 
                        PlyFlavour flavour) {
   std::vector<Column> all = coordinate_columns(points);
   for (const PlyColumn& column : columns) {
-    if (column.values.empty()) continue;
+    if (column.values.empty() && !points.empty()) continue;
     if (column.values.size() != points.size()) {
       throw std::invalid_argument(column.name + ": " + std::to_string(column.values.size()) +
                                   " values for " + std::to_string(points.size()) + " points");
@@ -79,7 +79,7 @@ std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const 
 std::string format_ply(std::span<const Eigen::Vector3f> points, std::span<const float> intensities,
                        PlyFlavour flavour) {
   const PlyColumn column{"intensity", intensities};
-  return format_ply(points, std::span(&column, 1), flavour);
+  return format_ply(points, std::span(&column, intensities.empty() ? 0 : 1), flavour);
 }
 
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3f> points,

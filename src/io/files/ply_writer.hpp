@@ -25,8 +25,8 @@ struct PlyColumn {
   std::span<const float> values;
 };
 
-/// Points [m] and the columns that have values, as PLY 1.0. Throws std::invalid_argument where a
-/// column has values but not as many as there are points.
+/// Points [m] and the columns that have values, without any points all of them, as PLY 1.0. Throws
+/// std::invalid_argument where a column has values but not as many as there are points.
 [[nodiscard]] std::string format_ply(std::span<const Eigen::Vector3f> points,
                                      std::span<const PlyColumn> columns, PlyFlavour flavour);
 /// The same with one column at most: intensity.

@@ -179,6 +179,15 @@ TEST(PlyWriter, WritesAnyColumns) {
   EXPECT_EQ(column(table, "y"), (std::vector<double>{2, 5}));
 }
 
+TEST(PlyWriter, NoPointsHaveTheSameColumns) {
+  const std::vector<PlyColumn> columns = {{"intensity", {}}, {"first_seen", {}}};
+  const std::string file = format_ply({}, columns, PlyFlavour::binary);
+  EXPECT_NE(file.find("property float intensity\nproperty float first_seen\n"), std::string::npos)
+      << file;
+  const std::string bare = format_ply({}, std::span<const float>(), PlyFlavour::binary);
+  EXPECT_EQ(bare.find("intensity"), std::string::npos) << bare;
+}
+
 TEST(PlyWriter, LeavesNoPartialFileBehind) {
   const test::TemporaryFolder folder;
   const std::vector<Eigen::Vector3f> points(10);
