@@ -12,7 +12,8 @@ namespace surefoot {
 ///
 /// Structure of arrays: every optional array is either empty or as long as `points`.
 /// Points that are NaN, infinite or within a millimetre of zero are "no return" and are skipped by
-/// the odometry.
+/// the odometry. Their times count: the first and the last of all tell when the sweep began and
+/// ended, whatever it saw.
 struct Scan {
   std::int64_t stamp_ns = 0;            ///< instant that `times_ns` counts from; sensor's epoch
   std::vector<Eigen::Vector3f> points;  ///< [m], LiDAR frame: x forward, y left, z up
