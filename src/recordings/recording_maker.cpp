@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "recordings/recording_maker.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,11 +16,30 @@
 #include "simulation/mesh_scene.hpp"
 
 namespace surefoot::recordings {
+namespace {
+
+/// @throws std::invalid_argument for a sensor that the robot cannot carry so.
+void require_place_for_sensor(const RecordingRequest& request, const simulation::GaitModel& gait) {
+  const double height = gait.body_height + request.mount_offset.z();
+  if (height <= 0.0) {
+    throw std::invalid_argument(fmt::format(
+        "--mount: the sensor would be {:.2f} m under the ground; the robot's body is {:.2f} m high",
+        -height, gait.body_height));
+  }
+  if (request.robot_body && gait.name == "handheld") {
+    throw std::invalid_argument("--body: a sensor in somebody's hand stands on no robot");
+  }
+}
+
+}  // namespace
 
 simulation::GaitModel gait_of(const RecordingRequest& request, const simulation::Scene& scene) {
   simulation::GaitModel gait =
       simulation::gait_model(request.robot.empty() ? scene.robot : request.robot);
-  if (request.speed > 0.0 && gait.speed > 0.0) gait.speed = request.speed;
+  if (request.speed > 0.0 && gait.speed == 0.0) {
+    throw std::invalid_argument("--speed: the robot '" + gait.name + "' does not walk");
+  }
+  if (request.speed > 0.0) gait.speed = request.speed;
   return scaled(std::move(gait), request.gait_scale);
 }
 
@@ -44,6 +65,10 @@ simulation::ScannerOptions scanner_options_of(const RecordingRequest& request) {
 
 simulation::Scene scene_of(const RecordingRequest& request) {
   if (simulation::is_mesh_file(request.scene)) {
+    if (request.layout) {
+      throw std::invalid_argument("--layout: " + request.scene +
+                                  " is as it is; only scenes of --list have layouts");
+    }
     return simulation::mesh_scene(request.scene, request.route_file);
   }
   simulation::Scene scene =
@@ -61,6 +86,7 @@ std::uint64_t make_recording(const RecordingRequest& request, const std::filesys
   }
   const simulation::Scene scene = scene_of(request);
   const simulation::GaitModel gait = gait_of(request, scene);
+  require_place_for_sensor(request, gait);
   simulation::RayCaster rays(scene);
   // One turn more than is scanned: the last scan's last firing lies beyond its nominal end.
   const double duration = 1e-9 * lidar.turn_ns * static_cast<double>(request.scans + 1);

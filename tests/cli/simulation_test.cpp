@@ -203,6 +203,28 @@ TEST(Simulation, NonsenseIsRefusedByTheNameOfItsOption) {
   }
 }
 
+TEST(Simulation, WhatContradictsItselfIsRefusedByTheNameOfItsOption) {
+  const ScratchFolder scratch;
+  write_content(scratch.path() / "floor.obj",
+                "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3\nf 1 3 4\n");
+  const std::vector<std::vector<std::string>> nonsense = {
+      {"--mount", "playground", "0,0,-5"},  // under the ground
+      {"--speed", "playground", "3", "--robot", "still"},
+      {"--layout", "floor.obj", "5"},
+      {"--body", "playground", "--robot", "handheld"}};
+  for (const std::vector<std::string>& one : nonsense) {
+    std::vector<std::string> arguments = {"simulate", one[1], "--scans", "1", "-o", "out", one[0]};
+    arguments.insert(arguments.end(), one.begin() + 2, one.end());
+    const ProcessResult result = run_surefoot(arguments, scratch.path());
+    EXPECT_EQ(result.exit_code, 2) << one[0] << "\n" << result;
+    EXPECT_NE(result.errors.find(one[0] + ":"), std::string::npos) << result;
+    EXPECT_FALSE(fs::exists(scratch.path() / "out")) << one[0];
+  }
+  const ProcessResult floor =
+      run_surefoot({"simulate", "floor.obj", "--scans", "1", "-o", "out"}, scratch.path());
+  EXPECT_EQ(floor.exit_code, 0) << floor;
+}
+
 /// The scans.csv of a trot up a stairwell.
 std::string scans_up_stairs(const std::string& seed, const ScratchFolder& scratch) {
   const ProcessResult made =
