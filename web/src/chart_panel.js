@@ -113,6 +113,11 @@ export class ChartPanel {
     this.showCursor();
   }
 
+  /** Somebody drags over it: drawn anew it would lose where that began. */
+  get isHeld() {
+    return (this.plot?.select.width ?? 0) > 0;
+  }
+
   #options(spans) {
     const { spec, lines, peaks, axis, context } = this;
     return {

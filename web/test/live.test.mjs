@@ -58,7 +58,7 @@ before(async () => {
       "--replay",
       walk,
       "--speed",
-      "0.15",
+      "0.06",
       "--page",
       "0",
       "-o",
@@ -124,10 +124,12 @@ test("shows a part of the charts closely, and all of them again", async () => {
   const range = () => page.evaluate(() => window.surefootLive.store.get("range"));
   const [button] = await page.$$("section .heading .controls button");
   assert.equal(await button.isVisible(), false);
-  const plot = await page.$(".chart .u-over");
+  const plot = await page.$(".chart .plot");
   await hover(page, plot, 0.3, 0.5);
   const { x, y, width, height } = await plot.boundingBox();
   await page.mouse.down();
+  await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 2500))); // it is not drawn anew
   await page.mouse.move(x + 0.7 * width, y + 0.5 * height);
   await page.mouse.up();
   await settle(page);

@@ -121,7 +121,7 @@ export function addLiveViews(page, context) {
   };
   const drawCharts = () => {
     const axis = axisOf(context);
-    for (const panel of panels) panel.update(axis);
+    for (const panel of panels) if (!panel.isHeld) panel.update(axis);
   };
   context.store.watch(["theme"], () => {
     scene.setTheme();
