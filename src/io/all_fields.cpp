@@ -54,6 +54,7 @@ void take_all_fields(const PointTable& table, const ScanColumns& columns, const 
   const std::array<const Column*, 6> used = {columns.x,         columns.y,    columns.z,
                                              columns.intensity, columns.ring, columns.time};
   find_losses(table, columns, built.scan, item.losses);
+  if (!table.lost.empty()) item.losses.push_back(table.lost);
   std::vector<std::string> sharing;
   item.further = further_fields(table, used, built.kept, &sharing);
   for (const std::string& name : sharing) {

@@ -49,6 +49,7 @@ struct PointTable {
   std::vector<Column> columns;
   std::vector<std::byte> storage;
   std::string format;  ///< "PCD binary", "PLY ascii", ...
+  std::string lost;    ///< what the file says of its points that the columns do not; mostly empty
 
   [[nodiscard]] const Column* find(std::string_view name) const;
   /// "PCD binary: x f32, y f32, ...".

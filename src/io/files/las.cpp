@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "io/files/las.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <string>
 
+#include "io/file_writer.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -91,13 +93,28 @@ LasHeader read_header(std::span<const std::byte> file) {
   return header;
 }
 
+bool is_left_out(double offset) { return std::abs(offset) >= kGridOffset; }
+
+/// "500000 0 120 m" of the axes' offsets that are left out; empty: none is.
+std::string left_out(const std::array<double, 3>& offset) {
+  if (std::none_of(offset.begin(), offset.end(), is_left_out)) return {};
+  std::string text;
+  for (const double value : offset) {
+    append_fixed(text, is_left_out(value) ? value : 0.0, 3);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    text += ' ';
+  }
+  return text + 'm';
+}
+
 // The coordinates, as doubles, one axis after the other.
 std::vector<std::byte> coordinates(std::span<const std::byte> file, const LasHeader& header) {
   const auto count = static_cast<std::size_t>(header.count);
   std::vector<std::byte> storage(3 * count * sizeof(double));
   std::byte* out = storage.data();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double offset = std::abs(header.offset[axis]) < kGridOffset ? header.offset[axis] : 0.0;
+    const double offset = is_left_out(header.offset[axis]) ? 0.0 : header.offset[axis];
     const std::byte* in = file.data() + header.first + 4 * axis;
     for (std::size_t i = 0; i < count; ++i, in += header.record, out += sizeof(double)) {
       const double value = header.scale[axis] * load<std::int32_t>(in, kSwapped) + offset;
@@ -114,10 +131,9 @@ PointTable parse_las(std::span<const std::byte> file) {
   PointTable table;
   table.format =
       "LAS 1." + std::to_string(header.minor) + ", point format " + std::to_string(header.format);
-  for (const double offset : header.offset) {
-    if (std::abs(offset) >= kGridOffset) {
-      table.format += ", without the offset " + std::to_string(offset) + " m";
-    }
+  if (const std::string offset = left_out(header.offset); !offset.empty()) {
+    table.format += ", without the offset " + offset;
+    table.lost = "the offset " + offset + " (x y z): a file's points are moved by its own";
   }
   table.size = static_cast<std::size_t>(header.count);
   table.storage = coordinates(file, header);

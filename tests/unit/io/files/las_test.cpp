@@ -15,6 +15,7 @@
 
 #include "io/files/las_writer.hpp"
 #include "io/recording.hpp"
+#include "unit/io/scan_folders.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -99,7 +100,30 @@ TEST(Las, AGridsOffsetIsLeftOutAndSaid) {
   const std::string file = las(2, 1, 500'000.0);
   const PointTable table = parse_las(las_bytes_of(file));
   EXPECT_EQ(values(table, "x"), (std::vector<double>{1.0, 3.25}));
-  EXPECT_NE(table.format.find("500000"), std::string::npos) << table.format;
+  EXPECT_NE(table.format.find("without the offset 500000 0 0 m"), std::string::npos)
+      << table.format;
+}
+
+// Whoever writes the points anew is told, of every file where they differ.
+TEST(Las, AGridsOffsetIsALoss) {
+  const test::TemporaryFolder folder;
+  folder.write("0.las", las(2, 1));
+  folder.write("1.las", las(2, 1, 500'000.0));
+  std::string other = las(2, 1, -20'000.5);
+  put(other, 227, std::int32_t{1500});  // the same points would be a scan that was sent again
+  folder.write("2.las", other);
+  OpenOptions options;
+  options.further_fields = true;
+  const std::vector<ScanItem> items = test::read_all(folder.path(), options);
+  ASSERT_EQ(items.size(), 3U);
+  const auto told = [&](std::size_t scan, const std::string& text) {
+    return std::any_of(
+        items[scan].losses.begin(), items[scan].losses.end(),
+        [&](const std::string& loss) { return loss.find(text) != std::string::npos; });
+  };
+  EXPECT_FALSE(told(0, "offset"));
+  EXPECT_TRUE(told(1, "the offset 500000 0 0 m"));
+  EXPECT_TRUE(told(2, "the offset -20000.5 0 0 m"));
 }
 
 std::string las_error_of(const std::string& file) {
