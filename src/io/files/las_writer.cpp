@@ -40,6 +40,14 @@ LasExtent las_extent_of(std::span<const Eigen::Vector3d> points) {
   return extent;
 }
 
+std::int32_t millimetres(double coordinate, double offset) {
+  return static_cast<std::int32_t>(std::lround((coordinate - offset) / kMillimetre));
+}
+/// The coordinate that readers make of that.
+double written(double coordinate, double offset) {
+  return kMillimetre * millimetres(coordinate, offset) + offset;
+}
+
 /// Zero-padded.
 void append_las_name(std::string& out, std::string name) {
   name.resize(32, '\0');
@@ -67,8 +75,8 @@ void append_las_header(std::string& out, const LasExtent& extent, const Eigen::V
   for (int axis = 0; axis < 3; ++axis) append_bytes(out, kMillimetre);
   for (int axis = 0; axis < 3; ++axis) append_bytes(out, offset[axis]);
   for (int axis = 0; axis < 3; ++axis) {
-    append_bytes(out, extent.high[axis]);
-    append_bytes(out, extent.low[axis]);
+    append_bytes(out, written(extent.high[axis], offset[axis]));
+    append_bytes(out, written(extent.low[axis], offset[axis]));
   }
   out.append(8 + 8 + 4, '\0');  // waveforms, extended records
   append_bytes(out, std::uint64_t{count});
@@ -86,8 +94,7 @@ std::string format_las(std::span<const Eigen::Vector3d> points) {
   append_las_header(out, extent, offset, static_cast<std::uint32_t>(points.size()));
   for (const Eigen::Vector3d& point : points) {
     for (int axis = 0; axis < 3; ++axis) {
-      append_bytes(
-          out, static_cast<std::int32_t>(std::lround((point[axis] - offset[axis]) / kMillimetre)));
+      append_bytes(out, millimetres(point[axis], offset[axis]));
     }
     append_bytes(out, std::uint16_t{0});  // intensity
     append_bytes(out, kOnlyReturn);

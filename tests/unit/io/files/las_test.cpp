@@ -175,12 +175,12 @@ TEST(Las, WhatIsWrittenIsReadBackToTheMillimetre) {
     double high = -1e9, low = 1e9;
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_NEAR(found[i], points[i][axis], 0.000501);
-      high = std::max(high, points[i][axis]);
-      low = std::min(low, points[i][axis]);
+      high = std::max(high, found[i]);  // as it is written, so that the box holds it
+      low = std::min(low, found[i]);
     }
     const std::size_t at = 179 + 16 * static_cast<std::size_t>(axis);
-    EXPECT_EQ(get<double>(file, at), high);
-    EXPECT_EQ(get<double>(file, at + 8), low);
+    EXPECT_DOUBLE_EQ(get<double>(file, at), high);
+    EXPECT_DOUBLE_EQ(get<double>(file, at + 8), low);
   }
   EXPECT_EQ(get<std::uint64_t>(file, 247), 3U);
   EXPECT_EQ(get<std::uint64_t>(file, 255), 3U);               // first returns
