@@ -86,6 +86,9 @@ class FileSink final : public ScanSink {
 
   [[nodiscard]] std::string refusal(const Scan& scan,
                                     std::span<const FurtherField> /*further*/) const override {
+    if (format_ == ScanFormat::kitti_bin && scan.points.empty()) {
+      return "it has no points; a .bin without any is an empty file, which nobody takes for a scan";
+    }
     if (format_ != ScanFormat::las) return {};
     const auto is_far = [](const Eigen::Vector3f& point) {
       constexpr float kLasReach = 1e6F;  // [m] LAS has millimetres in 32 bits
@@ -158,8 +161,7 @@ class FileSink final : public ScanSink {
 
 }  // namespace
 
-void ScanSink::add(const Scan& scan, std::span<const FurtherField> further,
-                   std::int64_t logged_ns) {
+std::vector<Column> ScanSink::held(const Scan& scan, std::span<const FurtherField> further) {
   std::vector<Column> columns;
   for (const Column& column : written_columns(scan, further)) {
     if (holds(column)) {
@@ -168,7 +170,19 @@ void ScanSink::add(const Scan& scan, std::span<const FurtherField> further,
       lost_.insert(column.name);
     }
   }
+  return columns;
+}
+
+/// A scan without points has the fields of those before: readers of many files expect the same in
+/// each.
+void ScanSink::add(const Scan& scan, std::span<const FurtherField> further,
+                   std::int64_t logged_ns) {
+  if (scan.points.empty() && !last_.empty()) return write(scan, last_, logged_ns);
+  const std::vector<Column> columns = held(scan, further);
   write(scan, columns, logged_ns);
+  if (scan.points.empty()) return;
+  last_ = columns;
+  for (Column& column : last_) column.first = nullptr;
 }
 
 std::string ScanSink::lost() const {

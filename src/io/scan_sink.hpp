@@ -70,7 +70,10 @@ class ScanSink {
   virtual void write(const Scan& scan, std::span<const Column> columns, std::int64_t logged_ns) = 0;
 
  private:
+  [[nodiscard]] std::vector<Column> held(const Scan& scan, std::span<const FurtherField> further);
+
   std::set<std::string> lost_;
+  std::vector<Column> last_;  // of the last scan that has points; without their values
 };
 
 /// A folder of scans with times.txt, a folder of a ROS 2 bag (sqlite3), or one file: MCAP with

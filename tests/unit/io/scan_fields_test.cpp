@@ -253,6 +253,31 @@ TEST(ScanFields, OfFieldsThatShareBytesTheSecondIsNamed) {
 }
 
 // Our own reader takes no larger one.
+TEST(ScanSink, AScanWithoutPointsHasTheFieldsOfTheOthers) {
+  for (const ScanFormat format : {ScanFormat::pcd, ScanFormat::ply, ScanFormat::rosbag2}) {
+    const TemporaryFolder folder;
+    const auto sink = make_scan_sink(folder.path() / "out", format);
+    Scan scan = scan_with_times();
+    const std::vector<FurtherField> fields = {field<float>("curve", ScalarType::f32)};
+    sink->add(scan, fields);
+    Scan empty;
+    empty.stamp_ns = scan.stamp_ns + 100'000'000;
+    sink->add(empty);
+    scan.stamp_ns += 200'000'000;
+    sink->add(scan, fields);
+    sink->finish();
+    const std::vector<ScanItem> items = read_all(folder.path() / "out");
+    ASSERT_EQ(items.size(), 3U);
+    EXPECT_EQ(items[1].layout, items[0].layout);
+    ASSERT_TRUE(items[1].scan);
+    EXPECT_TRUE(items[1].scan->points.empty());
+  }
+  const TemporaryFolder folder;
+  const auto sink = make_scan_sink(folder.path() / "out", ScanFormat::kitti_bin);
+  EXPECT_NE(sink->refusal({}).find("no points"), std::string::npos);
+  EXPECT_EQ(sink->refusal(scan_with_times()), "");
+}
+
 TEST(ScanSink, AMessageThatNobodyReadsIsRefused) {
   const TemporaryFolder folder;
   constexpr std::size_t kMany = 1'000'000;
