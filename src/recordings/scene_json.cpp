@@ -106,7 +106,8 @@ std::string scene_json(const RecordingRequest& request, const simulation::Scene&
       {"scene", json_of(scene)},
       {"robot", json_of(gait)},
       {"lidar", json_of(lidar)}};
-  return document.dump(2) + "\n";
+  // A file's name may hold any byte.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace surefoot::recordings

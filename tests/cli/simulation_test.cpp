@@ -82,6 +82,20 @@ TEST(Simulation, AnotherWayThroughASceneIsWalked) {
   EXPECT_NE(missing.errors.find("none.txt"), std::string::npos) << missing;
 }
 
+TEST(Simulation, AMeshsNameMayHoldAnyByte) {
+  const ScratchFolder scratch;
+  const std::string name = "m\xFC.obj";
+  write_content(scratch.path() / name,
+                "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0\nf 1 2 3\nf 1 3 4\n"
+                "v 8 -50 0\nv 8 50 0\nv 8 50 9\nf 5 6 7\n");
+  write_content(scratch.path() / "way.txt", "0 0 0\n6 0 0\n");
+  const ProcessResult result = run_surefoot(
+      {"simulate", name, "--route", "way.txt", "--scans", "1", "--no-footprint", "-o", "walk"},
+      scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result;
+  EXPECT_TRUE(fs::exists(scratch.path() / "walk" / "scene.json"));
+}
+
 TEST(Simulation, DrawsAnAnimation) {
   const ScratchFolder scratch;
   const ProcessResult result =
