@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 
 #include "mapping/moved_things.hpp"
 
@@ -20,10 +21,25 @@ SavedMap saved_map_of(const WalkMapper& mapper) {
   return map;
 }
 
+namespace {
+
+/// The numbers of sets, counted as they come.
+std::vector<std::size_t> counted(const std::vector<std::size_t>& sets) {
+  std::map<std::size_t, std::size_t> numbers;
+  std::vector<std::size_t> result;
+  for (const std::size_t set : sets) {
+    result.push_back(numbers.try_emplace(set, numbers.size()).first->second);
+  }
+  return result;
+}
+
+}  // namespace
+
 FinishedWalk::FinishedWalk(const WalkMapper& mapper)
     : pieces_(mapper.pieces()),
       poses_(mapper.graph().poses),
       held_(held_together(mapper.graph())),
+      frames_(counted(held_)),
       placed_(poses_.size(), true),
       map_(saved_map_of(mapper)),
       clouds_(mapper.clouds()) {}
@@ -66,25 +82,34 @@ MapJoin FinishedWalk::join(const SavedMap& map) {
     placed_[i] = join.placed[i].has_value();
     if (placed_[i]) poses_[i] = *join.placed[i];
   }
+  frames_.assign(poses_.size(), 0);
   map_ = *join.joint;
   return join;
 }
 
-std::optional<Pose> FinishedWalk::correction(std::int64_t time_ns) const {
+/// The last one that has begun; the first one before.
+std::size_t FinishedWalk::piece_at(std::int64_t time_ns) const {
   const auto next =
       std::upper_bound(pieces_.begin(), pieces_.end(), time_ns,
                        [](std::int64_t time, const Piece& piece) { return time < piece.begin_ns; });
-  const auto piece = std::max<std::ptrdiff_t>(next - pieces_.begin() - 1, 0);
-  if (!placed_.empty() && !placed_[static_cast<std::size_t>(piece)]) return std::nullopt;
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - pieces_.begin() - 1, 0));
+}
+
+std::optional<Pose> FinishedWalk::correction(std::int64_t time_ns) const {
+  if (!placed_.empty() && !placed_[piece_at(time_ns)]) return std::nullopt;
   return correction_at(pieces_, poses_, time_ns);
 }
 
-Trajectory FinishedWalk::corrected(const Trajectory& measured) const {
-  Trajectory result;
+std::vector<FramePoses> FinishedWalk::corrected(const Trajectory& measured) const {
+  std::vector<FramePoses> result;
   WalkClock clock;
   for (const StampedPose& pose : measured) {
-    const std::optional<Pose> T_map_odometry = correction(clock.next(pose.stamp_ns));
-    if (T_map_odometry) result.push_back({pose.stamp_ns, *T_map_odometry * pose.pose});
+    const std::int64_t time_ns = clock.next(pose.stamp_ns);
+    const std::optional<Pose> T_map_odometry = correction(time_ns);
+    if (!T_map_odometry) continue;
+    const std::size_t frame = frames_.empty() ? 0 : frames_[piece_at(time_ns)];
+    if (result.empty() || result.back().frame != frame) result.push_back({frame, {}});
+    result.back().poses.push_back({pose.stamp_ns, *T_map_odometry * pose.pose});
   }
   return result;
 }

@@ -18,6 +18,12 @@ namespace surefoot::mapping {
 /// What a finished mapper knows, at its corrected poses.
 [[nodiscard]] SavedMap saved_map_of(const WalkMapper& mapper);
 
+/// Poses of one frame, one after the other.
+struct FramePoses {
+  std::size_t frame = 0;  ///< stretches of one number are held together; the first one's is 0
+  Trajectory poses;
+};
+
 class FinishedWalk {
  public:
   /// A mapper that has finished.
@@ -38,15 +44,19 @@ class FinishedWalk {
   /// the piece to the map that it was joined to.
   [[nodiscard]] std::optional<Pose> correction(std::int64_t time_ns) const;
   /// The odometry's poses, all that the mapper was given, corrected; without those that have none.
-  [[nodiscard]] Trajectory corrected(const Trajectory& measured) const;
+  /// Taken apart where the next one is in another frame.
+  [[nodiscard]] std::vector<FramePoses> corrected(const Trajectory& measured) const;
   [[nodiscard]] const SavedMap& map() const { return map_; }
   [[nodiscard]] PoseGraph graph() const;
 
  private:
-  std::vector<Piece> pieces_;      // of the walk, by the odometry
-  std::vector<Pose> poses_;        // of them, corrected
-  std::vector<std::size_t> held_;  // of them, which are held together
-  std::vector<bool> placed_;       // whether anything holds them in the map
+  [[nodiscard]] std::size_t piece_at(std::int64_t time_ns) const;
+
+  std::vector<Piece> pieces_;        // of the walk, by the odometry
+  std::vector<Pose> poses_;          // of them, corrected
+  std::vector<std::size_t> held_;    // of them, which are held together
+  std::vector<std::size_t> frames_;  // of them, numbered as they come
+  std::vector<bool> placed_;         // whether anything holds them in the map
   SavedMap map_;
   std::shared_ptr<CloudFile> clouds_;
 };

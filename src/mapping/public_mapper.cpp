@@ -54,7 +54,13 @@ JoinReport Mapper::join(const std::filesystem::path& map) {
   return {join.joint.has_value(), join.loops.size(), join.taken, join.message};
 }
 
-Trajectory Mapper::trajectory() const { return state_->walk().corrected(state_->measured); }
+Trajectory Mapper::trajectory() const {
+  Trajectory all;
+  for (const mapping::FramePoses& part : state_->walk().corrected(state_->measured)) {
+    all.insert(all.end(), part.poses.begin(), part.poses.end());
+  }
+  return all;
+}
 
 std::optional<Pose> Mapper::T_map_world(std::int64_t stamp_ns) const {
   return state_->walk().correction(state_->clock.at(stamp_ns));

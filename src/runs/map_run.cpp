@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "io/file_writer.hpp"
 #include "io/files/ply_writer.hpp"
@@ -17,6 +19,22 @@
 #include "runs/saved_map.hpp"
 
 namespace surefoot::runs {
+
+namespace {
+
+/// The poses with a mark where those of another frame begin, as trajectory.tum has them.
+std::string marked(const std::vector<mapping::FramePoses>& frames) {
+  std::string text;
+  std::size_t frame = 0;
+  for (const mapping::FramePoses& part : frames) {
+    if (part.frame != frame) text += segment_mark(part.frame);
+    frame = part.frame;
+    text += io::format_tum(part.poses);
+  }
+  return text;
+}
+
+}  // namespace
 
 void MapRun::add(const Estimate& estimate, const Pose& T_lidar_written, const DeskewedScan& scan) {
   (void)clock_.next(estimate.stamp_ns);
@@ -45,7 +63,7 @@ MapOutcome MapRun::finish(const std::filesystem::path& folder, const mapping::Ma
   if (continued_) join(folder, walk, outcome);
   const bool apart = outcome.join && !outcome.join->joined;
   if (save) write_saved_map(folder / (apart ? kApartMapFile : kSavedMapFile), walk.map());
-  io::write_tum(folder / kOptimizedTrajectoryFile, walk.corrected(measured_));
+  io::write_whole_file(folder / kOptimizedTrajectoryFile, marked(walk.corrected(measured_)));
   const mapping::PoseGraph graph = outcome.join ? walk.graph() : mapper_.graph();
   io::write_whole_file(folder / kPoseGraphFile, mapping::format_g2o(graph));
   if (!map.points().empty()) write_points(folder, walk, map);

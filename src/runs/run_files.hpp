@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace surefoot::runs {
@@ -14,8 +15,13 @@ inline constexpr const char* kDenseTrajectoryFile = "trajectory_dense.tum";
 inline constexpr const char* kKittiTrajectoryFile = "trajectory_kitti.txt";
 /// Then the segment's number and ".tum"; where a run has several.
 inline constexpr const char* kSegmentFiles = "trajectory_segment_";
-/// Stands in trajectory.tum where a segment's poses begin; then its number.
+/// Stands in a run's trajectories where a segment's poses begin; then its number.
 inline constexpr std::string_view kSegmentBegins = "# segment ";
+/// That line.
+template <typename Number>
+[[nodiscard]] std::string segment_mark(Number number) {
+  return std::string(kSegmentBegins) + std::to_string(number) + ": in a frame of its own\n";
+}
 inline constexpr const char* kScansFile = "scans.csv";
 inline constexpr const char* kMapFile = "map.ply";
 inline constexpr const char* kDeskewingFile = "deskewing.ply";

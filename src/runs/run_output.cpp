@@ -73,7 +73,8 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
   const StampedPose pose{estimate.stamp_ns, estimate.T_world_lidar * T_lidar_written};
   const int segment = path_.poses().empty() ? 0 : path_.segments().back();
   if (estimate.segment != segment) {
-    tum_ << kSegmentBegins << estimate.segment << ": in a frame of its own\n";
+    tum_ << segment_mark(estimate.segment);
+    if (dense_.is_open()) dense_ << segment_mark(estimate.segment);
   }
   if (estimate.trusted()) {
     tum_ << io::format_tum({pose}) << std::flush;

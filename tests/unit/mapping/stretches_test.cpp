@@ -177,6 +177,13 @@ TEST(Homecomings, LeadFromTheNearestPieceOfTheFrameThatWasLeft) {
   EXPECT_TRUE(homecomings(pieces, {}).empty()) << "nobody was there before";
 }
 
+/// What an odometry has told of a walk.
+Trajectory measured(const SceneWalk& walk) {
+  Trajectory poses;
+  for (const PlacedScan& scan : walk.scans) poses.push_back({scan.stamp_ns, scan.T_world_lidar});
+  return poses;
+}
+
 class Stretches : public testing::Test {
  protected:
   void SetUp() override {
@@ -214,11 +221,9 @@ TEST_F(Stretches, AreJoinedWhereTheClockWasSetBack) {
   const WalkMapper mapper = mapped(walk);
   EXPECT_GE(taken_between(mapper), 2U);
   EXPECT_LT(worst_between(mapper, true_pieces(walk, mapper)), 0.15);
-  Trajectory measured;
-  for (const PlacedScan& scan : walk.scans) {
-    measured.push_back({scan.stamp_ns, scan.T_world_lidar});
-  }
-  const Trajectory corrected = FinishedWalk(mapper).corrected(measured);
+  const std::vector<FramePoses> frames = FinishedWalk(mapper).corrected(measured(walk));
+  ASSERT_EQ(frames.size(), 1U) << "what is joined has one frame";
+  const Trajectory& corrected = frames[0].poses;
   ASSERT_EQ(corrected.size(), walk.truth.size());
   const Pose T_truth_map = walk.truth[0] * corrected[0].pose.inverse();
   for (std::size_t i = 0; i < corrected.size(); ++i) {
@@ -237,6 +242,11 @@ TEST_F(Stretches, ThatCannotHaveBeenReachedStayApart) {
   const WalkMapper hasty = mapped(walk);
   EXPECT_EQ(taken_between(hasty), 0U);
   EXPECT_GE(compared_between(hasty, LoopVerdict::not_joined), 2U);
+  const std::vector<FramePoses> frames = FinishedWalk(hasty).corrected(measured(walk));
+  ASSERT_EQ(frames.size(), 2U) << "each stretch has its own";
+  EXPECT_EQ(frames[0].frame, 0U);
+  EXPECT_EQ(frames[0].poses.size(), first);
+  EXPECT_EQ(frames[1].frame, 1U);
   begin_anew(late, first, 400 * kScan);
   EXPECT_GE(taken_between(mapped(late)), 2U) << "with time to walk there it is the same place";
 }
