@@ -167,6 +167,10 @@ void check_files(const fs::path& map, const MapExport& wanted) {
     if (variances != heights) files.push_back(variances);
   }
   std::set<fs::path> known;
+  if (!wanted.tiles.empty()) {
+    io::require_tiles_folder(wanted.tiles);
+    known.insert(fs::absolute(wanted.tiles).lexically_normal());
+  }
   for (const fs::path& file : files) {
     if (file.empty()) continue;
     if (!known.insert(fs::absolute(file).lexically_normal()).second) {

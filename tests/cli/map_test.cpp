@@ -140,7 +140,13 @@ TEST_F(MapCommand, BecomesTilesInAFolderOfTheirOwn) {
   EXPECT_NE(result.output.find(" points in "), std::string::npos) << result;
   EXPECT_NE(file_content(path("tiles/tileset.json")).find("\"1.1\""), std::string::npos);
   EXPECT_EQ(file_content(path("tiles/tiles/r.glb")).substr(0, 4), "glTF");
-  expect_refused({"export", "map", "--tiles", "tiles"}, "tiles");
+  write_content(path("no_folder"), "");
+  for (const char* taken : {"tiles", "no_folder"}) {  // is said before any work
+    expect_refused({"export", "map", "--tiles", taken, "--ply", "beside.ply", "--overwrite"},
+                   taken + std::string(": is there already; tiles need a new or an empty folder"));
+    EXPECT_FALSE(fs::exists(path("beside.ply")));
+  }
+  expect_refused({"export", "map", "--tiles", "one.ply", "--ply", "one.ply"}, "twice");
   expect_refused({"export", "map", "--tiles", "more", "--tiles-at", "91", "0", "0", "0"},
                  "--tiles-at");
   EXPECT_FALSE(fs::exists(path("more")));

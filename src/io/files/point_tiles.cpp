@@ -180,13 +180,19 @@ Eigen::Matrix4d T_earth_map(const EarthPlace& place) {
   return T;
 }
 
+void require_tiles_folder(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) return;
+  if (std::filesystem::is_directory(folder) && std::filesystem::is_empty(folder)) return;
+  throw WriteError(folder.string() +
+                   ": is there already; tiles need a new or an empty folder, whatever may be "
+                   "written over");
+}
+
 TileCounts write_point_tiles(const std::filesystem::path& folder, const Eigen::Vector3d& origin,
                              std::span<Eigen::Vector3f> points,
                              const std::optional<EarthPlace>& place) {
   const TileCube cube = cube_of(points);
-  if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {
-    throw WriteError(folder.string() + ": is there already: expected a new or an empty folder");
-  }
+  require_tiles_folder(folder);
   UnfinishedOutput output(folder, true);
   std::filesystem::create_directory(output.path() / "tiles");
   Eigen::Matrix4d T_root_points = place ? T_earth_map(*place) : Eigen::Matrix4d::Identity();

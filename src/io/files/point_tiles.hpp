@@ -28,6 +28,10 @@ struct TileCounts {
   int levels = 0;
 };
 
+/// Tiles have a folder of their own: throws WriteError where something else has its name. To be
+/// called before all the work.
+void require_tiles_folder(const std::filesystem::path& folder);
+
 /// Writes `folder`/tileset.json (3D Tiles 1.1) and a binary glTF per tile. A tile holds the points
 /// that those above it do not (additive refinement), each point stands in one. `points`: [m] from
 /// `origin`, in another order afterwards: brought into that of the tiles in place, so they may well
