@@ -88,7 +88,7 @@ TEST(Simulation, AMeshsNameMayHoldAnyByte) {
   write_content(scratch.path() / name,
                 "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0\nf 1 2 3\nf 1 3 4\n"
                 "v 8 -50 0\nv 8 50 0\nv 8 50 9\nf 5 6 7\n");
-  write_content(scratch.path() / "way.txt", "0 0 0\n6 0 0\n");
+  write_content(scratch.path() / "way.txt", "0 0 0\n6 0 0\n6 3 0\n");
   const ProcessResult result = run_surefoot(
       {"simulate", name, "--route", "way.txt", "--scans", "1", "--no-footprint", "-o", "walk"},
       scratch.path());
