@@ -17,7 +17,8 @@ constexpr double kAzimuth = -60.0 * kDegree;   // of the viewer about z, from x
 constexpr double kElevation = 25.0 * kDegree;  // of the viewer above the floor
 constexpr double kLeastWidth = 0.5;            // of the shorter of x and y, by the longer
 constexpr double kHeight = 0.45;               // of the box, by the longer of x and y
-constexpr double kSideMargin = 96.0;           // [px] for numbers and labels
+constexpr double kLeftMargin = 124.0;          // [px] for z's numbers, of six characters, and label
+constexpr double kRightMargin = 96.0;          // [px] for y's, which lie below the edge, too
 constexpr double kTopMargin = 8.0;             // [px]
 constexpr double kBottomMargin = 66.0;         // [px]
 constexpr double kNumberOffset = 22.0;         // [px] from an edge
@@ -136,7 +137,8 @@ BoxView::BoxView(const Rect& rect, const std::array<Range, 3>& ranges) : ranges_
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  const Rect inner{rect.x + kSideMargin, rect.y + kTopMargin, rect.width - 2.0 * kSideMargin,
+  const Rect inner{rect.x + kLeftMargin, rect.y + kTopMargin,
+                   rect.width - kLeftMargin - kRightMargin,
                    rect.height - kTopMargin - kBottomMargin};
   zoom_ = std::min(inner.width / (high - low).x(), inner.height / (high - low).y());
   const Eigen::Vector2d middle = 0.5 * (low + high);
