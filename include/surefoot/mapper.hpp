@@ -66,7 +66,8 @@ class Mapper {
   JoinReport join(const std::filesystem::path& map);
 
   /// T_map_lidar at mid-scan, one an estimate that was added and trusted, after all loops. Without
-  /// those of stretches that nothing holds to a map that it was joined to.
+  /// those of stretches that nothing holds to a map that it was joined to; where it was joined to
+  /// none, stretches that no loop holds together are each in a frame of their own.
   [[nodiscard]] Trajectory trajectory() const;
   /// T_map_world at an instant [ns, the sensor's epoch]: from the odometry's world to the map,
   /// smooth between instants. At the nearest end of the walk where the instant lies outside of it;
