@@ -41,6 +41,12 @@ def files_beside(recording):
     return [file for file in (recording.parent / "gt.tum", *named) if file.is_file()]
 
 
+def stamps_above(folder):
+    """Stamps of a folder's scans that may lie in the one above, as KITTI's do."""
+    names = ("times.txt", "timestamps.txt", "stamps.txt")
+    return [folder.parent / name for name in names if (folder.parent / name).is_file()]
+
+
 class Hashes:
     """SHA-256 of files and folders; read again when a size or a time of change is another."""
 
@@ -70,7 +76,8 @@ class Hashes:
         return found.hexdigest()
 
     def of_recording(self, path):
-        beside = files_beside(pathlib.Path(path)) if pathlib.Path(path).is_file() else []
+        recording = pathlib.Path(path)
+        beside = files_beside(recording) if recording.is_file() else stamps_above(recording)
         return [self.of(path), [[file.name, self.of(file)] for file in beside]]
 
     def of_option(self, word):
@@ -143,8 +150,8 @@ def single_runs(settings):
 
 def file_named_in(word):
     """Of --config=walk.yaml, or --pass=--stamps=times.txt, the file; else the word, which may be one."""
-    name, _, value = word.removeprefix("--pass=").partition("=")
-    return value if name.startswith("-") else name
+    word = word.removeprefix("--pass=")
+    return word.partition("=")[2] if word.startswith("-") else word
 
 
 def make(settings, hashes):

@@ -48,13 +48,15 @@ std::size_t unreadable_scans(const fs::path& folder) {
   return fs::exists(file) ? std::stoul('0' + runs::read_run_yaml(file).unreadable) : 0;
 }
 
-/// Of the files that arguments name, as --stamps=FILE does.
+/// Of the files that arguments name, as --stamps=FILE does, and of the maps in folders.
 OrderedJson marks_of_files(const std::vector<std::string>& arguments) {
   OrderedJson marks = OrderedJson::object();
   for (const std::string& argument : arguments) {
     const std::size_t value = argument.starts_with('-') ? argument.find('=') + 1 : 0;  // npos + 1
-    const std::string file = argument.substr(value);
+    fs::path named = argument.substr(value);
     std::error_code ignored;
+    if (fs::is_directory(named, ignored)) named /= runs::kSavedMapFile;
+    const std::string file = named.string();
     if (fs::is_regular_file(file, ignored)) marks[file] = mark_of(file).fingerprint;
   }
   return marks;

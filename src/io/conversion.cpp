@@ -267,7 +267,8 @@ void Conversion::copy_the_rest() {
   if (!others_) return;
   others_->copy_the_rest(
       *bag_, request_.begins_with_all() ? kEarliest : *first_written_ns_,
-      request_.ends_with_all() ? std::numeric_limits<std::int64_t>::max() : last_written_ns_);
+      request_.ends_with_all() ? std::numeric_limits<std::int64_t>::max() : last_written_ns_,
+      [this] { return listener_.interrupted(); });
   for (std::string& loss : others_->losses()) outcome_.losses.push_back(std::move(loss));
   outcome_.messages = others_->messages();
   outcome_.topics = others_->topics();

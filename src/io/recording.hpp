@@ -93,8 +93,8 @@ struct OpenOptions {
   std::string sensor;
   /// Calibration or metadata file of that sensor; empty: its manual's table.
   std::filesystem::path calibration_file;
-  /// Let beams start where they leave the sensor, as with a VLP-16: up to 11.2 mm above or below
-  /// its centre.
+  /// Let beams start where they leave the sensor, as with a VLP-16: up to 11.2 mm (of a VLS-128: 27
+  /// mm) above or below its centre.
   bool beam_origins = true;
   ReturnChoice dual_return = ReturnChoice::strongest;
   /// Azimuth at which a revolution is cut from the next [deg], in [0, 360). For derived times it is

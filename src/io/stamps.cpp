@@ -26,7 +26,7 @@ std::optional<std::int64_t> parse_whole(std::string_view text) {
 // Whole seconds of this size would be 3,000 years: they are nanoseconds, or what is between.
 constexpr std::int64_t kLeastNanoseconds = 100'000'000'000;
 
-// Smaller ones that are further apart on average are no seconds either, but since a start; and such
+// Smaller ones that are further apart as a rule are no seconds either, but since a start; and such
 // that are further apart than these are no microseconds.
 constexpr std::int64_t kTooFarApart = 1'000, kFewestNanoseconds = 1'000'000;
 
@@ -145,19 +145,28 @@ std::optional<std::vector<std::int64_t>> stamps_with_nanoseconds(
   return are_alike ? std::nullopt : std::optional(stamps);
 }
 
-// How far the intervals are from their median, together.
-double unsteadiness(std::vector<std::int64_t> stamps) {
+std::vector<double> intervals_of(std::vector<std::int64_t> stamps) {
   std::sort(stamps.begin(), stamps.end());
   std::vector<double> intervals;
   for (std::size_t i = 1; i < stamps.size(); ++i) {
     intervals.push_back(static_cast<double>(stamps[i] - stamps[i - 1]));
   }
-  if (intervals.empty()) return 0.0;
-  const auto middle = intervals.begin() + std::ssize(intervals) / 2;
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  const double median = *middle;
+  return intervals;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// How far the intervals are from their median, together.
+double unsteadiness(const std::vector<std::int64_t>& stamps) {
+  const std::vector<double> intervals = intervals_of(stamps);
+  const double usual = median(intervals);
   double sum = 0.0;
-  for (const double interval : intervals) sum += std::abs(interval - median);
+  for (const double interval : intervals) sum += std::abs(interval - usual);
   return sum;
 }
 
@@ -185,6 +194,7 @@ void WholeTimes::add(std::string_view word) {
   if (!value) return;
   least_ = count_ == 0 ? *value : std::min(least_, *value);
   greatest_ = std::max(greatest_, *value);
+  values_.push_back(*value);
   ++count_;
 }
 
@@ -193,9 +203,10 @@ bool WholeTimes::is_near_zero() const { return greatest_ < kLeastNanoseconds; }
 // Two are no habit; of epoch seconds there may be few.
 std::string WholeTimes::unit_near_zero() const {
   if (count_ < 3) return {};
-  const std::int64_t apart = (greatest_ - least_) / static_cast<std::int64_t>(count_ - 1);
+  const auto apart = static_cast<std::int64_t>(median(intervals_of(values_)));
   if (apart >= kFewestNanoseconds) return "nanoseconds";
-  return apart > kTooFarApart && !is_epoch(least_, 1'000'000'000) ? "microseconds" : "";
+  const auto middle = static_cast<std::int64_t>(median({values_.begin(), values_.end()}));
+  return apart > kTooFarApart && !is_epoch(middle, 1'000'000'000) ? "microseconds" : "";
 }
 
 std::string WholeTimes::unusual_unit() const {

@@ -32,6 +32,7 @@ class WholeTimes {
   [[nodiscard]] std::string unit_near_zero() const;
 
   bool all_whole_ = true;
+  std::vector<std::int64_t> values_;
   std::int64_t least_ = 0, greatest_ = 0;
   std::size_t count_ = 0;
 };

@@ -205,7 +205,7 @@ void OdometryRun::check_truth(const RunOutput& output) {
 void OdometryRun::for_all(std::optional<io::ScanItem> item,
                           const std::function<void(const io::ScanItem&)>& use) {
   std::size_t done = 0;
-  while (item) {  // one at least: a run that has begun leaves more than empty files
+  while (item) {  // one at least, which is read by now
     account_.say_notes_of(scans_.recording());
     use(*item);
     ++done;

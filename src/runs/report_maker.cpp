@@ -142,8 +142,9 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
     run.facts.emplace_back("Truth", truth_file.string());
     try {
       Recording& recording = recordings_[run.recording];
-      if (!recording.origin) recording.origin = origin_near(poses);
-      evaluate_run(poses, read.measured, *recording.origin, run);
+      const Eigen::Vector3d origin = recording.origin.value_or(origin_near(poses));
+      evaluate_run(poses, read.measured, origin, run);
+      recording.origin = origin;  // of none that was not compared, which is where it was
       if (recording.truth.empty()) recording.truth = poses;
     } catch (const std::exception& error) {
       run.notes.push_back(fmt::format("not compared with the truth: {}", error.what()));
@@ -163,7 +164,9 @@ Trajectory ReportMaker::shown_truth(std::size_t recording) const {
     last_ns = std::max(last_ns, run.scans.stamps_ns.back());
   }
   Trajectory shown = truth_between(recordings_[recording].truth, first_ns, last_ns);
-  for (StampedPose& pose : shown) pose.pose.translation -= *recordings_[recording].origin;
+  for (StampedPose& pose : shown) {
+    pose.pose.translation -= recordings_[recording].origin.value_or(Eigen::Vector3d::Zero());
+  }
   return shown;
 }
 

@@ -58,7 +58,7 @@ void RunOutput::begin(const RunOptions& options) {
     pose_period_ns_ = std::max<std::int64_t>(std::llround(1e9 / options.pose_rate), 1);
     dense_ = open(kDenseTrajectoryFile);
     dense_ << "# stamp [s], x y z [m], qx qy qz qw: T_world_" << options.pose_of
-           << " within the measured scans\n";
+           << " within the measured scans and at their seams\n";
   }
 }
 

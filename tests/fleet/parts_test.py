@@ -65,6 +65,13 @@ class KeysTest(Scratch):
         self.assert_part_of_the_key(stamps, walk, f"--pass=--stamps={stamps}")
         stamps = self.write("stamps.txt", "0")
         self.assert_part_of_the_key(stamps, walk, "--pass", f"--stamps={stamps}")
+        saved = self.write("run=1/map.surefoot", "a map")
+        self.assert_part_of_the_key(saved, walk, "--localize", str(self.folder / "run=1"))
+
+    def test_stamps_above_the_scans(self):
+        self.write("sequence/velodyne/0.bin", "points")
+        self.assert_part_of_the_key(self.write("sequence/times.txt", "0"),
+                                    self.folder / "sequence/velodyne")
 
     def test_what_is_read_beside_a_recording(self):
         for walk, beside in (("walk.pcap", "walk.json"), ("walk_0000.pcap", "walk.json"),

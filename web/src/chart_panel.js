@@ -177,9 +177,9 @@ export class ChartPanel {
 
   #selected(plot) {
     const { left, width } = plot.select;
+    plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
     if (width < 4) return;
     const range = [plot.posToVal(left, "x"), plot.posToVal(left + width, "x")];
-    plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
     this.context.store.set("range", range);
   }
 

@@ -136,6 +136,13 @@ test("shows a part of the charts closely, and all of them again", async () => {
   assert.equal((await range()).length, 2);
   await button.click();
   assert.equal(await range(), null);
+  await hover(page, plot, 0.3, 0.5); // a slip of the hand is no choice, and holds nothing
+  await page.mouse.down();
+  await page.mouse.move(x + 0.3 * width + 2, y + 0.5 * height);
+  await page.mouse.up();
+  await settle(page);
+  assert.equal(await plot.$eval(".u-select", (select) => select.offsetWidth), 0);
+  assert.equal(await range(), null);
   assert.equal(await button.isVisible(), false);
 });
 

@@ -30,12 +30,22 @@ std::string_view trimmed(std::string_view text) {
 std::string unquoted(std::string_view text) {
   text = without_blanks(text);
   if (trimmed(text).size() == text.size()) return std::string(text);
-  const char quote = text.front();
+  const bool is_double = text.front() == '"';
   std::string result;
   for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    const bool escaped = quote == '"' ? text[i] == '\\' : text.substr(i, 2) == "''";
+    const bool escaped = is_double ? text[i] == '\\' : text.substr(i, 2) == "''";
     if (escaped && i + 2 < text.size()) ++i;
-    result += text[i];
+    unsigned code = 0;
+    const char* const digits = text.data() + i + 1;
+    if (escaped && text[i] == 'n') {
+      result += '\n';
+    } else if (escaped && text[i] == 'x' && i + 3 < text.size() &&
+               std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      result += static_cast<char>(code);
+      i += 2;
+    } else {
+      result += text[i];
+    }
   }
   return result;
 }

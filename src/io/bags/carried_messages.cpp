@@ -96,9 +96,10 @@ void CarriedMessages::copy(BagWriter& to, std::int64_t from_ns, std::int64_t upt
   }
 }
 
-void CarriedMessages::copy_the_rest(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns) {
+void CarriedMessages::copy_the_rest(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns,
+                                    const std::function<bool()>& interrupted) {
   copy(to, from_ns, upto_ns);
-  while (!ended_) {  // the next message is too late
+  while (!ended_ && !interrupted()) {  // the next message is too late
     if (bag_->is_in_order_of_time() && next_->logged_ns - kOutOfOrder > upto_ns) return;
     next_.reset();
     copy(to, from_ns, upto_ns);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,7 +34,10 @@ class CarriedMessages {
   /// change. Throws WriteError.
   void copy(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns);
   /// The same of all of the bag, for the last time: what is earlier may lie behind what is later.
-  void copy_the_rest(BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns);
+  /// Given up where `interrupted`.
+  void copy_the_rest(
+      BagWriter& to, std::int64_t from_ns, std::int64_t upto_ns,
+      const std::function<bool()>& interrupted = [] { return false; });
 
   [[nodiscard]] std::size_t messages() const { return messages_; }
   [[nodiscard]] std::size_t topics() const;

@@ -133,7 +133,8 @@ PointTable parse_las(std::span<const std::byte> file) {
       "LAS 1." + std::to_string(header.minor) + ", point format " + std::to_string(header.format);
   if (const std::string offset = left_out(header.offset); !offset.empty()) {
     table.format += ", without the offset " + offset;
-    table.lost = "the offset " + offset + " (x y z): a file's points are moved by its own";
+    // Without the numbers, which each of many files has of its own.
+    table.lost = "the offset of a file's grid (10 km or more): its points are moved by it";
   }
   table.size = static_cast<std::size_t>(header.count);
   table.storage = coordinates(file, header);

@@ -155,7 +155,10 @@ VelodyneDecoder::VelodyneDecoder(VelodyneModel model, const DecoderOptions& opti
     const double elevation = laser.table.elevation_deg * std::numbers::pi / 180.0;
     laser.cosine = std::cos(elevation);
     laser.sine = std::sin(elevation);
-    laser.table.height = options.beam_origins ? laser.table.height : 0.0;
+    if (!options.beam_origins) {
+      laser.table.height = 0.0;
+      if (!model_.is_hdl64) laser.table.vertical_offset = 0.0;  // of which that is what it is
+    }
     lasers_.push_back(laser);
   }
   constexpr double kTurnNs = 1e8;  // 600 rpm

@@ -50,6 +50,14 @@ TEST_F(RunRecordTest, TheKeyChangesWithFilesThatArgumentsName) {
   }
 }
 
+TEST_F(RunRecordTest, TheKeyChangesWithTheMapInAFolderThatIsNamed) {
+  const std::vector<std::string> arguments = {"--localize=" + folder_.string()};
+  write("map.surefoot", "a map");
+  const std::string key = key_of(kInput, "paper", arguments, "b");
+  write("map.surefoot", "another map");
+  EXPECT_NE(key, key_of(kInput, "paper", arguments, "b"));
+}
+
 TEST_F(RunRecordTest, IsReadBack) {
   const RunRecord record{key_of(kInput, "paper", {}, "b"), {0, 0, 1.5, 1.25, 4096}, 2};
   write_record(folder_, record);

@@ -104,6 +104,11 @@ TEST(Stamps, WholeNumbersNearZero) {
   EXPECT_EQ(parse_stamps("0\n100000000\n", &unit), (Stamps{0, 100000000 * kSecond}));
   EXPECT_EQ(parse_stamps("1630577758\n1630581358\n1630584958\n", &unit),
             (Stamps{1630577758 * kSecond, 1630581358 * kSecond, 1630584958 * kSecond}));
+  // Of a clock that was not set at first.
+  EXPECT_EQ(parse_stamps("0\n1600000001\n1600000002\n1600000003\n", &unit).back(),
+            1600000003 * kSecond);
+  EXPECT_EQ(parse_stamps("0\n1630577758\n1630581358\n1630584958\n", &unit).back(),
+            1630584958 * kSecond);
   EXPECT_EQ(unit, "");
   EXPECT_EQ(stamps_from_names({"0.pcd", "100000000.pcd", "200000000.pcd"}, &unit),
             (Stamps{0, 100000000, 200000000}));

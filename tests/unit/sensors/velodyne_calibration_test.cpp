@@ -64,6 +64,13 @@ TEST(VelodyneCalibration, HeightsOfTheModelStayWhereTheFileKnowsNone) {
   EXPECT_NEAR(point.z(), 9.5 * std::sin(0.2) + 0.0112, 1e-5);
 }
 
+TEST(VelodyneCalibration, BeamsOfOneOriginHaveNoHeightsOfTheFileEither) {
+  auto options = calibrated(sixteen_ids(), ", vert_offset_correction: 0.1");
+  options.beam_origins = false;
+  const Eigen::Vector3f point = decode(vlp16_packet(), "VLP-16", options).points.at(0).position;
+  EXPECT_NEAR(point.z(), 9.5 * std::sin(0.2), 1e-5);
+}
+
 TEST(VelodyneCalibration, EveryLaserIsNamedOnce) {
   std::string reason;
   const auto error_with = [&](std::size_t which, const std::string& id) {

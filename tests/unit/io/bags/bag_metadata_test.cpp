@@ -41,9 +41,10 @@ TEST(BagMetadata, NamesAreThoseBeforeTheirQuotes) {
       "relative_file_paths:\n"
       "  - \"a \\\"b\\\" #2.db3\"\n"
       "  - 'it''s: c.db3'\n"
-      "  - d \"e\".db3\n");
-  EXPECT_EQ(metadata.files,
-            (std::vector<std::string>{"a \"b\" #2.db3", "it's: c.db3", "d \"e\".db3"}));
+      "  - d \"e\".db3\n"
+      "  - \"f\\x09\\n.db3\"\n");
+  EXPECT_EQ(metadata.files, (std::vector<std::string>{"a \"b\" #2.db3", "it's: c.db3",
+                                                      "d \"e\".db3", "f\t\n.db3"}));
 }
 
 TEST(BagMetadata, GivesThePartsTheirOrder) {

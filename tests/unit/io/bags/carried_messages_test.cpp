@@ -78,6 +78,14 @@ TEST_F(Carried, ATopicMayLieBehindAllOfAnotherInOneFile) {
   EXPECT_EQ(others.topics(), 2U);
 }
 
+TEST_F(Carried, TheSearchForWhatLiesBehindIsGivenUpWhenInterrupted) {
+  CarriedMessages others(in(), {}, {});
+  const auto to = make_mcap_bag(out());
+  others.copy_the_rest(*to, 102, 105, [] { return true; });
+  to->finish();
+  EXPECT_EQ(others.messages(), 4U) << "of the first file, up to the first that is too late";
+}
+
 // rosbag2 begins a new file when the last one is full: what follows is later.
 TEST_F(Carried, FilesThatRosbag2WroteAreNotLookedAtBehindTheEnd) {
   constexpr std::uint64_t kStep = 10'000'000'000;
