@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 //
-// surefoot simulate and suite, and surefoot sweep on what they make.
+// surefoot simulate, and runs on what it makes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <vector>
 
 #include "io/trajectory_files.hpp"
@@ -348,29 +347,6 @@ TEST(Simulation, EveryRobotSensorMountAndSpeedMakesARecording) {
   }
 }
 
-TEST(Sweep, HasARowForEachValue) {
-  const ScratchFolder scratch;
-  simulate("walk", scratch);
-  const ProcessResult result =
-      run_surefoot({"sweep", "walk", "--vary", "knots.segments=1:2:1", "--count", "12", "-j", "2"},
-                   scratch.path());
-  ASSERT_EQ(result.exit_code, 0) << result;
-  std::istringstream table(result.output);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(table, line);) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 5U) << result;
-  EXPECT_TRUE(lines[0].starts_with("| parameter | walk | APE ratio | step ratio |")) << result;
-  EXPECT_TRUE(lines[2].starts_with("| unchanged | 0.")) << result;
-  EXPECT_NE(lines[2].find("| 1.00 | 1.00 |"), std::string::npos) << result;
-  EXPECT_TRUE(lines[3].starts_with("| knots.segments = 1 | ")) << result;
-  EXPECT_TRUE(lines[4].starts_with("| knots.segments = 2 | ")) << result;
-  EXPECT_EQ(result.output.find("nan"), std::string::npos) << result;
-  const std::filesystem::path folder = scratch.path() / "results/sweep";
-  EXPECT_EQ(file_content(folder / "sweep.md"), result.output);
-  EXPECT_EQ(lines_of(folder / "sweep.csv"), 4U);
-  EXPECT_NE(file_content(folder / "sweep.json").find("\"ape_ratio\""), std::string::npos);
-}
-
 #ifdef SUREFOOT_HAS_PICTURES
 TEST(Simulation, APictureReplacesNothingButAPicture) {
   const ScratchFolder scratch;
@@ -395,25 +371,6 @@ TEST(Simulation, APictureReplacesNothingButAPicture) {
   EXPECT_EQ(draw({"--picture", "mine.png", "--overwrite"}).exit_code, 0);
 }
 #endif
-
-TEST(Sweep, BadInputIsRefused) {
-  const ScratchFolder scratch;
-  write_pcd_recording(scratch.path() / "in", hall_scans(2));
-  const auto refusal = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "sweep");
-    const ProcessResult result = run_surefoot(arguments, scratch.path());
-    EXPECT_EQ(result.exit_code, 2) << result;
-    EXPECT_TRUE(result.output.empty()) << result;
-    return result.errors;
-  };
-  EXPECT_NE(refusal({"nowhere", "--vary", "map.radius=50"}).find("nowhere"), std::string::npos);
-  EXPECT_NE(refusal({"in", "--vary", "map.radius=50"}).find("gt.tum"), std::string::npos);
-  EXPECT_NE(refusal({"in"}).find("--vary"), std::string::npos);
-  EXPECT_NE(refusal({"in", "--vary", "map.radius"}).find("key=value"), std::string::npos);
-  EXPECT_NE(refusal({"in", "--vary", "map.speed=1"}).find("map.speed"), std::string::npos);
-  EXPECT_NE(refusal({"in", "--vary", "deskew.segments=1:4:1"}).find("what reads it: paper"),
-            std::string::npos);
-}
 
 }  // namespace
 }  // namespace surefoot::test
