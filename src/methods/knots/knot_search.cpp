@@ -166,17 +166,17 @@ void weigh_in_rounds(std::span<const Round> rounds, const Map& map,
                      const Workers& workers, std::vector<PlaceFit>& places) {
   const auto all = static_cast<double>(places.size());
   std::size_t before = 0;
-  for (const auto& [stride, kept, fewest] : rounds) {
+  for (const Round& round : rounds) {
     workers.for_each(places.size(), [&](std::size_t i) {
-      places[i].fit += fit_of(map, points, stride, before, places[i].pose, grain.scale);
+      places[i].fit += fit_of(map, points, round.stride, before, places[i].pose, grain.scale);
     });
-    const std::size_t most = std::max(static_cast<std::size_t>(kept * all), fewest);
+    const std::size_t most = std::max(static_cast<std::size_t>(round.kept * all), round.fewest);
     if (places.size() > most) {
       const auto end = places.begin() + static_cast<std::ptrdiff_t>(most);
       std::nth_element(places.begin(), end, places.end(), better);
       places.erase(end, places.end());
     }
-    before = stride;
+    before = round.stride;
   }
   const auto asked = static_cast<double>((points.size() + before - 1) / before);
   for (PlaceFit& place : places) place.fit /= std::max(asked, 1.0);
