@@ -52,6 +52,10 @@ std::string number_text(int value) { return shortest_text(value); }
 std::string range_text(const ConfigField& field, Config& config) {
   const FieldSlot slot = field.slot(config);
   const auto* choice = std::get_if<WordSlot>(&slot);
+  if (std::holds_alternative<int*>(slot)) {  // written as they are read
+    return number_text(static_cast<int>(field.min)) + " .. " +
+           number_text(static_cast<int>(field.max));
+  }
   if (choice == nullptr) return number_text(field.min) + " .. " + number_text(field.max);
   std::string text;
   for (const char* word : choice->words) text += (text.empty() ? "" : " | ") + std::string(word);

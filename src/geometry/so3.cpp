@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "surefoot/pose.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -55,6 +57,7 @@ Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Ve
   const double twice_w = std::sqrt((1.0 + cosine) * 2.0);  // by the half-angle formula
   turn.vec() = a.cross(b) * (1.0 / twice_w);
   turn.w() = twice_w * 0.5;
+  if (cosine < 0.0) turn.normalize();  // nearly opposite, 1 + cosine has few digits
   return turn;
 }
 

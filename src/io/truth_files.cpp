@@ -16,6 +16,7 @@
 #include "io/file_reader.hpp"
 #include "io/files/scan_files.hpp"
 #include "io/stamps.hpp"
+#include "io/trajectory_files.hpp"
 
 namespace surefoot::io {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "config/field_text.hpp"
 #include "config/method.hpp"
 #include "methods/knots/knot_segments.hpp"
@@ -131,6 +133,15 @@ void check(const Config& config) {
     throw ConfigError("knots.points_per_voxel (" + number_text(config.knots.points_per_voxel) +
                       ") must be at least twice knots.min_points (" +
                       number_text(config.knots.min_points) + "), which a pole needs");
+  }
+  const double narrowing = config.knots.kernel_start / config.knots.kernel_end;
+  if (std::pow(config.knots.kernel_decay, config.knots.max_iterations) * narrowing >= 1.0) {
+    throw ConfigError("knots.kernel_decay (" + number_text(config.knots.kernel_decay) +
+                      ") does not narrow the kernel from knots.kernel_start (" +
+                      number_text(config.knots.kernel_start) + " m) to knots.kernel_end (" +
+                      number_text(config.knots.kernel_end) + " m) within knots.max_iterations (" +
+                      number_text(config.knots.max_iterations) +
+                      "): no registration would end converged");
   }
 }
 

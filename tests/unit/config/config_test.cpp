@@ -11,6 +11,7 @@
 #include <set>
 
 #include "config/config_fields.hpp"
+#include "config/field_text.hpp"
 #include "config/method.hpp"
 #include "methods/paper/paper_parameters.hpp"
 
@@ -73,6 +74,19 @@ TEST(Config, EveryNumberComesBackToTheSameValueFromBothEndsOfItsRange) {
         EXPECT_EQ(*std::get<int*>(slot), *std::get<int*>(slot_again)) << field.name;
       }
     }
+  }
+}
+
+/// Who is told a range may give its ends.
+TEST(Config, TheEndsOfAToldRangeAreTaken) {
+  for (const ConfigField& field : config_fields()) {
+    if (!is_number(field)) continue;
+    Config config;
+    const std::string told = range_text(field, config);
+    const std::size_t gap = told.find(" .. ");
+    ASSERT_NE(gap, std::string::npos) << told;
+    EXPECT_NO_THROW(set_parameter(config, field.name, told.substr(0, gap))) << told;
+    EXPECT_NO_THROW(set_parameter(config, field.name, told.substr(gap + 4))) << told;
   }
 }
 
@@ -184,6 +198,11 @@ bool valid(const std::string& method,
 TEST(Config, ValidateFindsContradictions) {
   EXPECT_FALSE(valid("icp", {{"preprocess.min_range", "50"}, {"preprocess.max_range", "20"}}));
   EXPECT_FALSE(valid("surefoot", {{"knots.min_points", "500"}}));
+  EXPECT_FALSE(valid("surefoot", {{"knots.kernel_decay", "0.99"}}));
+  EXPECT_FALSE(valid("surefoot", {{"knots.max_iterations", "12"}}));
+  EXPECT_TRUE(valid("surefoot", {{"knots.max_iterations", "13"}}));
+  EXPECT_TRUE(valid("surefoot", {{"knots.kernel_decay", "0"}}));
+  EXPECT_TRUE(valid("surefoot", {{"knots.kernel_start", "0.1"}, {"knots.max_iterations", "5"}}));
   EXPECT_FALSE(valid("paper", {{"registration.max_distance", "2"},  //
                                {"registration.relaxed_distance", "1"}}));
   // A search farther than eight cells of the map.

@@ -115,6 +115,13 @@ TEST(So3, RotationBetweenIsTheShortestThatTurnsOneToTheOther) {
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   EXPECT_LT((rotation_between(up, up) * up - up).norm(), 1e-15);
   EXPECT_LT((rotation_between(up, -up) * up + up).norm(), 1e-15);
+  for (const double short_of_half_a_turn : {1e-3, 1e-5, 2e-6, 1e-6}) {
+    const Eigen::Vector3d to =
+        Eigen::AngleAxisd(M_PI - short_of_half_a_turn, Eigen::Vector3d::UnitX()) * up;
+    const Eigen::Quaterniond turn = rotation_between(up, to);
+    EXPECT_NEAR(turn.norm(), 1.0, 1e-15) << short_of_half_a_turn;
+    EXPECT_LT((turn * up - to).norm(), 2e-6) << short_of_half_a_turn;
+  }
 }
 
 }  // namespace

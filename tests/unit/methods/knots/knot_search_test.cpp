@@ -172,6 +172,7 @@ TEST(KnotSearch, LooksNoFartherThanItsRegion) {
   const Pose truth{so3_exp({0.0, 0.0, 0.7}), {-2.3, -0.4, 0.45}};
   const auto places = search_places(map, thinned(points_from(truth)), {kMapped, 1.0, 0.2},
                                     level_way(), 4, Workers(1));
+  ASSERT_FALSE(places.empty());
   for (const PlaceFit& place : places) {
     EXPECT_LT((place.pose.translation - kMapped.translation).norm(), 2.5);
     EXPECT_LT(place.pose.rotation.angularDistance(kMapped.rotation), 0.5);
