@@ -108,8 +108,10 @@ int run_live(CLI::App& command, LiveArguments& arguments) {
     if (!quiet) fmt::print(stderr, "{}\n", text);
   };
   live_runs::LiveListener listener{
-      say, [&](const live::LiveFigures& figures) { say(live::state_text(figures)); },
-      [&] { return interrupt.interrupted(); }};
+      .say = say,
+      .complain = [](const std::string& text) { fmt::print(stderr, "{}\n", text); },
+      .report = [&](const live::LiveFigures& figures) { say(live::state_text(figures)); },
+      .interrupted = [&] { return interrupt.interrupted(); }};
 #ifdef SUREFOOT_HAS_LIVE_PAGE
   if (arguments.page) {
     const bool has_map = !request.run.localize.empty();

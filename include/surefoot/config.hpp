@@ -58,7 +58,7 @@ struct Config {
     double max_correction;   // [m] registration against prediction
     double max_correction_deg;
     double min_information;  // share of the average below which a direction is degenerate
-    int restart_after;       // scans lost in a row before the map is begun anew
+    int restart_after;       // scans lost in a row before it is searched, or the map begun anew
   } health;
 
   /// Method surefoot.

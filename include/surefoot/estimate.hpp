@@ -112,7 +112,8 @@ struct Estimate {
   ScanTrajectory trajectory;    ///< poses within the scan, as its points were deskewed
   Twist twist = Twist::Zero();  ///< mean velocity of the last motion, LiDAR frame [m/s, rad/s]
   Matrix6 covariance = Matrix6::Zero();  ///< of the pose against the map; [x y z roll pitch yaw]
-                                         ///< in the world's axes about the sensor [m, rad]
+                                         ///< in the world's axes about the sensor
+                                         ///< [m^2, m rad, rad^2]
   std::vector<DegenerateDirection> degenerate;
 
   /// Of a registered scan; the default method alone tells.
@@ -126,7 +127,7 @@ struct Estimate {
   int points = 0;             ///< valid points of the scan
   int registered_points = 0;  ///< of these, after thinning, registered
 
-  /// Pose at any instant of the scan [ns, sensor's epoch].
+  /// T_world_lidar at any instant of the scan [ns, sensor's epoch].
   [[nodiscard]] Pose pose_at(std::int64_t instant_ns) const {
     return trajectory.at_time(instant_ns);
   }

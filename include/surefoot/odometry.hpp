@@ -61,7 +61,8 @@ class Odometry {
  public:
   /// Throws ConfigError. `T_world_start`: where the map's frame lies in the caller's world; poses
   /// come out in that world, the arithmetic stays near the start. It should not tilt the world,
-  /// since "vertical" is the map's z axis. `threads`: at most this many, 1 without oneTBB.
+  /// since "vertical" is the map's z axis. `threads`: at most this many; 1 where the
+  /// library was built without threads.
   explicit Odometry(const Config& config = {}, int threads = 1, const Pose& T_world_start = {});
   ~Odometry();
   Odometry(const Odometry&) = delete;

@@ -31,6 +31,7 @@ struct Pose {
     const Eigen::Quaterniond back = rotation.conjugate();
     return {back, -(back * translation)};
   }
+  /// Homogeneous: it takes [x y z 1] from frame b to frame a.
   [[nodiscard]] Eigen::Matrix4d matrix() const;
 };
 

@@ -26,7 +26,7 @@ namespace surefoot {
 class Reference {
  public:
   /// Throws ConfigError, also where the method is not surefoot: no other's motion within a scan is
-  /// estimated. `threads`: at most this many, 1 without oneTBB.
+  /// estimated. `threads`: at most this many; 1 where the library was built without threads.
   explicit Reference(const Config& config = {}, int threads = 1);
   ~Reference();
   Reference(const Reference&) = delete;

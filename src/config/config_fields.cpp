@@ -57,7 +57,10 @@ const ConfigField kHealth[] = {
     {"health.min_information", SLOT(health.min_information), "0.01", "", 0.0, 1.0,
      "a direction with a smaller share of an even scene's information is degenerate", kChosen},
     {"health.restart_after", SLOT(health.restart_after), "10", "", 1, 1e6,
-     "scans lost in a row after which the map is begun anew", kChosen},
+     "more scans in a row that were not registered: method surefoot looks for its place, paper "
+     "begins "
+     "its map anew",
+     kChosen},
 };
 
 #undef WORDS

@@ -8,7 +8,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr const char* kReadByAll[] = {"preprocess.", "level.", "health."};
+constexpr const char* kReadByAll[] = {"preprocess.",           "level.",
+                                      "health.min_matches",    "health.min_match_ratio",
+                                      "health.max_correction", "health.max_correction_deg"};
 
 /// Names: of groups ("knots.") or single parameters ("map.radius").
 bool is_among(std::string_view parameter, std::span<const char* const> names) {

@@ -3,6 +3,8 @@
 #include "surefoot/scan_trajectory.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace surefoot {
 
@@ -12,6 +14,10 @@ ScanTrajectory::ScanTrajectory(const Pose& pose, std::int64_t stamp_ns)
 ScanTrajectory::ScanTrajectory(std::vector<Pose> boundaries, std::int64_t start_ns,
                                std::int64_t end_ns)
     : boundaries_(std::move(boundaries)), start_ns_(start_ns), end_ns_(end_ns) {
+  if (boundaries_.size() < 2) {
+    throw std::invalid_argument("ScanTrajectory: " + std::to_string(boundaries_.size()) +
+                                " boundary poses; expected at least 2");
+  }
   twists_.reserve(boundaries_.size() - 1);
   for (std::size_t k = 0; k + 1 < boundaries_.size(); ++k) {
     twists_.push_back(se3_log(boundaries_[k].inverse() * boundaries_[k + 1]));  // [Eq 9]

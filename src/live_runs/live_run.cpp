@@ -116,9 +116,15 @@ LiveOutcome run_live(LiveRequest request, const LiveListener& listener) {
     repeat_by(log, request.run.given);
   };
   // An interrupt ends the stream, not the run.
-  runs::RunOutcome outcome = runs::run_odometry(
-      request.run,
-      {listener.say, progress, [] { return false; }, started, answered, input.messages}, recording);
+  runs::RunOutcome outcome = runs::run_odometry(request.run,
+                                                {.say = listener.say,
+                                                 .progress = progress,
+                                                 .interrupted = [] { return false; },
+                                                 .started = started,
+                                                 .answered = answered,
+                                                 .messages = input.messages,
+                                                 .complain = listener.complain},
+                                                recording);
   recording.rethrow_failure();  // its files are whole: a full disk's record costs no map
   return {std::move(outcome), recording.figures(), request.run.input, input.of_topic};
 }

@@ -27,8 +27,9 @@ struct LiveRequest {
 
 /// Who is told what goes on.
 struct LiveListener {
-  std::function<void(const std::string& text)> say;      ///< what is worth a line
-  std::function<void(const live::LiveFigures&)> report;  ///< every ten seconds
+  std::function<void(const std::string& text)> say;       ///< what is worth a line
+  std::function<void(const std::string& text)> complain;  ///< likewise of scans that cannot be read
+  std::function<void(const live::LiveFigures&)> report;   ///< every ten seconds
   std::function<bool()> interrupted;  ///< true ends the stream: what was received is used
   /// Makes who watches the run; may be empty. Commands that the viewer puts into the queue are
   /// closed before it ends.

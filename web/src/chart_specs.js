@@ -175,7 +175,7 @@ export const kCharts = [
     title: "Probability of a wrong pose",
     unit: "probability [1]",
     fromZero: true,
-    lines: (c) => columnLines(c, [["wrong_probability", "wrong_probability", 1]]),
+    lines: (c) => columnLines(c, [["probability", "wrong_probability", 1]]),
   },
   {
     group: "What it says of itself",

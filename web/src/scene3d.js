@@ -66,8 +66,8 @@ export class Scene3d {
 
   setRun() {
     this.showRun();
-    this.resetView();
     this.resize();
+    this.resetView();
   }
 
   /** Draws the run as it is now, from where it is looked at. */
@@ -172,7 +172,7 @@ export class Scene3d {
     this.draw();
   }
 
-  /** Everything in view, from obliquely above. */
+  /** Everything in view, from obliquely above; from farther where the view is narrow. */
   resetView() {
     const { middle, size } = extentOf(
       this.context.run(),
@@ -182,7 +182,7 @@ export class Scene3d {
     this.controls.target.copy(middle);
     this.camera.position
       .copy(middle)
-      .add(new THREE.Vector3(-0.45, -0.75, 0.62).multiplyScalar(1.3 * size));
+      .add(new THREE.Vector3(-0.45, -0.75, 0.62).multiplyScalar(1.3 * size * Math.max(1, 1.2 / this.camera.aspect)));
     this.camera.near = size / 500;
     this.camera.far = size * 60;
     this.camera.updateProjectionMatrix();

@@ -124,7 +124,8 @@ const ConfigField kFields[] = {
 
 #undef SLOT
 
-constexpr const char* kAlsoReads[] = {"map.radius", "motion_prior."};
+constexpr const char* kAlsoReads[] = {"map.radius", "motion_prior.", "health.min_information",
+                                      "health.restart_after"};
 // To it the share of matches is evidence, and none is too small by itself.
 constexpr const char* kDoesNotRead[] = {"health.min_match_ratio"};
 

@@ -102,7 +102,8 @@ const ConfigField kFields[] = {
 #undef WORDS
 #undef SLOT
 
-constexpr const char* kAlsoReads[] = {"motion_prior."};
+constexpr const char* kAlsoReads[] = {"motion_prior.", "health.min_information",
+                                      "health.restart_after"};
 
 // A search looks at the cube of voxels within its radius; this bounds their number.
 constexpr double kMaxSearchVoxels = 8.0;

@@ -39,11 +39,4 @@ inline constexpr std::array<std::uint16_t, kLasers> kRing = {0, 8,  1, 9,  2, 10
 inline constexpr std::array<double, kLasers> kVerticalOffsetMm = {
     11.2, -0.7, 9.7, -2.2, 8.1, -3.7, 6.6, -5.1, 5.1, -6.6, 3.7, -8.1, 2.2, -9.7, 0.7, -11.2};
 
-/// Nanoseconds from the packet's stamp to the firing of channel `channel` (0..31) of block `block`.
-[[nodiscard]] constexpr double firing_offset_ns(std::size_t block, std::size_t channel, bool dual) {
-  const std::size_t sequence = (dual ? block - block % 2 : 2 * block) + channel / kLasers;
-  return kSequenceNs * static_cast<double>(sequence) +
-         kLaserNs * static_cast<double>(channel % kLasers);
-}
-
 }  // namespace surefoot::vlp16

@@ -79,6 +79,12 @@ TEST(Registry, AMethodReadsItsOwnAndNobodyElses) {
   EXPECT_TRUE(reads_parameter(method_config("paper-cv"), "deskew.mode"));
   EXPECT_TRUE(reads_parameter(method_config("paper"), "motion_prior.max_extrapolation"));
   EXPECT_FALSE(reads_parameter(method_config("icp"), "motion_prior.max_extrapolation"));
+  for (const char* name : {"health.restart_after", "health.min_information"}) {
+    EXPECT_TRUE(reads_parameter(Config(), name)) << name;
+    EXPECT_TRUE(reads_parameter(method_config("paper"), name)) << name;
+    EXPECT_FALSE(reads_parameter(method_config("kiss-icp"), name)) << name;
+  }
+  EXPECT_TRUE(reads_parameter(method_config("kiss-icp"), "health.max_correction_deg"));
   EXPECT_FALSE(reads_parameter(Config(), "health.min_match_ratio"));
   for (const char* unknown : {"", "health.", "health.courage", "knots"}) {
     EXPECT_FALSE(reads_parameter(Config(), unknown)) << unknown;

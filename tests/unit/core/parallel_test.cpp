@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <new>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -55,6 +56,15 @@ TEST(Workers, MoreThreadsThanTheMachineHasPrintNothing) {
   EXPECT_EQ(sum, 10'000);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Workers, WhatALoopThrowsReachesTheCaller) {
+  for (const int threads : {1, 2}) {
+    const auto fail = [](std::size_t i) {
+      if (i == 3) throw std::runtime_error("three");
+    };
+    EXPECT_THROW(Workers(threads).for_each(8, fail), std::runtime_error) << threads;
+  }
 }
 
 TEST(Background, WhatWasBegunIsDoneAfterTheWait) {

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <vector>
+
 #include "support/matrix_exponential.hpp"
 #include "support/random.hpp"
 
@@ -97,6 +100,12 @@ TEST(ScanTrajectory, AtOneInstantItStandsStill) {
   EXPECT_EQ(trajectory.tau(1'000'000), 0.5);
   for (const double tau : {-1.0, 0.0, 0.5, 2.0}) {
     EXPECT_LT(difference(trajectory.at(tau), pose), 1e-15);
+  }
+}
+
+TEST(ScanTrajectory, OfFewerThanTwoPosesThereIsNone) {
+  for (const std::size_t few : {0, 1}) {
+    EXPECT_THROW(ScanTrajectory(std::vector<Pose>(few), 0, 1), std::invalid_argument) << few;
   }
 }
 
