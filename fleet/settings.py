@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Surefoot authors
 # SPDX-License-Identifier: MIT
 """fleet.yaml: what may stand in it for which command, and what it asks of surefoot."""
+import os
 import pathlib
 import shutil
 
@@ -52,7 +53,8 @@ def check_keys(given, command):
 def recordings_of(words):
     if not words:
         raise SettingsError("no recordings; expected 'recordings: [A, B]'")
-    paths = [pathlib.Path(word).resolve() for word in words]
+    # Of a link its own name and neighbours count, as surefoot sees them.
+    paths = [pathlib.Path(os.path.abspath(word)) for word in words]
     known = set()
     for path in paths:
         if not path.exists():

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """What of the workflow for many machines needs no Snakemake: keys, jobs, Slurm's words.
 
-    parts_test.py PROGRAM FOLDER-OF-THE-WORKFLOW
+    parts_test.py PROGRAM FOLDER-OF-THE-WORKFLOW [TEST...]
 """
 import json
 import os
@@ -17,6 +17,7 @@ PROGRAM, FLEET = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(FLEET))
 import plan as planning  # noqa: E402  (where it lies is told by the caller)
+import settings as reading  # noqa: E402
 
 
 class Scratch(unittest.TestCase):
@@ -81,6 +82,28 @@ class KeysTest(Scratch):
             before = self.keys(recording)
             self.write("elsewhere.json", "{}")
             self.assertEqual(self.keys(recording), before)
+
+
+class SettingsTest(Scratch):
+    def read(self, **given):
+        given = {"program": str(PROGRAM), "output": str(self.folder / "out"), **given}
+        return reading.read(pathlib.Path(self.write("fleet.yaml", json.dumps(given))))
+
+    def test_a_link_counts_by_its_own_name_and_neighbours(self):
+        self.write("store/0001.pcap", "packets")
+        link = self.folder / "walks/a.pcap"
+        link.parent.mkdir()
+        link.symlink_to(self.folder / "store/0001.pcap")
+        self.write("walks/gt.tum", "0 0 0 0 0 0 0 1")
+        settings = self.read(command="map", recordings=[str(self.folder / "store/../walks/a.pcap")])
+        self.assertEqual(settings["recordings"], [str(link)])
+        hashes = planning.Hashes(self.folder / "hashes.json")
+        (run,) = planning.make(settings, hashes)["runs"].values()
+        self.assertEqual(run["folder"], "a.pcap")
+        self.assertEqual([name for name, _ in hashes.of_recording(link)[1]], ["gt.tum"])
+        settings = self.read(recordings=[str(link)], methods=["icp"])
+        (run,) = planning.make(settings, hashes)["runs"].values()
+        self.assertEqual(run["recording"], str(link))
 
 
 class JobsTest(Scratch):
@@ -150,4 +173,4 @@ class SlurmTest(Scratch):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
