@@ -116,6 +116,39 @@ void set_config(RunOptions& options, const py::object& config) {
   }
 }
 
+/// Runs it in good order to its end, also where Python has raised something meanwhile (Ctrl-C, or
+/// what is told of it): then it ends after the scan, and that is raised when all is written.
+std::filesystem::path run_to_folder(const RunOptions& options, const py::object& say,
+                                    const py::object& progress) {
+  std::optional<py::error_already_set> raised;
+  const auto tell = [&](const py::object& who, const auto&... what) {
+    const py::gil_scoped_acquire acquire;
+    if (who.is_none() || raised) return;
+    try {
+      who(what...);
+    } catch (const py::error_already_set& error) {
+      raised = error;
+    }
+  };
+  const auto is_stopped = [&] {
+    const py::gil_scoped_acquire acquire;
+    if (!raised && PyErr_CheckSignals() != 0) raised.emplace();
+    return raised.has_value();
+  };
+  const runs::RunListener listener{
+      [&](const std::string& text) { tell(say, text); },
+      [&](std::size_t scans, double share) { tell(progress, scans, share); }, is_stopped};
+  runs::RunOutcome outcome;
+  try {
+    const py::gil_scoped_release release;
+    outcome = runs::run_odometry(options, listener);
+  } catch (const std::exception&) {
+    if (!raised) throw;
+  }
+  if (raised) throw py::error_already_set(*raised);
+  return outcome.folder;
+}
+
 std::filesystem::path run(const std::filesystem::path& input,
                           const std::optional<std::filesystem::path>& output,
                           const py::object& config, const py::object& say,
@@ -133,28 +166,7 @@ std::filesystem::path run(const std::filesystem::path& input,
     if (is_recorded(name)) record(options, name, value);
   }
   check(options);
-  bool stopped = false;
-  const auto is_stopped = [&] {
-    const py::gil_scoped_acquire acquire;
-    stopped = stopped || PyErr_CheckSignals() != 0;
-    return stopped;
-  };
-  const runs::RunListener listener{[&](const std::string& text) {
-                                     const py::gil_scoped_acquire acquire;
-                                     if (!say.is_none() && !stopped) say(text);
-                                   },
-                                   [&](std::size_t scans, double share) {
-                                     const py::gil_scoped_acquire acquire;
-                                     if (!progress.is_none() && !stopped) progress(scans, share);
-                                   },
-                                   is_stopped};
-  runs::RunOutcome outcome;
-  {
-    const py::gil_scoped_release release;
-    outcome = runs::run_odometry(options, listener);
-  }
-  if (stopped) throw py::error_already_set();
-  return outcome.folder;
+  return run_to_folder(options, say, progress);
 }
 
 py::dict table_of(const report::ScanTable& scans) {

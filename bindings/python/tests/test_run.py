@@ -90,12 +90,16 @@ class RunTest(unittest.TestCase):
             with self.assertRaisesRegex((TypeError, ValueError), what):
                 surefoot.run(self.folder, scratch("none"), **options)
 
-    def test_an_error_of_the_listener_arrives(self):
-        def fail(scans, share):
+    def test_an_error_of_a_listener_arrives_when_all_is_written(self):
+        def fail(*_):
             raise KeyError("mine")
 
-        with self.assertRaisesRegex(KeyError, "mine"):
-            surefoot.run(self.folder, scratch("none"), progress=fail, no_report=True)
+        for listener in ("say", "progress"):
+            out = scratch("failed")
+            with self.assertRaisesRegex(KeyError, "mine"):
+                surefoot.run(self.folder, out, level="none", **{listener: fail})
+            if listener == "progress":
+                self.check_ended(out, 1)
 
     def test_ctrl_c_ends_it_with_whole_files(self):
         out = scratch("stopped")
@@ -105,9 +109,15 @@ class RunTest(unittest.TestCase):
                 signal.raise_signal(signal.SIGINT)
 
         with self.assertRaises(KeyboardInterrupt):
-            surefoot.run(self.folder, out, progress=stop, no_report=True)
+            surefoot.run(self.folder, out, progress=stop)
+        self.check_ended(out, 3)
+
+    def check_ended(self, out, scans):
         run = surefoot.read_run(out)
-        self.assertEqual(len(run.scans["stamp_ns"]), 3)
+        self.assertEqual(len(run.scans["stamp_ns"]), scans)
+        self.assertGreater(len(run.map_points), 1000)
+        for name in ("run.yaml", "map.ply", "picture.png", "report.html"):
+            self.assertTrue((out / name).exists(), name)
 
     def test_scans_are_a_table_of_pandas(self):
         try:
