@@ -104,15 +104,15 @@ void add_eval_command(CLI::App& app, int& exit_code) {
                       "Write every pose's errors after alignment to this .csv file");
   command->add_flag("--overwrite", request.overwrite,
                     "Write also where a file is that no eval has made");
-  CLI::Option_group* output = command->add_option_group("output");
   const auto add_table = [&](const char* flag, TableFormat format, const char* help) {
-    output->add_flag_callback(
+    return command->add_flag_callback(
         flag, [options, format] { options->table = format; }, help);
   };
-  add_table("--json", TableFormat::json, "Print every figure as JSON");
-  add_table("--csv", TableFormat::csv, "Print a line for each estimate and error");
-  add_table("--latex", TableFormat::latex, "Print a table for a paper");
-  output->require_option(0, 1);
+  CLI::Option* json = add_table("--json", TableFormat::json, "Print every figure as JSON");
+  CLI::Option* csv =
+      add_table("--csv", TableFormat::csv, "Print a line for each estimate and error");
+  add_table("--latex", TableFormat::latex, "Print a table for a paper")->excludes(json, csv);
+  csv->excludes(json);
   command->callback([options, &exit_code] { exit_code = evaluate_all(*options); });
 }
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """completion_test.py PROGRAM: bash's completion of the program, by bash itself.
 
-Every option that a command's help names is offered, and no other; and keys that are typed into an
+Every option that a command's help names is offered and on its manual page, and no other; and keys that are typed into an
 interactive bash become what a user expects.
 """
 import os
@@ -45,9 +45,13 @@ def check_offers(script):
     assert {"run", "live", "map"} <= set(commands), commands
     assert set(commands) == offered(script, "surefoot", '""') - {"--help", "--version"}
     for command in commands:
-        names = re.findall(r"^  ((?:-\w,)?--[\w,-]+)", output(PROGRAM, command, "--help"), re.M)
+        names = re.findall(r"^ +((?:-\w,)?--[\w,-]+)", output(PROGRAM, command, "--help"), re.M)
         known = {name for line in names for name in line.split(",") if name.startswith("--")}
         assert known == offered(script, "surefoot", command, "--"), command
+        page = output(PROGRAM, "manual", command).replace("\\-", "-")
+        heads = re.findall(r"^\.TP\n\.B ([-\w, ]+)", page, re.M)
+        told = {name.strip() for line in heads for name in line.split(",")}
+        assert known == {name for name in told if name.startswith("--")}, command
 
 
 class Terminal:
