@@ -39,21 +39,31 @@ struct Errors {
   evaluation::TrajectoryAlignment alignment;
 };
 
-AssociatedTrajectories pairs_of(const NamedTrajectory& reference, const NamedTrajectory& estimate,
-                                const std::string& pair, double max_diff, double max_gap,
-                                double offset) {
+/// What is compared, in copies: while the interpreter's lock is released, as it is for as long as
+/// these live, another thread may add to the originals.
+struct Compared {
+  Compared(const NamedTrajectory& reference_given, const NamedTrajectory& estimate_given)
+      : reference(reference_given.poses), estimate(estimate_given.poses) {}
+
+  Trajectory reference, estimate;
+  py::gil_scoped_release release;
+};
+
+AssociatedTrajectories pairs_of(const Compared& compared, const std::string& pair, double max_diff,
+                                double max_gap, double offset) {
   evaluation::AssociationOptions options;
   options.method = choice_of(evaluation::kPairingNames, "pair", pair);
   options.max_difference = max_diff;
   options.max_gap = max_gap;
   options.offset = offset;
-  return associate(reference.poses, estimate.poses, options);
+  return associate(compared.reference, compared.estimate, options);
 }
 
 Errors ape(const NamedTrajectory& reference, const NamedTrajectory& estimate,
            const std::string& align, const std::string& relation, const std::string& pair,
            double max_diff, double max_gap, double offset, std::size_t align_poses) {
-  AssociatedTrajectories pairs = pairs_of(reference, estimate, pair, max_diff, max_gap, offset);
+  const Compared compared(reference, estimate);
+  AssociatedTrajectories pairs = pairs_of(compared, pair, max_diff, max_gap, offset);
   Errors result;
   result.alignment =
       find_alignment(pairs, choice_of(evaluation::kAlignmentNames, "align", align), align_poses);
@@ -70,8 +80,8 @@ Errors rpe(const NamedTrajectory& reference, const NamedTrajectory& estimate, do
            const std::string& delta_unit, const std::string& relation, bool all_pairs,
            double tolerance, bool pairs_from_reference, const std::string& pair, double max_diff,
            double max_gap, double offset) {
-  const AssociatedTrajectories pairs =
-      pairs_of(reference, estimate, pair, max_diff, max_gap, offset);
+  const Compared compared(reference, estimate);
+  const AssociatedTrajectories pairs = pairs_of(compared, pair, max_diff, max_gap, offset);
   const evaluation::PairOptions stretches{
       delta, choice_of(evaluation::kDeltaUnitNames, "delta_unit", delta_unit), all_pairs,
       tolerance};
@@ -101,9 +111,9 @@ py::object evaluate(const NamedTrajectory& reference, const NamedTrajectory& est
   options.stretches.all_pairs = all_pairs;
   std::string text;
   {
-    const py::gil_scoped_release release;
+    const Compared compared(reference, estimate);
     text = evaluation::to_json(
-        {evaluation::evaluate("estimate", reference.poses, estimate.poses, options)});
+        {evaluation::evaluate("estimate", compared.reference, compared.estimate, options)});
   }
   const py::object list = py::module_::import("json").attr("loads")(text);
   return list[py::int_(0)];
@@ -147,7 +157,6 @@ void bind_evaluation(py::module_& module) {
              py::arg("align") = "se3", py::arg("relation") = "translation",
              py::arg("pair") = "nearest", py::arg("max_diff") = 0.01, py::arg("max_gap") = 0.5,
              py::arg("offset") = 0.0, py::arg("align_poses") = 0,
-             py::call_guard<py::gil_scoped_release>(),
              R"(Absolute pose error, as evo defines it.
 
 align: none, origin, yaw, se3, poses, sim3 or scale, from the first align_poses pairs (0: all)
@@ -159,7 +168,7 @@ offset: added to the estimate's stamps [s])");
              py::arg("relation") = "translation", py::arg("all_pairs") = false,
              py::arg("tolerance") = 0.1, py::arg("pairs_from_reference") = false,
              py::arg("pair") = "nearest", py::arg("max_diff") = 0.01, py::arg("max_gap") = 0.5,
-             py::arg("offset") = 0.0, py::call_guard<py::gil_scoped_release>(),
+             py::arg("offset") = 0.0,
              R"(Relative pose error over stretches of length delta, as evo defines it.
 
 delta_unit: frames, m, s or deg

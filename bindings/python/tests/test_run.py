@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Surefoot authors
 # SPDX-License-Identifier: MIT
 import signal
+import sys
 import threading
 import unittest
 
@@ -183,6 +184,41 @@ class EvaluationTest(unittest.TestCase):
         self.assertEqual(theirs.pop("estimate"), "run")
         self.assertEqual(mine.pop("estimate"), "estimate")
         self.assertEqual(mine, theirs)
+
+    def test_stamps_that_are_no_nanoseconds_are_refused(self):
+        poses = np.tile(np.eye(4), (2, 1, 1))
+        for stamps, what in (
+            ([0.0, 0.1], "stamps_ns: got 0.1, expected whole numbers"),
+            ([0.0, np.nan], "stamps_ns: got nan to nan, expected"),
+            (np.array([0, 2**64 - 1], np.uint64), "stamps_ns: got 0 to 18446744073709551615"),
+            ([0.0, 2.0**63], "stamps_ns: got 0.0 to 9.2.*, expected"),
+            (np.array([0, 1], "M8[ns]"), "expected numbers"),
+        ):
+            with self.assertRaisesRegex(ValueError, what):
+                surefoot.Trajectory(stamps, poses)
+        whole = surefoot.Trajectory([0.0, 1e9], poses).stamps_ns
+        np.testing.assert_array_equal(whole, [0, 1_000_000_000])
+
+    def test_a_trajectory_may_grow_meanwhile(self):
+        """While it is copied to a larger place, too, which happens at powers of two."""
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1e-5)
+
+        def look(growing, done):
+            while not done.is_set():
+                surefoot.ape(growing, growing, align="none")
+
+        stamps, pose = np.arange(40000) * 10**8, np.eye(4)
+        for size in [2**k - 1000 for k in (12, 13, 14, 15)] * 2:
+            growing = surefoot.Trajectory(stamps[:size], np.tile(pose, (size, 1, 1)))
+            done = threading.Event()
+            looker = threading.Thread(target=look, args=(growing, done))
+            looker.start()
+            for stamp in stamps[size : size + 3000]:
+                growing.append(int(stamp), pose)
+            done.set()
+            looker.join()
+            self.assertEqual(len(growing), size + 3000)
 
     def test_bad_input_says_what_was_expected(self):
         truth = self.trajectory(0, 0, 0)
