@@ -7,6 +7,7 @@
 #include "command_line/option_checks.hpp"
 #include "command_line/option_group.hpp"
 #include "io/datasets.hpp"
+#include "io/option_ranges.hpp"
 #include "io/robots.hpp"
 
 namespace surefoot::app {
@@ -61,7 +62,7 @@ void add_time_options(command_line::OptionGroup& group, OpenOptions& options) {
   group.add_flag("--repair-at-once", options.repair_at_once,
                  "Mend them without a look at the next scans, as live runs on topics do");
   group.add("--rate", options.rate_hz, "Scans a second where nothing gives stamps [Hz]")
-      ->check(command_line::number_within(1e-3, 1e4));
+      ->check(command_line::number_within(io::kRates.low, io::kRates.high));
 }
 
 void add_format_options(command_line::OptionGroup& group, OpenOptions& options) {
@@ -89,7 +90,7 @@ void add_format_options(command_line::OptionGroup& group, OpenOptions& options) 
       .add("--cut", options.cut_azimuth_deg,
            "Azimuth that begins a revolution of a capture, or of --derive-times (there "
            "counter-clockwise from x) [deg]")
-      ->check(command_line::number_within(0.0, 359.99));
+      ->check(command_line::number_within(io::kCuts.low, io::kCuts.high));
   group.add_flag("--vertical-correction,!--no-vertical-correction", options.beam_origins,
                  "Whether points of packets start at their laser's own height (default: yes)");
 }

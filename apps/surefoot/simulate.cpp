@@ -29,7 +29,11 @@ namespace surefoot::app {
 
 namespace {
 
-constexpr int kMostScans = 100'000;  // nearly three hours; the motion is held in memory
+using recordings::kMostScans;
+
+CLI::Validator within(const io::NumberRange& range) {
+  return command_line::number_within(range.low, range.high);
+}
 
 struct SimulateArguments {
   recordings::RecordingRequest request;
@@ -92,9 +96,9 @@ void add_motion_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--robot", request.robot, "How it moves; absent: what suits the scene")
       ->check(CLI::IsMember(simulation::gait_names()));
   command.add_option("--speed", request.speed, "Walking speed [m/s]; absent: the robot's own")
-      ->check(command_line::number_within(0.3, 5.0));
+      ->check(within(recordings::kSpeeds));
   command.add_option("--gait-scale", request.gait_scale, "All gait amplitudes times this")
-      ->check(command_line::number_within(0.0, 10.0))
+      ->check(within(recordings::kGaitScales))
       ->capture_default_str();
   command.add_option("--route", request.route_file,
                      "Instead of the scene's own way: corners of a closed one, 'x y z' a line [m]");
@@ -122,13 +126,13 @@ void add_sensor_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_flag("--body", request.robot_body, "The robot's own body is in view");
   const auto share = [&](const char* flag, double& value, const char* help) {
     command.add_option(flag, value, help)
-        ->check(command_line::number_within(0.0, 0.5))
+        ->check(within(recordings::kAirShares))
         ->capture_default_str();
   };
   share("--rain", request.air.rain, "Share of the beams that end in a drop");
   share("--dust", request.air.dust, "Share of the beams that end in a cloud of dust");
   command.add_option("--people", request.people, "Who go with the robot and stop in front of it")
-      ->check(CLI::Range(0, 20))
+      ->check(CLI::Range(0, recordings::kMostPeople))
       ->capture_default_str();
   command.add_flag_callback(
       "--no-footprint", [&request] { request.footprint = false; },

@@ -26,8 +26,6 @@ namespace {
 
 using recordings::RecordingRequest;
 
-constexpr std::uint64_t kMostScans = 100'000;
-
 /// A request carried out in memory.
 class Simulation {
  public:
@@ -80,10 +78,12 @@ std::unique_ptr<Simulation> simulate(const std::string& scene, std::uint64_t sca
                                      std::uint64_t seed, const std::string& lidar,
                                      const std::string& robot, double speed, double gait_scale,
                                      int people, double rain, double dust, bool footprint) {
-  if (scans < 1 || scans > kMostScans) {
-    throw std::invalid_argument("scans: got " + std::to_string(scans) + ", expected 1 .. " +
-                                std::to_string(kMostScans));
-  }
+  require_within("scans", static_cast<double>(scans), {1, recordings::kMostScans});
+  if (speed != 0.0) require_within("speed", speed, recordings::kSpeeds);  // 0: the robot's own
+  require_within("gait_scale", gait_scale, recordings::kGaitScales);
+  require_within("people", people, {0, recordings::kMostPeople});
+  require_within("rain", rain, recordings::kAirShares);
+  require_within("dust", dust, recordings::kAirShares);
   RecordingRequest request;
   request.scene = scene;
   request.scans = scans;

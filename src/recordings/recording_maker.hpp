@@ -10,12 +10,20 @@
 #include <optional>
 #include <string>
 
+#include "io/option_ranges.hpp"
 #include "recordings/recording_writer.hpp"
 #include "simulation/gait.hpp"
 #include "simulation/lidar_model.hpp"
 #include "simulation/scene.hpp"
 
 namespace surefoot::recordings {
+
+// What numbers of a request may be, wherever they are given.
+inline constexpr int kMostScans = 100'000;  ///< nearly three hours; the motion is held in memory
+inline constexpr int kMostPeople = 20;
+inline constexpr io::NumberRange kSpeeds{0.3, 5.0};  ///< [m/s]
+inline constexpr io::NumberRange kGaitScales{0.0, 10.0};
+inline constexpr io::NumberRange kAirShares{0.0, 0.5};  ///< rain, dust
 
 struct RecordingRequest {
   std::string scene;  ///< a name of the catalogue, or a mesh file: .ply .obj .asc

@@ -260,8 +260,18 @@ class SimulationTest(unittest.TestCase):
     def test_requests_are_checked(self):
         with self.assertRaisesRegex(ValueError, "moon"):
             surefoot.simulate("moon")
-        with self.assertRaisesRegex(ValueError, "scans: got 0, expected 1"):
-            surefoot.simulate("corridor", scans=0)
+        nan = float("nan")
+        for options, what in (
+            ({"scans": 0}, "scans: got 0, expected 1 .. 100000"),
+            ({"speed": -1}, "speed: got -1, expected 0.3 .. 5"),
+            ({"speed": nan}, "speed: got nan"),
+            ({"gait_scale": nan}, "gait_scale: got nan, expected 0 .. 10"),
+            ({"people": 100000}, "people: got 100000, expected 0 .. 20"),
+            ({"rain": 2}, "rain: got 2, expected 0 .. 0.5"),
+            ({"dust": nan}, "dust: got nan, expected 0 .. 0.5"),
+        ):
+            with self.assertRaisesRegex(ValueError, what):
+                surefoot.simulate("corridor", **{"scans": 1, **options})
         with self.assertRaisesRegex(ValueError, "formats: got 'las', expected one of: pcd"):
             walk()[0].write(scratch("x"), ["las"])
 
