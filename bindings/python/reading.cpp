@@ -44,6 +44,12 @@ constexpr Words<io::ReturnChoice, 3> kReturns = {{{"strongest", io::ReturnChoice
 
 std::string word(const py::handle& value) { return py::str(value); }
 
+double number_in(const py::handle& value, const char* option, const io::NumberRange& range) {
+  const auto number = value.cast<double>();
+  require_within(option, number, range);
+  return number;
+}
+
 std::string robot_named(const std::string& name) {
   std::vector<std::pair<std::string, std::string>> names;
   for (const std::string& one : io::robot_names()) names.emplace_back(one, one);
@@ -85,16 +91,20 @@ const ReadingKeyword kReadingKeywords[] = {
     {"robot", [](auto& o, const auto& v) { o.robot = robot_named(word(v)); }},
     {"repair_at_once", [](auto& o, const auto& v) { o.repair_at_once = v.template cast<bool>(); }},
     {"repair_stamps", [](auto& o, const auto& v) { o.repair_stamps = v.template cast<bool>(); }},
-    {"rate", [](auto& o, const auto& v) { o.rate_hz = v.template cast<double>(); }},
+    {"rate", [](auto& o, const auto& v) { o.rate_hz = number_in(v, "rate", io::kRates); }},
     {"kitti_correction",
      [](auto& o, const auto& v) { o.kitti_hdl64_correction = v.template cast<bool>(); }},
-    {"udp_port", [](auto& o, const auto& v) { o.udp_port = v.template cast<std::uint16_t>(); }},
+    {"udp_port",
+     [](auto& o, const auto& v) {
+       require_within("udp_port", v.template cast<int>(), io::kPorts);
+       o.udp_port = v.template cast<std::uint16_t>();
+     }},
     {"sensor", [](auto& o, const auto& v) { o.sensor = word(v); }},
     {"calibration",
      [](auto& o, const auto& v) { o.calibration_file = v.template cast<std::filesystem::path>(); }},
     {"returns",
      [](auto& o, const auto& v) { o.dual_return = choice_of(kReturns, "returns", word(v)); }},
-    {"cut", [](auto& o, const auto& v) { o.cut_azimuth_deg = v.template cast<double>(); }},
+    {"cut", [](auto& o, const auto& v) { o.cut_azimuth_deg = number_in(v, "cut", io::kCuts); }},
     {"vertical_correction",
      [](auto& o, const auto& v) { o.beam_origins = v.template cast<bool>(); }},
 };
@@ -115,6 +125,7 @@ bool set_reading_option(io::OpenOptions& options, const std::string& name,
                         const py::handle& value) {
   for (const ReadingKeyword& option : kReadingKeywords) {
     if (name != option.name) continue;
+    if (value.is_none()) return true;
     try {
       option.set(options, value);
     } catch (const py::cast_error&) {

@@ -17,7 +17,7 @@ namespace surefoot::python {
 [[nodiscard]] io::TimeReference time_reference_named(const std::string& name);
 [[nodiscard]] io::StampAt stamp_at_named(const std::string& name);
 
-/// Sets the option of that name; false where there is none.
+/// Sets the option of that name, unless its value is None: not given. False where there is none.
 [[nodiscard]] bool set_reading_option(io::OpenOptions& options, const std::string& name,
                                       const py::handle& value);
 /// Those names.

@@ -66,6 +66,34 @@ class RecordingTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "udp_port: got 'x'"):
             surefoot.open(folder, udp_port="x")
 
+    def test_numbers_are_checked_and_none_is_not_given(self):
+        _, folder = walk()
+        nan, inf = float("nan"), float("inf")
+        for name, values in {"rate": (nan, inf, 0, -5, 1e-300), "cut": (nan, inf, -1, 360),
+                             "udp_port": (0, -1, 65536)}.items():
+            for value in values:
+                with self.assertRaisesRegex(ValueError, name + ": got .*, expected .* \\.\\. "):
+                    surefoot.open(folder, **{name: value})
+        self.assertEqual(len(list(surefoot.open(folder / "recording.mcap", topic=None))), 12)
+
+    def test_a_warning_that_is_an_error_costs_only_what_it_tells_of(self):
+        options = {"sensor": "VLP-16", "cut": 90}
+        capture = walk()[1] / "recording.pcap"
+        with self.assertWarnsRegex(UserWarning, "left out: revolution 0: partial"):
+            expected = [scan.name for scan in surefoot.open(capture, **options)]
+        recording = surefoot.open(capture, **options)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaisesRegex(UserWarning, "left out: revolution 0: partial"):
+                next(recording)
+        self.assertEqual([scan.name for scan in recording], expected)
+
+    def test_a_truth_is_found_as_by_eval(self):
+        _, folder = walk()
+        truth, expected = surefoot.read_truth(folder), surefoot.read_tum(folder / "gt.tum")
+        np.testing.assert_array_equal(truth.trajectory.stamps_ns, expected.stamps_ns)
+        np.testing.assert_allclose(truth.trajectory.poses, expected.poses, atol=1e-12)
+
     @needs_program
     def test_the_options_are_the_programs(self):
         reading = program("run", "--help").split("\nReading:")[1].split("\n\n")[0]
