@@ -42,6 +42,7 @@ class ScanIterator {
   }
 
   void skip(std::size_t scans) {
+    if (scans > 0 && std::exchange(ahead_, std::nullopt)) --scans;
     const py::gil_scoped_release release;
     const std::lock_guard lock(mutex_);
     recording_->skip(scans);
@@ -57,6 +58,7 @@ class ScanIterator {
 
  private:
   std::optional<io::ScanItem> next_item() {
+    if (ahead_) return std::exchange(ahead_, std::nullopt);
     const bool first = !std::exchange(begun_, true);
     std::optional<io::ScanItem> item, second;
     {
@@ -67,8 +69,9 @@ class ScanIterator {
       if (first && !keep_partial_ && item && !item->remark.empty()) second = recording_->next();
     }
     if (!second) return item;
+    ahead_ = std::move(second);  // the warning may be an error
     leave_out(item->name + ": " + item->remark);
-    return second;
+    return next_item();
   }
 
   void leave_out(const std::string& why) {
@@ -81,7 +84,8 @@ class ScanIterator {
   std::unique_ptr<io::Recording> recording_;
   bool keep_partial_;
   bool begun_ = false;
-  mutable std::mutex mutex_;  // of recording_, for threads of Python that share it
+  std::optional<io::ScanItem> ahead_;  // read, but not given yet
+  mutable std::mutex mutex_;           // of recording_, for threads of Python that share it
   std::vector<std::string> left_out_;
 };
 
