@@ -12,6 +12,7 @@
 #include "bindings.hpp"
 #include "io/truth_files.hpp"
 #include "poses.hpp"
+#include "runs/trajectory_inputs.hpp"
 
 namespace surefoot::python {
 
@@ -24,8 +25,9 @@ py::object matrix_or_none(const std::optional<Pose>& pose) {
 io::Truth read_truth(const std::filesystem::path& path, const std::string& dataset,
                      const std::string& topic) {
   const io::Dataset* const set = dataset.empty() ? nullptr : &io::dataset_named(dataset);
+  const bool of_records = set != nullptr && set->truth == io::TruthOf::oxts;  // a folder of them
   const py::gil_scoped_release release;
-  return io::read_truth(path, set, topic);
+  return io::read_truth(of_records ? path : runs::trajectory_file(path), set, topic);
 }
 
 }  // namespace
@@ -62,8 +64,9 @@ void bind_datasets(py::module_& module) {
       .def("__len__", [](const io::Truth& truth) { return truth.poses.size(); });
   module.def("read_truth", &read_truth, py::arg("path"), py::arg("dataset") = "",
              py::arg("topic") = "",
-             "Reads a true trajectory: a table of 4 to 13 columns, a folder or a bag's topic, as "
-             "`surefoot eval` does. dataset: one of datasets(); topic: of a bag.");
+             "Reads a true trajectory: a table of 4 to 13 columns, a recording's folder with its "
+             "gt.tum, or a bag's topic, as `surefoot eval` does. dataset: one of datasets(); "
+             "topic: of a bag.");
 }
 
 }  // namespace surefoot::python
