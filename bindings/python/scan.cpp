@@ -11,12 +11,11 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
-#include <type_traits>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "cloud.hpp"
+#include "numbers.hpp"
 
 namespace surefoot::python {
 
@@ -33,37 +32,10 @@ py::array empty_column() {
   return py::array_t<Number>(0);
 }
 
-/// An array of this type: as it lies, or converted.
-template <typename Number>
-py::array numbers_of(const py::object& given, const char* what) {
-  py::array array = py::array_t<Number, py::array::forcecast>::ensure(given);
-  if (array) return array;
-  throw std::invalid_argument(std::string(what) + ": got " + std::string(py::repr(given)) +
-                              ", expected numbers");
-}
-
-/// A conversion to fewer bits would wrap silently: stamps for times, -1 for no ring. What are no
-/// plain numbers the conversion itself refuses.
-template <typename Number>
-void require_in_range(const py::object& given, const char* what) {
-  const py::array array = py::array::ensure(given);
-  if (!array || array.size() == 0 || array.dtype().is(py::dtype::of<Number>())) return;
-  if (std::string_view("iuf").find(array.dtype().kind()) == std::string_view::npos) return;
-  const py::object least = array.attr("min")(), most = array.attr("max")();
-  const py::int_ low(std::numeric_limits<Number>::min()), high(std::numeric_limits<Number>::max());
-  if (least >= low && most <= high) return;  // not so of NaN
-  const auto range = [](const py::object& from, const py::object& to) {
-    return std::string(py::str(from)) + " to " + std::string(py::str(to));
-  };
-  throw std::invalid_argument(std::string(what) + ": got " + range(least, most) + ", expected " +
-                              range(low, high));
-}
-
 /// One value a point, of this type: as it lies, or converted.
 template <typename Number>
 py::array column_of(const py::object& given, const char* what, py::ssize_t points) {
   if (given.is_none()) return empty_column<Number>();
-  if constexpr (std::is_integral_v<Number>) require_in_range<Number>(given, what);
   const py::array array = numbers_of<Number>(given, what);
   if (array.ndim() != 1 || (array.shape(0) != points && array.shape(0) != 0)) {
     throw std::invalid_argument(std::string(what) + ": got an array " + shape_of(array) +

@@ -8,6 +8,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "io/trajectory_files.hpp"
+#include "numbers.hpp"
 #include "poses.hpp"
 #include "surefoot/estimate.hpp"
 
@@ -18,7 +19,9 @@ namespace {
 using Stamps = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 using Matrices = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-NamedTrajectory make_trajectory(const Stamps& stamps_ns, const Matrices& poses) {
+NamedTrajectory make_trajectory(const py::object& given_stamps, const py::object& given_poses) {
+  const Stamps stamps_ns = numbers_of<std::int64_t>(given_stamps, "stamps_ns");
+  const Matrices poses = numbers_of<double>(given_poses, "poses");
   if (stamps_ns.ndim() != 1 || poses.ndim() != 3 || poses.shape(1) != 4 || poses.shape(2) != 4 ||
       poses.shape(0) != stamps_ns.shape(0)) {
     throw std::invalid_argument("Trajectory: got stamps_ns " + shape_of(stamps_ns) + " and poses " +

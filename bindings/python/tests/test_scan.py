@@ -76,12 +76,23 @@ class ScanTest(unittest.TestCase):
             "times_ns: got nan to nan": {"times_ns": np.full(500, np.nan)},
             "rings: got -1 to 498, expected 0 to 65535": {"rings": np.arange(-1, 499)},
             "rings: got 65536 to 65536": {"rings": [65536] * 500},
+            r"times_ns: got 0\.0002.*, expected whole numbers": {"times_ns": self.times_ns * 1e-9},
+            "times_ns: got an array .*timedelta64.*, expected numbers": {
+                "times_ns": self.times_ns.astype("m8[ns]")
+            },
+            "rings: got an array .*complex128, expected numbers": {"rings": np.zeros(500, complex)},
+            "times_ns: got 0 to 1099511627776, expected": {
+                "times_ns": np.array([0] * 499 + [2**40], dtype=object)
+            },
+            "times_ns: got an array .*object, expected numbers": {"times_ns": [0] * 499 + [2**70]},
+            "intensities: got an array .*object, expected numbers": {"intensities": [None] * 500},
         }.items():
             with self.assertRaisesRegex(ValueError, what):
                 Scan(self.points, **arguments)
         for kind in (np.int64, np.float64, np.dtype(">i4"), object):
             scan = Scan(self.points, times_ns=self.times_ns.astype(kind))
             np.testing.assert_array_equal(scan.times_ns, self.times_ns)
+        np.testing.assert_array_equal(Scan(self.points.astype(object)).points, self.points)
         self.assertEqual(len(Scan(np.zeros((0, 3)), times_ns=[], rings=[]).rings), 0)
 
     def test_a_useless_scan_is_rejected_not_raised(self):
