@@ -64,12 +64,13 @@ py::object value_of(const NamedConfig& self, const std::string& name) {
 /// As `--set` takes it.
 std::string text_of(const py::handle& value) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
-  if (py::hasattr(value, "item")) return text_of(value.attr("item")());  // a number of numpy's
   return py::str(value);
 }
 
-void set(NamedConfig& self, const std::string& name, const py::handle& value) {
+void set(NamedConfig& self, const std::string& name, const py::handle& given) {
   runs::require_parameter(self.config, name);
+  py::object value = py::reinterpret_borrow<py::object>(given);
+  if (py::hasattr(value, "item")) value = value.attr("item")();  // a number of numpy's
   std::string text = text_of(value);
   // 3.0 for a parameter of whole numbers is 3.
   if (py::isinstance<py::float_>(value) && !takes_reals(name)) {
@@ -98,9 +99,14 @@ py::list items_of(const NamedConfig& self) {
   return items;
 }
 
-NamedConfig make_config(const std::string& method, const py::dict& values) {
+/// Of any mapping: a dict, a Config.
+void update(NamedConfig& self, const py::object& values) {
+  for (const auto& [name, value] : py::dict(values)) set(self, py::str(name), value);
+}
+
+NamedConfig make_config(const std::string& method, const py::object& values) {
   NamedConfig result{method, method_config(method)};
-  for (const auto& [name, value] : values) set(result, py::str(name), value);
+  update(result, values);
   return result;
 }
 
@@ -145,11 +151,22 @@ void bind_parameters(py::module_& module) {
   module.def("parameters", &parameters, "The table of parameters, whichever method reads them.");
   module.def("methods", &methods, "Names of the methods: named sets of parameters.");
   module.def(
-      "method_config", [](const std::string& method) { return make_config(method, {}); },
+      "method_config", [](const std::string& method) { return make_config(method, py::dict()); },
       py::arg("method"), "Parameters of a method; the same as Config(method).");
 }
 
 }  // namespace
+
+NamedConfig config_given(const py::object& config) {
+  if (py::isinstance<NamedConfig>(config)) return config.cast<const NamedConfig&>();
+  if (!config.is_none() && !py::isinstance<py::str>(config)) {
+    throw py::type_error("config: expected a Config, a method's name or None; got a " +
+                         py::type::of(config).attr("__name__").cast<std::string>() +
+                         "; Config(\"surefoot\", {...}) makes one of parameters");
+  }
+  return make_config(config.is_none() ? runs::kDefaultMethod : config.cast<std::string>(),
+                     py::dict());
+}
 
 void bind_config(py::module_& module) {
   py::class_<NamedConfig>(module, "Config", R"(Parameters of a method, by name.
@@ -179,12 +196,7 @@ read, is a ConfigError. Iterating gives the names that the method reads.)")
       .def("__iter__", [](const NamedConfig& self) { return py::iter(py::cast(names_of(self))); })
       .def("keys", &names_of)
       .def("items", &items_of)
-      .def(
-          "update",
-          [](NamedConfig& self, const py::dict& values) {
-            for (const auto& [name, value] : values) set(self, py::str(name), value);
-          },
-          py::arg("values"), "Sets several parameters.")
+      .def("update", &update, py::arg("values"), "Sets several parameters, of any mapping.")
       .def(
           "validate", [](const NamedConfig& self) { validate(self.config); },
           "Raises ConfigError where two values contradict each other; Odometry does so, too.")
@@ -197,7 +209,7 @@ read, is a ConfigError. Iterating gives the names that the method reads.)")
       .def(py::pickle(
           [](const NamedConfig& self) { return py::make_tuple(self.method, items_of(self)); },
           [](const py::tuple& state) {
-            return make_config(state[0].cast<std::string>(), py::dict(state[1]));
+            return make_config(state[0].cast<std::string>(), state[1]);
           }));
   bind_parameters(module);
 }

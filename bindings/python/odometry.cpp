@@ -42,18 +42,7 @@ std::unique_ptr<SharedOdometry> make_odometry(const py::object& config, int thre
   if (threads < 1 || threads > 1024) {
     throw std::invalid_argument("threads: got " + std::to_string(threads) + ", expected 1 .. 1024");
   }
-  if (py::isinstance<NamedConfig>(config)) {
-    return std::make_unique<SharedOdometry>(config.cast<const NamedConfig&>(), threads,
-                                            T_world_start);
-  }
-  if (!config.is_none() && !py::isinstance<py::str>(config)) {
-    throw py::type_error("config: expected a Config, a method's name or None; got a " +
-                         py::type::of(config).attr("__name__").cast<std::string>() +
-                         "; Config(\"surefoot\", {...}) makes one of parameters");
-  }
-  const std::string method = config.is_none() ? "surefoot" : config.cast<std::string>();
-  return std::make_unique<SharedOdometry>(NamedConfig{method, method_config(method)}, threads,
-                                          T_world_start);
+  return std::make_unique<SharedOdometry>(config_given(config), threads, T_world_start);
 }
 
 py::tuple deskewed(SharedOdometry& self) {

@@ -43,6 +43,10 @@ const RunKeyword kRunKeywords[] = {
     {"pose_of", [](auto& o, const auto& v) { o.pose_of = py::str(v); }},
     {"map_voxel", [](auto& o, const auto& v) { o.map_voxel = v.template cast<double>(); }},
     {"pose_rate", [](auto& o, const auto& v) { o.pose_rate = v.template cast<double>(); }},
+    {"loop_closure", [](auto& o, const auto& v) { o.loop_closure = v.template cast<bool>(); }},
+    {"localize",
+     [](auto& o, const auto& v) { o.localize = v.template cast<std::filesystem::path>(); }},
+    {"map", [](auto& o, const auto& v) { o.continued = v.template cast<std::filesystem::path>(); }},
     {"no_map", [](auto& o, const auto& v) { o.no_map = v.template cast<bool>(); }},
     {"no_picture", [](auto& o, const auto& v) { o.no_picture = v.template cast<bool>(); }},
     {"no_report", [](auto& o, const auto& v) { o.no_report = v.template cast<bool>(); }},
@@ -63,7 +67,9 @@ void record(RunOptions& options, std::string name, const py::handle& value) {
   for (char& c : name) c = c == '_' ? '-' : c;
   std::string text = py::str(value);
   if (py::isinstance<py::bool_>(value)) text = value.cast<bool>() ? "true" : "false";
-  if (name == "stamps" || name == "calibration") text = std::filesystem::absolute(text).string();
+  for (const char* file : {"stamps", "calibration", "localize", "map"}) {
+    if (name == file) text = std::filesystem::absolute(text).string();
+  }
   options.given.emplace_back(name, text);
 }
 
@@ -71,6 +77,7 @@ bool set_option(RunOptions& options, const std::string& name, const py::handle& 
   if (set_reading_option(options.reader, name, value)) return true;
   for (const RunKeyword& option : kRunKeywords) {
     if (name != option.name) continue;
+    if (value.is_none()) return true;
     try {
       option.set(options, value);
     } catch (const py::cast_error&) {
@@ -101,11 +108,7 @@ void check(const RunOptions& options) {
 
 void set_config(RunOptions& options, const py::object& config) {
   if (config.is_none()) return;
-  if (!py::isinstance<NamedConfig>(config)) {
-    options.method = config.cast<std::string>();
-    return;
-  }
-  const auto& named = config.cast<const NamedConfig&>();
+  const NamedConfig named = config_given(config);
   options.method = named.method;
   const Config defaults = method_config(named.method);
   for (const ParameterInfo& info : parameters()) {
@@ -163,7 +166,7 @@ std::filesystem::path run(const std::filesystem::path& input,
     if (!set_option(options, name, value)) {
       throw py::type_error("run() has no option '" + name + "'");
     }
-    if (is_recorded(name)) record(options, name, value);
+    if (is_recorded(name) && !value.is_none()) record(options, name, value);
   }
   check(options);
   return run_to_folder(options, say, progress);

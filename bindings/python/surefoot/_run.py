@@ -113,8 +113,8 @@ def run(
     config: a Config, or a method's name
     say, progress: told what the program would print, and (scans done, share)
     options: the program's, with _ for -: start, count, stride, threads, extrinsic, level, pose_of,
-        map_voxel, pose_rate, truth, no_map, no_picture, no_report, mcap, rosbag2, overwrite; and
-        those of surefoot.open.
+        map_voxel, pose_rate, truth, loop_closure, localize, map, no_map, no_picture, no_report,
+        mcap, rosbag2, overwrite; and those of surefoot.open. None: not given.
     """
     return Run(
         _core.run_to_folder(input, output, config=config, say=say, progress=progress, **options)

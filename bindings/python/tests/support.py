@@ -40,3 +40,8 @@ def program(*arguments):
     if done.returncode != 0:
         raise AssertionError(f"surefoot {arguments}: {done.stderr}")
     return done.stdout
+
+
+def lines(file):
+    """The poses of a trajectory, without the comment."""
+    return [line for line in file.read_text().splitlines() if not line.startswith("#")]

@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Surefoot authors
 # SPDX-License-Identifier: MIT
+import collections
 import copy
 import pickle
+import types
 import unittest
 
 import numpy as np
@@ -24,7 +26,7 @@ class ConfigTest(unittest.TestCase):
         config["knots.map_voxel"] = np.float64(0.25)
         config["knots.second_attempt"] = False
         config["level.mode"] = "none"
-        config.update({"knots.segments": np.int32(6), "preprocess.max_range": 50})
+        config.update({"knots.segments": np.float32(6), "preprocess.max_range": 50})
         values = dict(config)
         self.assertEqual(values["knots.points"], 1500)
         self.assertEqual(values["knots.map_voxel"], 0.25)
@@ -33,6 +35,17 @@ class ConfigTest(unittest.TestCase):
         self.assertEqual(values["knots.segments"], 6)
         self.assertIsInstance(values["preprocess.max_range"], float)
         self.assertIn("'knots.points': '1500'", repr(config))
+
+    def test_any_mapping_is_taken(self):
+        values = {"knots.points": 1500, "level.mode": "none"}
+        expected = Config("surefoot", values)
+        for mapping in (types.MappingProxyType(values), collections.ChainMap(values), expected):
+            self.assertEqual(Config("surefoot", mapping), expected)
+            config = Config()
+            config.update(mapping)
+            self.assertEqual(config, expected)
+        with self.assertRaises((TypeError, ValueError)):
+            Config("surefoot", 5)
 
     def test_every_value_goes_back(self):
         for method in surefoot.methods():

@@ -5,15 +5,10 @@ import unittest
 from collections.abc import Iterable
 
 import numpy as np
-from support import needs_program, needs_simulation, program, scratch, walk
+from support import lines, needs_program, needs_simulation, program, scratch, walk
 
 import surefoot
 from surefoot import Config, Odometry, Scan, Status, Trajectory
-
-
-def lines(file):
-    """The poses of a trajectory, without the comment."""
-    return [line for line in file.read_text().splitlines() if not line.startswith("#")]
 
 
 @needs_simulation

@@ -6,7 +6,7 @@ import threading
 import unittest
 
 import numpy as np
-from support import needs_program, needs_simulation, program, scratch, walk
+from support import lines, needs_program, needs_simulation, program, scratch, walk
 
 import surefoot
 
@@ -79,6 +79,21 @@ class RunTest(unittest.TestCase):
         program("run", self.folder, "-o", out, "-q", "--method", "icp")
         self.assertEqual(surefoot.read_run(out).method, "icp")
 
+    @needs_program
+    def test_maps_are_made_and_come_back_to(self):
+        saved, out = scratch("saved"), scratch("out")
+        program("map", self.folder, "-o", saved, "-q", "--no-report")
+        options = {"no_report": True, "no_picture": True}
+        closed = surefoot.run(self.folder, scratch("closed"), loop_closure=True, **options).folder
+        self.assertIn("loop-closure: true", (closed / "run.yaml").read_text())
+        name = "trajectory_optimized.tum"
+        self.assertEqual(lines(closed / name), lines(saved / name))
+        there = surefoot.run(self.folder, out, localize=saved, truth=None, **options).folder
+        self.assertTrue((there / "localization.csv").exists())
+        joined = surefoot.run(self.folder, scratch("joined"), map=saved, **options)
+        # Too short to be joined.
+        self.assertTrue(any("saved is not continued" in note for note in joined.notes), joined.notes)
+
     def test_options_are_checked(self):
         for options, what in (
             ({"colour": 1}, "run\\(\\) has no option 'colour'"),
@@ -87,6 +102,9 @@ class RunTest(unittest.TestCase):
             ({"map_voxel": 0.0}, "map_voxel: expected"),
             ({"extrinsic": [1, 2]}, "extrinsic: expected x y z"),
             ({"config": "fast"}, "fast"),
+            ({"config": {"knots.points": 1}}, "config: expected a Config.*got a dict"),
+            ({"rate": 0}, "rate: got 0, expected 0.001 .. 10000"),
+            ({"loop_closure": "x"}, "loop_closure: got 'x'"),
         ):
             with self.assertRaisesRegex((TypeError, ValueError), what):
                 surefoot.run(self.folder, scratch("none"), **options)
@@ -166,25 +184,6 @@ class EvaluationTest(unittest.TestCase):
         relative = surefoot.rpe(truth, self.trajectory(0, 0, 0.3, 0.3, 0.3))
         np.testing.assert_allclose(relative.errors, [0, 0.3, 0, 0], atol=1e-12)
 
-    def test_an_alignment_is_found(self):
-        truth = self.trajectory(0, 0, 0, 0, 0)
-        moved = surefoot.Trajectory(truth.stamps_ns, truth.poses + np.eye(4, k=3) * 5)
-        errors = surefoot.ape(truth, moved)
-        self.assertLess(errors.max, 1e-12)
-        np.testing.assert_allclose(errors.T_reference_estimate[:3, 3], [-5, 0, 0], atol=1e-9)
-
-    @needs_program
-    def test_the_program_says_the_same(self):
-        simulation, folder = walk()
-        run = surefoot.run(folder, scratch("run"), no_report=True, no_map=True)
-        import json
-
-        theirs = json.loads(program("eval", folder, run.folder, "--json"))[0]
-        mine = surefoot.evaluate(surefoot.read_tum(folder / "gt.tum"), run.trajectory)
-        self.assertEqual(theirs.pop("estimate"), "run")
-        self.assertEqual(mine.pop("estimate"), "estimate")
-        self.assertEqual(mine, theirs)
-
     def test_stamps_that_are_no_nanoseconds_are_refused(self):
         poses = np.tile(np.eye(4), (2, 1, 1))
         for stamps, what in (
@@ -219,6 +218,25 @@ class EvaluationTest(unittest.TestCase):
             done.set()
             looker.join()
             self.assertEqual(len(growing), size + 3000)
+
+    def test_an_alignment_is_found(self):
+        truth = self.trajectory(0, 0, 0, 0, 0)
+        moved = surefoot.Trajectory(truth.stamps_ns, truth.poses + np.eye(4, k=3) * 5)
+        errors = surefoot.ape(truth, moved)
+        self.assertLess(errors.max, 1e-12)
+        np.testing.assert_allclose(errors.T_reference_estimate[:3, 3], [-5, 0, 0], atol=1e-9)
+
+    @needs_program
+    def test_the_program_says_the_same(self):
+        simulation, folder = walk()
+        run = surefoot.run(folder, scratch("run"), no_report=True, no_map=True)
+        import json
+
+        theirs = json.loads(program("eval", folder, run.folder, "--json"))[0]
+        mine = surefoot.evaluate(surefoot.read_tum(folder / "gt.tum"), run.trajectory)
+        self.assertEqual(theirs.pop("estimate"), "run")
+        self.assertEqual(mine.pop("estimate"), "estimate")
+        self.assertEqual(mine, theirs)
 
     def test_bad_input_says_what_was_expected(self):
         truth = self.trajectory(0, 0, 0)
