@@ -63,7 +63,8 @@ const char* surefoot_last_error(void);
 /* Parameters of a method ("surefoot"); NULL: there is none of that name. */
 surefoot_config* surefoot_config_new(const char* method);
 void surefoot_config_free(surefoot_config* config);
-/* As --set takes it: "knots.points", "1500". Nonzero: no such parameter, or out of range. */
+/* As --set takes it: "knots.points", "1500". Nonzero: no such parameter, none that the method reads,
+ * or out of range. */
 int surefoot_config_set(surefoot_config* config, const char* name, const char* value);
 /* The value as text, valid until the next call in this thread; NULL: no such parameter. */
 const char* surefoot_config_get(const surefoot_config* config, const char* name);

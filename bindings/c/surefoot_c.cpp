@@ -4,6 +4,7 @@
 // No exception crosses: it becomes a return value and a text.
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "shared/scan_view.hpp"
@@ -24,6 +25,21 @@ namespace {
 
 thread_local std::string last_error;  // NOLINT: one a thread
 thread_local std::string last_text;   // NOLINT: likewise
+
+/// Throws where one of a call's arguments is missing.
+template <typename... Pointers>
+void require_given(const char* call, const Pointers*... arguments) {
+  if (((arguments == nullptr) || ...)) {
+    throw std::invalid_argument(std::string(call) + ": got NULL for what has to be there");
+  }
+}
+
+/// As the program's --set: not what the method does not read, which would change nothing.
+void require_parameter(const surefoot::Config& config, const std::string& name) {
+  (void)surefoot::get_parameter(config, name);  // that there is one at all
+  if (surefoot::reads_parameter(config, name)) return;
+  throw surefoot::ConfigError(name + ": method " + config.method + " does not read it");
+}
 
 /// What `call` returns, or `failed`.
 template <typename Result, typename Call>
@@ -87,6 +103,8 @@ void surefoot_config_free(surefoot_config* config) { delete config; }
 
 int surefoot_config_set(surefoot_config* config, const char* name, const char* value) {
   return guarded(1, [&] {
+    require_given("surefoot_config_set", config, name, value);
+    require_parameter(config->config, name);
     surefoot::set_parameter(config->config, name, value);
     return 0;
   });
@@ -94,6 +112,7 @@ int surefoot_config_set(surefoot_config* config, const char* name, const char* v
 
 const char* surefoot_config_get(const surefoot_config* config, const char* name) {
   return guarded<const char*>(nullptr, [&] {
+    require_given("surefoot_config_get", config, name);
     last_text = surefoot::get_parameter(config->config, name);
     return last_text.c_str();
   });
@@ -112,6 +131,7 @@ void surefoot_odometry_free(surefoot_odometry* odometry) { delete odometry; }
 int surefoot_add_scan(surefoot_odometry* odometry, const surefoot_scan* scan,
                       surefoot_estimate* estimate) {
   return guarded(1, [&] {
+    require_given("surefoot_add_scan", odometry, scan);
     surefoot::bindings::ScanView view;
     view.stamp_ns = scan->stamp_ns;
     view.points = view_of<Eigen::Vector3f>(scan->points, scan->size);
@@ -126,16 +146,14 @@ int surefoot_add_scan(surefoot_odometry* odometry, const surefoot_scan* scan,
 }
 
 const char* surefoot_message(const surefoot_odometry* odometry) {
-  return odometry->last.message.c_str();
+  return odometry == nullptr ? "" : odometry->last.message.c_str();
 }
 
 int surefoot_pose_at(const surefoot_odometry* odometry, int64_t instant_ns,
                      double T_world_lidar[16]) {
-  if (!odometry->any) {
-    last_error = "no scan was added yet";
-    return 1;
-  }
   return guarded(1, [&] {
+    require_given("surefoot_pose_at", odometry, T_world_lidar);
+    if (!odometry->any) throw std::logic_error("no scan was added yet");
     write_pose(odometry->last.pose_at(instant_ns), T_world_lidar);
     return 0;
   });
@@ -143,6 +161,8 @@ int surefoot_pose_at(const surefoot_odometry* odometry, int64_t instant_ns,
 
 size_t surefoot_local_map(const surefoot_odometry* odometry, double* xyz, size_t capacity) {
   return guarded<std::size_t>(0, [&] {
+    require_given("surefoot_local_map", odometry);
+    if (capacity > 0) require_given("surefoot_local_map", xyz);
     const std::vector<Eigen::Vector3d> points = odometry->odometry.local_map();
     for (std::size_t i = 0; i < std::min(points.size(), capacity); ++i) {
       Eigen::Map<Eigen::Vector3d>{xyz + 3 * i} = points[i];

@@ -76,6 +76,27 @@ static void walk(surefoot_odometry* odometry) {
   free(records);
 }
 
+static void refuse_null(void) {
+  surefoot_config* config = surefoot_config_new(NULL);
+  surefoot_odometry* odometry = surefoot_odometry_new(NULL, 1);
+  surefoot_scan scan;
+  double pose[16];
+  memset(&scan, 0, sizeof(scan));
+  CHECK(surefoot_config_set(NULL, "level.mode", "none") != 0);
+  CHECK(surefoot_config_set(config, NULL, "none") != 0);
+  CHECK(surefoot_config_set(config, "level.mode", NULL) != 0);
+  CHECK(strstr(surefoot_last_error(), "surefoot_config_set: got NULL") != NULL);
+  CHECK(surefoot_config_get(NULL, "level.mode") == NULL);
+  CHECK(surefoot_config_get(config, NULL) == NULL);
+  CHECK(surefoot_add_scan(NULL, &scan, NULL) != 0);
+  CHECK(surefoot_add_scan(odometry, NULL, NULL) != 0);
+  CHECK(surefoot_pose_at(NULL, 0, pose) != 0);
+  CHECK(surefoot_local_map(NULL, NULL, 0) == 0);
+  CHECK(strlen(surefoot_message(NULL)) == 0);
+  surefoot_config_free(config);
+  surefoot_odometry_free(odometry);
+}
+
 int main(void) {
   CHECK(strlen(surefoot_version()) > 0);
   CHECK(surefoot_config_new("fast") == NULL);
@@ -88,11 +109,17 @@ int main(void) {
   CHECK(surefoot_config_set(config, "knots.points", "-1") != 0);
   CHECK(strstr(surefoot_last_error(), "knots.points: got '-1', expected") != NULL);
   CHECK(surefoot_config_get(config, "no.such") == NULL);
+  CHECK(surefoot_config_set(config, "no.such", "1") != 0);
+  CHECK(strstr(surefoot_last_error(), "no.such") != NULL);
+  CHECK(surefoot_config_set(config, "kiss_icp.voxel_size", "1") != 0);
+  CHECK(strstr(surefoot_last_error(), "method surefoot does not read it") != NULL);
 
   surefoot_odometry* odometry = surefoot_odometry_new(config, 1);
   CHECK(odometry != NULL);
   surefoot_config_free(config);
   walk(odometry);
+
+  refuse_null();
 
   surefoot_scan nothing;
   memset(&nothing, 0, sizeof(nothing));
