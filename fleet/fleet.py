@@ -26,9 +26,10 @@ def forget(plan):
     for mark, run in plan["runs"].items():
         done = pathlib.Path(plan["output"], "fleet/done", mark)
         if done.exists():
-            failed = json.loads(done.read_text())["outcome"] != "ok"
-            gone = not failed and not pathlib.Path(plan["output"], run["folder"]).exists()
-            if gone or (failed and plan["retry_failed"]):
+            outcome = json.loads(done.read_text())["outcome"]
+            folder = pathlib.Path(plan["output"], run["folder"])
+            gone = outcome != "failed" and not all((folder / name).exists() for name in run["leaves"])
+            if gone or (outcome != "ok" and plan["retry_failed"]):
                 done.unlink()
         whole = whole and done.exists()
     if not whole:
@@ -60,9 +61,9 @@ def snakemake_call(plan_file, words):
     being whole, and the lock is ours: it does not outlive a machine that died."""
     words = list(words)
     for i, word in enumerate(words):
-        if word == "slurm" and words[i - 1:i] == ["--profile"]:
-            words[i] = str(HERE / "slurm")
-            os.environ["PATH"] = words[i] + ":" + os.environ["PATH"]
+        if word == "--profile=slurm" or (word == "slurm" and words[i - 1:i] == ["--profile"]):
+            words[i] = word.removesuffix("slurm") + str(HERE / "slurm")
+            os.environ["PATH"] = f"{HERE / 'slurm'}:{os.environ['PATH']}"
     where = ("--profile", "--jobs", "--cores", "-j", "-c")
     if not any(word.startswith(where) for word in words):
         words = ["--cores", "all", *words]
@@ -101,7 +102,7 @@ def tell(plan):
 
 
 def main(words):
-    if not words or not os.path.isfile(words[0]):
+    if not words or words[0].startswith("-"):
         print(USAGE, file=sys.stderr)
         return 2
     if not shutil.which("snakemake"):

@@ -5,7 +5,7 @@
 A plan is what the workflow and its jobs read, on whatever machine: the settings and
 
     runs    by their marks, FOLDER/KEY: "arguments" of surefoot, "then" those of a further call,
-            "recording", "method", "folder" within the output
+            "recording", "method", "folder" within the output, files that it "leaves" there
     report  the key of all runs together
 """
 import collections
@@ -82,7 +82,10 @@ class Hashes:
 
     def of_option(self, word):
         """Of a file that is named in it, or of the map in a folder that is; else nothing."""
-        file = pathlib.Path(file_named_in(word))
+        name = file_named_in(word)
+        if not name:
+            return ""
+        file = pathlib.Path(name)
         if file.is_dir():
             file = file / "map.surefoot"
         return self.of(file) if file.is_file() else ""
@@ -93,8 +96,8 @@ class Hashes:
 
 def folder_names(paths):
     """As surefoot compare calls its recordings: the last part, after its parent's if need be."""
-    def fit(text):
-        name = re.sub(r"[^A-Za-z0-9_.+=-]", "_", text)
+    def fit(text):  # byte by byte
+        name = re.sub(rb"[^A-Za-z0-9_.+=-]", b"_", os.fsencode(text)).decode()
         return "_" + name if not name or name[0] == "." else name
 
     paths = [pathlib.Path(path) for path in paths]
@@ -135,17 +138,19 @@ def comparison_runs(settings):
     for line in listed.stdout.splitlines():
         run = json.loads(line)
         yield {"arguments": ["--part", run["part"], *again], "then": [], "folder": run["folder"],
-               "recording": run["recording"], "method": run["method"]}
+               "recording": run["recording"], "method": run["method"], "leaves": ["run.yaml"]}
 
 
 def single_runs(settings):
     for recording, name in zip(settings["recordings"], folder_names(settings["recordings"])):
         folder = os.path.join(settings["output"], name)
         tiles = settings["tiles"] and not settings["merge"]
+        leaves = ["run.yaml"] + ["map.surefoot"] * (settings["command"] == "map")
         yield {"arguments": [settings["command"], recording, *settings["options"], "--quiet", "-o",
                              folder],
                "then": ["export", folder, "--tiles", folder + "/tiles"] if tiles else [],
-               "folder": name, "recording": recording, "method": settings["command"]}
+               "folder": name, "recording": recording, "method": settings["command"],
+               "leaves": leaves + ["tiles/tileset.json"] * tiles}
 
 
 def file_named_in(word):
@@ -162,6 +167,8 @@ def make(settings, hashes):
     contents = {path: hashes.of_recording(path) for path in settings["recordings"]}
     runs = {}
     for run in comparison_runs(settings) if comparison else single_runs(settings):
+        if run["recording"] not in contents:
+            raise SettingsError(f"options: they add {run['recording']}, which is none of 'recordings'")
         decides = [settings["command"], run["recording"], contents[run["recording"]],
                    run["method"], run["folder"], run["then"], options, program]
         runs[f"{run['folder']}/{digest(decides)}"] = run

@@ -23,6 +23,8 @@ class SettingsError(Exception):
 
 
 def load(file):
+    if not file.is_file():
+        raise SettingsError(f"{file}: there is no such file")
     try:
         content = yaml.safe_load(file.read_text())
     except yaml.YAMLError as error:
@@ -44,6 +46,9 @@ def check_keys(given, command):
         kind = KEYS[key][0]
         if not isinstance(value, kind):
             raise SettingsError(f"{key}: '{value}'; expected {KINDS[kind]}")
+        for word in value if kind is list else [value]:
+            if "\0" in str(word):
+                raise SettingsError(f"{key}: {word!r}; a text holds no NUL")
         if kind is list:
             for word in value:
                 if isinstance(word, bool) or not isinstance(word, (str, int, float)):
@@ -69,7 +74,7 @@ def read(file):
     """All keys that the file's command takes, with absolute paths. Throws SettingsError."""
     given = load(file)
     command = given.get("command", "compare")
-    if command not in COMMANDS:
+    if not isinstance(command, str) or command not in COMMANDS:
         raise SettingsError(f"command: '{command}'; expected one of " + ", ".join(COMMANDS))
     check_keys(given, command)
     settings = {key: given.get(key, default) for key, (_, default) in KEYS.items()}

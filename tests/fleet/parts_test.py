@@ -17,6 +17,7 @@ PROGRAM, FLEET = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(FLEET))
 import plan as planning  # noqa: E402  (where it lies is told by the caller)
+import fleet  # noqa: E402
 import settings as reading  # noqa: E402
 
 
@@ -69,6 +70,14 @@ class KeysTest(Scratch):
         saved = self.write("run=1/map.surefoot", "a map")
         self.assert_part_of_the_key(saved, walk, "--localize", str(self.folder / "run=1"))
 
+    def test_an_option_names_no_map_of_where_it_is_called_from(self):
+        walk = self.write("walk.pcap", "packets")
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        before = self.keys(walk, "--no-map")
+        self.write("map.surefoot", "a map")
+        self.assertEqual(self.keys(walk, "--no-map"), before)
+
     def test_stamps_above_the_scans(self):
         self.write("sequence/velodyne/0.bin", "points")
         self.assert_part_of_the_key(self.write("sequence/times.txt", "0"),
@@ -106,6 +115,37 @@ class SettingsTest(Scratch):
         self.assertEqual(run["recording"], str(link))
 
 
+    def test_what_is_wrong_is_named_in_a_line(self):
+        walk = self.write("walk.pcap", "packets")
+        for given, what in (({"command": ["compare"]}, "command: .*expected one of compare"),
+                            ({"recordings": ["a\0b"]}, "recordings: 'a.x00b'; a text holds no NUL"),
+                            ({"output": "a\0b"}, "output: 'a.x00b'")):
+            with self.assertRaisesRegex(reading.SettingsError, what):
+                self.read(**{"recordings": [walk], **given})
+        with self.assertRaisesRegex(reading.SettingsError, "flet.yaml: there is no such file"):
+            reading.read(self.folder / "flet.yaml")
+        suite = self.folder / "suite"
+        subprocess.run([PROGRAM, "simulate", "corridor", "--scans", "1", "-q", "-o", suite / "a"],
+                       check=True)
+        settings = self.read(recordings=[walk], options=[f"--suite={suite}"], methods=["icp"])
+        with self.assertRaisesRegex(reading.SettingsError, "options: they add .*suite/a"):
+            planning.make(settings, planning.Hashes(self.folder / "hashes.json"))
+
+    def test_slurm_is_ours_in_one_word_or_two(self):
+        self.addCleanup(os.environ.update, PATH=os.environ["PATH"])
+        for words in (["--profile", "slurm"], ["--profile=slurm"]):
+            call = fleet.snakemake_call("plan.json", words)
+            self.assertEqual("=".join(call[-len(words):]), f"--profile={FLEET}/slurm")
+            self.assertNotIn("--cores", call)
+
+    def test_names_are_those_of_compare(self):
+        walks = [self.write(name, "packets") for name in ("ä-x", "ä/ü", "ö/ü", "plain")]
+        settings = self.read(recordings=walks, methods=["icp"])
+        runs = planning.make(settings, planning.Hashes(self.folder / "hashes.json"))["runs"]
+        names = [run["folder"].split("/")[1] for run in runs.values()]
+        self.assertEqual(planning.folder_names(walks), names)
+
+
 class JobsTest(Scratch):
     """A map's run, as the workflow's job does it."""
 
@@ -136,6 +176,17 @@ class JobsTest(Scratch):
         again = self.run_job(4)
         self.assertEqual(again["outcome"], "ok", again)
         self.assertNotEqual(self.saved(), first)
+
+    def test_a_run_whose_results_are_gone_is_to_be_done_again(self):
+        self.run_job(2)
+        plan = json.loads((self.folder / "plan.json").read_text())
+        (mark,) = plan["runs"]
+        done = self.folder / "out/fleet/done" / mark
+        fleet.forget(plan)
+        self.assertTrue(done.exists())
+        (self.folder / "out/walk/map.surefoot").unlink()
+        fleet.forget(plan)
+        self.assertFalse(done.exists())
 
     def test_another_ones_map_stays(self):
         foreign = self.write("out/walk/map.surefoot", "somebody's")
