@@ -3,6 +3,7 @@
 #include "experiments/compare_results.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -36,16 +37,19 @@ std::string file_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The part of the truth between a run's first scan and its last; at either end no more than so
-/// much [ns] is left out.
-Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder, std::int64_t most) {
+/// The part of the truth between a run's first scan and its last, whose stamps are `offset` [s]
+/// behind the truth's; at either end no more than `most` [ns] is left out.
+Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder, double offset,
+                         std::int64_t most) {
   const std::vector<std::int64_t> stamps =
       runs::read_scans_csv(run_folder / runs::kScansFile).stamps_ns;
   if (stamps.empty() || truth.empty()) return truth;
   const auto [earliest, latest] = std::minmax_element(stamps.begin(), stamps.end());
   const std::int64_t begin = truth.front().stamp_ns, end = truth.back().stamp_ns;
-  const std::int64_t first = *earliest - begin > most ? begin : *earliest;
-  const std::int64_t last = end - *latest > most ? end : *latest;
+  const std::int64_t offset_ns = std::llround(1e9 * offset);
+  const std::int64_t first_scan = *earliest + offset_ns, last_scan = *latest + offset_ns;
+  const std::int64_t first = first_scan - begin > most ? begin : first_scan;
+  const std::int64_t last = end - last_scan > most ? end : last_scan;
   Trajectory part;
   std::copy_if(truth.begin(), truth.end(), std::back_inserter(part),
                [first, last](const StampedPose& stamped) {
@@ -75,7 +79,8 @@ evaluation::RunVerdict judge_run(const Trajectory& truth, const Trajectory& esti
       evaluation.association.method == evaluation::AssociationMethod::index) {
     return verdict;
   }
-  const Trajectory asked = between_scans(truth, run_folder, kALittle);
+  const Trajectory asked =
+      between_scans(truth, run_folder, evaluation.association.offset, kALittle);
   return evaluation::judge(asked, estimate, evaluation::evaluate("", asked, estimate, evaluation),
                            evaluation, options.rules);
 }
@@ -120,7 +125,9 @@ class ResultMaker {
     }
     try {
       const Trajectory estimate = io::read_tum(folder / runs::kTrajectoryFile);
-      const Trajectory truth = clips_truth(options_) ? between_scans(truth_, folder, kAll) : truth_;
+      const double offset = options_.evaluation.association.offset;
+      const Trajectory truth =
+          clips_truth(options_) ? between_scans(truth_, folder, offset, kAll) : truth_;
       result.evaluation = evaluation::evaluate(variant.label, truth, estimate, options_.evaluation);
       evaluation::EvaluationOptions from_start = options_.evaluation;
       from_start.alignment = evaluation::AlignmentMethod::origin;

@@ -114,6 +114,7 @@ bool work_through(const CompareOptions& options, RunQueue& queue, const std::str
 /// Nothing if making a suite was interrupted. What a variant cannot be is told before that.
 std::optional<std::vector<CompareInput>> inputs_for(const CompareOptions& options,
                                                     const std::vector<MethodVariant>& variants) {
+  check_passed(options.passed);
   for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
   if (make_suites(options)) return find_inputs(options);
   say_interrupted(options, "nothing of an unfinished suite");

@@ -59,6 +59,10 @@ struct CompareOptions {
   bool needs_every_truth = false;  ///< else a recording without one is a failure among others
 };
 
+/// Throws std::invalid_argument where a further argument of `surefoot run` is one that a comparison
+/// sets itself: the runs would be others than it says.
+void check_passed(const std::vector<std::string>& passed);
+
 /// The arguments that every run gets besides its recording, its folder and its parameters.
 [[nodiscard]] std::vector<std::string> run_arguments(const CompareOptions& options);
 

@@ -3,6 +3,7 @@
 //
 // surefoot compare: tables that equal the files, nothing done twice, nothing taken along by what
 // fails, nothing ranked that stopped early.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -386,6 +387,48 @@ TEST_F(Compare, PartOfTheScansIsComparedWithPartOfTheTruth) {
       compare({"left", "--count", "6", "--cover", "truth", "-o", "out", "--no-figures"}).exit_code,
       0);
   EXPECT_EQ(result(results("out"), "left", "paper")["outcome_text"], "stopped at 45 %");
+}
+
+TEST_F(Compare, PartOfATruthWhoseClockIsOffIsTheSamePart) {
+  std::istringstream truth(content("left/gt.tum"));
+  std::string later;
+  for (std::string line; std::getline(truth, line);) {
+    const std::size_t blank = line.find(' ');
+    later += line.starts_with('#')
+                 ? line
+                 : fmt::format("{:.9f}{}", std::stod(line) + 2.0, line.substr(blank));
+    later += '\n';
+  }
+  write_content(scratch_.path() / "later.tum", later);
+  for (const std::vector<std::string>& part :
+       {std::vector<std::string>{"--count", "6"}, std::vector<std::string>{"--cover=recording"}}) {
+    std::vector<std::string> usual = {"left", "--methods", "paper", "--no-figures", "-o", "usual"};
+    std::vector<std::string> moved = usual;
+    moved.back() = "moved";
+    moved.insert(moved.end(), {"--truth=later.tum", "--offset", "2"});
+    for (auto* arguments : {&usual, &moved}) {
+      arguments->insert(arguments->end(), part.begin(), part.end());
+      ASSERT_EQ(compare(*arguments).exit_code, 0);
+    }
+    const json one = result(results("usual"), "left", "paper");
+    const json other = result(results("moved"), "left", "paper");
+    EXPECT_EQ(other["outcome"], "whole") << other;
+    EXPECT_NEAR(other["evaluation"]["coverage"].get<double>(), one["evaluation"]["coverage"], 1e-6);
+    EXPECT_EQ(other["evaluation"]["pairs"], one["evaluation"]["pairs"]);
+  }
+}
+
+// What compare says itself would be another thing in the run than in compare.json.
+TEST_F(Compare, WhatComparisonsSayThemselvesIsNotPassed) {
+  for (const char* flag :
+       {"--set=map.radius=50", "--set", "--config=x.yaml", "--method=icp", "--count=5", "--start=1",
+        "--stride=2", "--threads=2", "-o", "-oelsewhere", "--output=elsewhere", "--no-map", "-q"}) {
+    const ProcessResult refused =
+        compare({"left", "-o", "out", std::string("--pass=") + flag, "--no-figures"});
+    EXPECT_EQ(refused.exit_code, 2) << refused;
+    EXPECT_NE(refused.errors.find(std::string("--pass=") + flag), std::string::npos) << refused;
+    EXPECT_FALSE(fs::exists(scratch_.path() / "out")) << refused;
+  }
 }
 
 TEST_F(Compare, ASuiteIsAFolderOfRecordings) {
