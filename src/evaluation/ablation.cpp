@@ -114,7 +114,7 @@ Ablation ablate(const Comparison& comparison, const std::vector<AblationChange>&
 }
 
 bool is_below_spread(const AblationRow& row, const Ablation& ablation) {
-  return std::max(row.median, 1.0 / row.median) <= ablation.spread;
+  return !row.median || std::max(*row.median, 1.0 / *row.median) <= ablation.spread;
 }
 
 }  // namespace surefoot::evaluation

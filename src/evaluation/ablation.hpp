@@ -25,8 +25,9 @@ struct AblationRow {
   std::vector<double> errors = {};                 ///< [m] APE RMSE, one for each recording
   std::vector<std::string> outcomes = {};          ///< why it is lost; empty for a whole run
   std::vector<std::optional<double>> ratios = {};  ///< none where the method as it is is lost
-  double median = 1.0, low = 1.0, high = 1.0;      ///< of the ratios; infinite where lost
-  int worse = 0, better = 0;                       ///< whole runs beyond a factor of two
+  /// Of the ratios; infinite where lost, none where no recording has a ratio.
+  std::optional<double> median = {}, low = {}, high = {};
+  int worse = 0, better = 0;  ///< whole runs beyond a factor of two
   int lost = 0;
 };
 
@@ -48,7 +49,7 @@ struct Ablation {
 [[nodiscard]] Ablation ablate(const Comparison& comparison,
                               const std::vector<AblationChange>& changes, std::size_t references);
 
-/// Whether the row's median differs from 1 by no more than the spread.
+/// Whether the row's median differs from 1 by no more than the spread; so does none.
 [[nodiscard]] bool is_below_spread(const AblationRow& row, const Ablation& ablation);
 
 }  // namespace surefoot::evaluation

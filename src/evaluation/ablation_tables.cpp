@@ -26,16 +26,18 @@ Table empty_table(const char* title) {
   return {.title = title, .head_names = {"Contribution", "Change", "Equations"}};
 }
 
-Cell ratio_cell(double ratio) {
-  if (!std::isfinite(ratio)) return {"lost"};
-  return {fmt::format("{:.2f}", ratio), ratio};
+Cell ratio_cell(const std::optional<double>& ratio) {
+  if (!ratio) return {"\u2013"};
+  if (!std::isfinite(*ratio)) return {"lost"};
+  return {fmt::format("{:.2f}", *ratio), *ratio};
 }
 
 Cell count_cell(int count) { return {std::to_string(count), count}; }
 
 const char* verdict_of(const AblationRow& row, const Ablation& ablation) {
+  if (!row.median) return "not known";
   if (is_below_spread(row, ablation)) return "below the spread";
-  return row.median > 1.0 ? "worse" : "better";
+  return *row.median > 1.0 ? "worse" : "better";
 }
 
 Table worth_table(const Ablation& ablation) {
@@ -71,8 +73,15 @@ Table error_table(const Ablation& ablation) {
   return table;
 }
 
-/// JSON has no infinity: what is lost is null.
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// JSON has no infinity: what is lost is null, as what is not known.
+Json number_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+/// Whether there are references that can be compared with each other.
+bool has_spread(const Ablation& ablation) {
+  return ablation.references > 1 && ablation.rows.front().median.has_value();
+}
 
 Json json_of(const AblationRow& row, const std::string& label, const Ablation& ablation) {
   Json json = {{"contribution", row.change.contribution},
@@ -85,14 +94,13 @@ Json json_of(const AblationRow& row, const std::string& label, const Ablation& a
                {"worse", row.worse},
                {"better", row.better},
                {"lost", row.lost},
-               {"below_spread", is_below_spread(row, ablation)},
+               {"below_spread", row.median ? Json(is_below_spread(row, ablation)) : Json(nullptr)},
                {"recordings", Json::array()}};
   for (std::size_t r = 0; r < row.errors.size(); ++r) {
-    json["recordings"].push_back(
-        {{"name", ablation.recordings[r]},
-         {"ape_rmse_m", number_or_null(row.errors[r])},
-         {"ratio", row.ratios[r] ? number_or_null(*row.ratios[r]) : Json(nullptr)},
-         {"outcome_text", row.outcomes[r]}});
+    json["recordings"].push_back({{"name", ablation.recordings[r]},
+                                  {"ape_rmse_m", number_or_null(row.errors[r])},
+                                  {"ratio", number_or_null(row.ratios[r])},
+                                  {"outcome_text", row.outcomes[r]}});
   }
   return json;
 }
@@ -113,8 +121,9 @@ std::vector<std::string> ablation_notes(const Ablation& ablation, const Comparis
       "Lost: failed, stopped, diverged or does not cover the truth; in the median it counts as "
       "infinitely worse."};
   notes.push_back(
-      ablation.references < 2
-          ? "There is one reference: the spread is not known."
+      ablation.references < 2 ? "There is one reference: the spread is not known."
+      : !has_spread(ablation)
+          ? "No recording has references to compare: nothing is known, nor the spread."
           : fmt::format("By chance, as the references show it, a median ratio differs from 1 by up "
                         "to a factor of {:.2f} (99 %): a smaller difference is below the spread.",
                         ablation.spread));
@@ -143,7 +152,7 @@ std::string ablation_json(const Ablation& ablation, const Comparison& comparison
                {"program", {{"version", comparison.version}, {"build", comparison.build}}},
                {"run_arguments", comparison.run_arguments},
                {"references", ablation.references},
-               {"spread", number_or_null(ablation.spread)},
+               {"spread", has_spread(ablation) ? number_or_null(ablation.spread) : Json(nullptr)},
                {"notes", ablation_notes(ablation, comparison)},
                {"usual", Json::array()},
                {"rows", Json::array()}};

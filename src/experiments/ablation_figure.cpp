@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "report/ratio_figure.hpp"
 
@@ -16,12 +17,14 @@ report::RatioRow row_of(const evaluation::AblationRow& row, const evaluation::Ab
   report::RatioRow drawn{.group = row.change.contribution,
                          .label = row.change.change,
                          .remark = row.change.equations,
-                         .median = row.median,
+                         .median = row.median.value_or(std::numeric_limits<double>::infinity()),
                          .notable = !is_below_spread(row, ablation)};
   for (const std::optional<double>& ratio : row.ratios) {
     if (ratio) drawn.ratios.push_back(*ratio);
   }
-  drawn.figures = {std::isfinite(row.median) ? fmt::format("{:.2f}", row.median) : "lost",
+  drawn.figures = {!row.median                  ? "\u2013"
+                   : std::isfinite(*row.median) ? fmt::format("{:.2f}", *row.median)
+                                                : "lost",
                    std::to_string(row.worse), std::to_string(row.better), std::to_string(row.lost)};
   return drawn;
 }

@@ -76,9 +76,9 @@ TEST(Ablation, RatiosAreToTheReferencesMedian) {
     EXPECT_DOUBLE_EQ(ablation.rows[3].ratios[r].value(), kErrors[3][r] / usual);
   }
   EXPECT_EQ(ablation.recordings, (std::vector<std::string>{"walk0", "walk1", "walk2", "walk3"}));
-  EXPECT_NEAR(ablation.rows[3].median, std::sqrt(3.0), 1e-12);  // of 0.25, 1, 3, 4
-  EXPECT_NEAR(ablation.rows[3].low, 0.25, 1e-12);
-  EXPECT_NEAR(ablation.rows[3].high, 4.0, 1e-12);
+  EXPECT_NEAR(ablation.rows[3].median.value(), std::sqrt(3.0), 1e-12);  // of 0.25, 1, 3, 4
+  EXPECT_NEAR(ablation.rows[3].low.value(), 0.25, 1e-12);
+  EXPECT_NEAR(ablation.rows[3].high.value(), 4.0, 1e-12);
   EXPECT_EQ(ablation.rows[3].worse, 2);
   EXPECT_EQ(ablation.rows[3].better, 1);
   EXPECT_EQ(ablation.rows[3].lost, 0);
@@ -93,7 +93,7 @@ TEST(Ablation, AReferencesRatioIsToTheOthers) {
       EXPECT_NEAR(ablation.rows[m].ratios[r].value(), kErrors[m][r] / others, 1e-12);
       ratios.push_back(kErrors[m][r] / others);
     }
-    EXPECT_NEAR(ablation.rows[m].median, median(ratios), 1e-12);
+    EXPECT_NEAR(ablation.rows[m].median.value(), median(ratios), 1e-12);
   }
 }
 
@@ -131,7 +131,7 @@ TEST(Ablation, ALostRunIsInfinitelyWorseAndCountedByItself) {
   const AblationRow& row = ablation.rows[4];
   EXPECT_EQ(row.errors[2], kLost);
   EXPECT_EQ(row.outcomes[2], "stopped at 41 %");
-  EXPECT_NEAR(row.median, std::sqrt(3.0 * 4.0), 1e-12);  // of 0.5, 3, 4, lost
+  EXPECT_NEAR(row.median.value(), std::sqrt(3.0 * 4.0), 1e-12);  // of 0.5, 3, 4, lost
   EXPECT_EQ(row.high, kLost);
   EXPECT_EQ(row.worse, 2);
   EXPECT_EQ(row.better, 0);  // half is not beyond a factor of two
@@ -144,8 +144,26 @@ TEST(Ablation, WhereTheMethodItselfIsLostNothingIsSaid) {
   const Ablation ablation = ablate(comparison_of(errors), changes(5), 3);
   EXPECT_FALSE(ablation.rows[3].ratios[1].has_value());
   EXPECT_EQ(ablation.usual[1], kLost);
-  EXPECT_NEAR(ablation.rows[3].median, 1.0, 1e-12);  // of 0.25, 1, 4
+  EXPECT_NEAR(ablation.rows[3].median.value(), 1.0, 1e-12);  // of 0.25, 1, 4
   EXPECT_EQ(ablation.rows[0].lost, 1);
+}
+
+TEST(Ablation, WhereNothingIsComparableNothingIsKnown) {
+  Errors errors = kErrors;
+  for (std::vector<double>& method : errors) method = {kLost, kLost, kLost, kLost};
+  errors[3] = kErrors[3];
+  const Comparison comparison = comparison_of(errors);
+  const Ablation ablation = ablate(comparison, changes(5), 3);
+  EXPECT_FALSE(ablation.rows[3].median.has_value());
+  const std::vector<Cell> cells = ablation_tables(ablation)[0].rows[3].cells;
+  EXPECT_EQ(cells[0].text, "\u2013");
+  EXPECT_FALSE(cells[0].value.has_value());
+  EXPECT_EQ(cells[6].text, "not known");
+  const nlohmann::json json = nlohmann::json::parse(ablation_json(ablation, comparison));
+  for (const char* key : {"median_ratio", "lowest_ratio", "highest_ratio", "below_spread"}) {
+    EXPECT_TRUE(json["rows"][3][key].is_null()) << key;
+  }
+  EXPECT_TRUE(json["spread"].is_null());
 }
 
 TEST(Ablation, OneReferenceAloneHasNoSpread) {
