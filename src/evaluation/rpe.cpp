@@ -8,13 +8,18 @@
 #include <string>
 
 #include "geometry/so3.hpp"
-#include "surefoot/seconds.hpp"
 
 namespace surefoot::evaluation {
 
 namespace {
 
-/// How far pose i is along the trajectory, in the unit of delta (not for frames).
+/// Nanoseconds for seconds, whose sums are exact: a tenth of a second has no exact double, and ten
+/// of them are less than one.
+double in_unit_of_steps(const PairOptions& options) {
+  return options.unit == DeltaUnit::seconds ? std::round(1e9 * options.delta) : options.delta;
+}
+
+/// How far each pose is from the one before, in the unit of steps.
 std::vector<double> steps(const Trajectory& trajectory, DeltaUnit unit) {
   std::vector<double> result;
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
@@ -27,7 +32,7 @@ std::vector<double> steps(const Trajectory& trajectory, DeltaUnit unit) {
         result.push_back((to.pose.translation - from.pose.translation).norm());
         break;
       case DeltaUnit::seconds:
-        result.push_back(seconds(to.stamp_ns - from.stamp_ns));
+        result.push_back(static_cast<double>(to.stamp_ns - from.stamp_ns));
         break;
       case DeltaUnit::degrees:
         result.push_back(degrees(turn_angle(from.pose.rotation.conjugate() * to.pose.rotation)));
@@ -53,10 +58,11 @@ std::vector<IndexPair> one_after_the_other(const Trajectory& trajectory,
   std::vector<std::size_t> ends;
   if (options.unit != DeltaUnit::metres) ends.push_back(0);
   double length = 0.0;
+  const double delta = in_unit_of_steps(options);
   const std::vector<double> step = steps(trajectory, options.unit);
   for (std::size_t i = 0; i < step.size(); ++i) {
     length += step[i];
-    if (length < options.delta) continue;
+    if (length < delta) continue;
     ends.push_back(i + 1);
     length = 0.0;
   }
@@ -69,20 +75,21 @@ std::vector<IndexPair> one_after_the_other(const Trajectory& trajectory,
 std::vector<IndexPair> nearest_to_delta(const Trajectory& trajectory, const PairOptions& options) {
   std::vector<double> along = {0.0};
   for (const double step : steps(trajectory, options.unit)) along.push_back(along.back() + step);
-  const double limit = options.unit == DeltaUnit::frames ? 0.0 : options.tolerance * options.delta;
+  const double delta = in_unit_of_steps(options);
+  const double limit = options.unit == DeltaUnit::frames ? 0.0 : options.tolerance * delta;
   std::vector<IndexPair> pairs;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const auto first_at = [&](double length) {
       return std::partition_point(along.begin() + static_cast<std::ptrdiff_t>(i) + 1, along.end(),
                                   [&](double value) { return value - along[i] < length; });
     };
-    auto best = first_at(options.delta);
+    auto best = first_at(delta);
     if (best != along.begin() + static_cast<std::ptrdiff_t>(i) + 1) {
       const auto before = first_at(*std::prev(best) - along[i]);
-      const auto off = [&](auto at) { return std::abs(*at - along[i] - options.delta); };
+      const auto off = [&](auto at) { return std::abs(*at - along[i] - delta); };
       if (best == along.end() || off(before) <= off(best)) best = before;
     }
-    if (std::abs(*best - along[i] - options.delta) > limit) continue;
+    if (std::abs(*best - along[i] - delta) > limit) continue;
     pairs.push_back({i, static_cast<std::size_t>(best - along.begin())});
   }
   return pairs;

@@ -71,6 +71,17 @@ TEST(Stretches, OverSeconds) {
   EXPECT_EQ(find_pairs(walk, all).size(), 5U);
 }
 
+// Ten steps of 0.1 s, summed as doubles, are less than a second.
+TEST(Stretches, OverSecondsTakeNoPoseTooMany) {
+  const Trajectory walk = winding_walk(61);
+  PairOptions options{.delta = 1.0, .unit = DeltaUnit::seconds};
+  EXPECT_EQ(plain(find_pairs(walk, options)),
+            (Pairs{{0, 10}, {10, 20}, {20, 30}, {30, 40}, {40, 50}, {50, 60}}));
+  options.all_pairs = true;
+  options.tolerance = 0.0;
+  EXPECT_EQ(find_pairs(walk, options).size(), 51U);
+}
+
 TEST(Stretches, OverDegrees) {
   Trajectory turn;
   for (int i = 0; i < 7; ++i) {
