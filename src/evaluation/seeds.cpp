@@ -18,17 +18,17 @@ namespace {
 constexpr double kLost = std::numeric_limits<double>::infinity();
 
 /// A figure of a whole run.
-using FigureOf = std::function<double(const Evaluation&)>;
+using FigureOf = std::function<std::optional<double>(const Evaluation&)>;
 
-double ape_rmse(const Evaluation& evaluation) {
+std::optional<double> ape_rmse(const Evaluation& evaluation) {
   return evaluation.absolute.front().statistics.rmse;
 }
 
-/// Infinite for a run that is too short for one stretch: no better than a lost one.
+/// None for a run that is too short for one stretch.
 FigureOf relative_rmse(const PairOptions& stretches) {
   return [factor = relative_factor(stretches)](const Evaluation& evaluation) {
     const Statistics* found = find_statistics(evaluation, "rpe_translation");
-    return found == nullptr ? kLost : factor * found->rmse;
+    return found == nullptr ? std::nullopt : std::optional(factor * found->rmse);
   };
 }
 
@@ -38,8 +38,10 @@ SeedSpread spread_of(const Comparison& comparison, const std::vector<std::size_t
   for (const std::size_t r : recordings) {
     const MethodResult& result = comparison.recordings[r].results[method];
     const bool whole = result.verdict.outcome == Outcome::whole && result.evaluation.has_value();
-    values.push_back(whole ? figure(*result.evaluation) : kLost);
+    const std::optional<double> value = whole ? figure(*result.evaluation) : kLost;
+    if (value) values.push_back(*value);
   }
+  if (values.empty()) return {.median = kLost, .low = kLost, .high = kLost};
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   return {.median = 0.5 * (values[(n - 1) / 2] + values[n / 2]),
@@ -54,6 +56,7 @@ std::string end_text(double value) {
 }
 
 Cell cell_of(const SeedSpread& spread) {
+  if (spread.seeds == 0) return {"\u2013"};
   if (!std::isfinite(spread.median)) {
     return {fmt::format("lost {} of {}", spread.lost, spread.seeds)};
   }

@@ -13,7 +13,8 @@
 
 namespace surefoot::evaluation {
 
-/// A figure of one method over the seeds of a scene. A run that is not whole counts as infinite.
+/// A figure of one method over the seeds of a scene that have it. A run that is not whole counts as
+/// infinite; one that is whole, but too short for the figure, for none.
 struct SeedSpread {
   double median = 0.0, low = 0.0, high = 0.0;
   int seeds = 0, lost = 0;

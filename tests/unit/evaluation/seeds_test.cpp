@@ -57,6 +57,19 @@ TEST(Seeds, MedianAndEndsOfEachMethod) {
   EXPECT_EQ(scenes[1].ape[2].lost, 2);
 }
 
+TEST(Seeds, AFigureThatNoWholeRunHasIsNotLost) {
+  Comparison comparison = three_methods();
+  for (ComparedRecording& recording : comparison.recordings) {
+    recording.results[0].evaluation->relative.clear();  // too short for one stretch
+  }
+  const SeededScene scene = seeded_scenes(comparison).at(0);
+  EXPECT_EQ(scene.relative[0].seeds, 0);
+  EXPECT_EQ(scene.relative[0].lost, 0);
+  const std::vector<Cell> cells = seeds_table(comparison)->rows[1].cells;
+  EXPECT_EQ(cells[0].text, "\u2013");
+  EXPECT_EQ(cells[1].place, Place::first);
+}
+
 TEST(Seeds, RangesOverlapAlsoWhereTheyOnlyTouch) {
   const SeedSpread a{.low = 1.0, .high = 2.0};
   EXPECT_TRUE(overlap(a, {.low = 2.0, .high = 3.0}));
