@@ -10,6 +10,8 @@ namespace surefoot::evaluation {
 
 namespace {
 
+constexpr std::string_view kAlmost = "\u2248";  // no letter of LaTeX's
+
 /// Letters of UTF-8 text: its bytes without those that continue a letter.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -194,13 +196,19 @@ std::string csv_field(const std::string& text) {
 
 std::string latex_text(const std::string& text) {
   std::string escaped;
-  for (const char c : text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
     if (std::string("&%$#_{}").find(c) != std::string::npos) {
       escaped += std::string("\\") + c;
     } else if (c == '\\') {
       escaped += "\\textbackslash{}";
     } else if (c == '~' || c == '^') {
       escaped += std::string("\\") + c + "{}";
+    } else if (c == '|' || c == '<' || c == '>') {  // other signs in LaTeX's usual font encoding
+      escaped += c == '|' ? "\\textbar{}" : c == '<' ? "\\textless{}" : "\\textgreater{}";
+    } else if (text.compare(at, kAlmost.size(), kAlmost) == 0) {
+      escaped += "$\\approx$";
+      at += kAlmost.size() - 1;
     } else {
       escaped += c;
     }

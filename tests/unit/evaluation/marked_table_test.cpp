@@ -81,6 +81,8 @@ TEST(MarkedTable, LatexMarksAndEscapes) {
             "a\\_b \\& c & 100 \\% & \\underline{12} & \\textbf{3} \\\\\n\\midrule\n"
             "other & error & \\textbf{1} & \\textbf{1} \\\\\n\\bottomrule\n\\end{tabular}\n");
   EXPECT_EQ(latex_text("\\~^"), "\\textbackslash{}\\~{}\\^{}");
+  EXPECT_EQ(latex_text("\u2248 0.1|<a>"), "$\\approx$ 0.1\\textbar{}\\textless{}a\\textgreater{}");
+  EXPECT_EQ(latex_text("\u00e4\u2013\u2249"), "\u00e4\u2013\u2249");
 }
 
 TEST(MarkedTable, CsvHasALineForEachCell) {
