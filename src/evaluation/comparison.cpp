@@ -11,7 +11,8 @@ RepeatSpread spread_of(const MethodResult& result, double MeasuredRun::*figure) 
   std::vector<double> values;
   for (const MeasuredRun& run : result.runs) values.push_back(run.*figure);
   std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values.front(), values.back()};
+  const std::size_t n = values.size();
+  return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back()};
 }
 
 std::uint64_t peak_memory(const MethodResult& result) {

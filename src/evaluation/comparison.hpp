@@ -72,7 +72,7 @@ struct Comparison {
   std::vector<ComparedRecording> recordings = {};
 };
 
-/// Middle (upper one of an even count) and ends of a figure over the repeats.
+/// Middle (of an even count the mean of the two) and ends of a figure over the repeats.
 struct RepeatSpread {
   double median = 0.0, min = 0.0, max = 0.0;
 };

@@ -112,6 +112,12 @@ TEST(ComparisonTables, TimesAreMediansWithTheirSpread) {
   EXPECT_EQ(cell(tables[2], "Peak memory (MiB)", 4).text, "\u2013");
 }
 
+TEST(ComparisonTables, TheMedianOfTwoRepeatsIsTheirMean) {
+  MethodResult result = method_result(0.1, kPoses, 5.0);
+  result.runs.pop_back();  // 5 and 15 are left
+  EXPECT_EQ(spread_of(result, &MeasuredRun::median_ms).median, 10.0);
+}
+
 TEST(ComparisonTables, TheFirstScanIsNoTrouble) {
   const std::vector<Table> tables = comparison_tables(five_methods());
   EXPECT_EQ(cell(tables[3], "Scans that were not ok", 0).text, "2 degenerate");
