@@ -157,6 +157,13 @@ std::vector<Figure> trouble_figures() {
              if (!result.evaluation) return Cell{kNothing};
              return number(100.0 * result.evaluation->coverage, 1, false);
            }},
+          {"Poses paired",
+           [](const MethodResult& result) {
+             if (!result.evaluation) return Cell{kNothing};
+             const Evaluation& evaluation = *result.evaluation;
+             return Cell{fmt::format("{} of {}", evaluation.pairs, evaluation.poses),
+                         static_cast<double>(evaluation.pairs)};
+           }},
           {"Scans that were not ok", [](const MethodResult& result) {
              return Cell{measured(result) ? status_text(result) : kNothing};
            }}};
@@ -173,6 +180,20 @@ void add_result_notes(const ComparedRecording& recording, const std::string& met
   }
   if (!result.repeats_agree) {
     notes.push_back(fmt::format("{}: THE REPEATS' TRAJECTORIES DIFFER.", who));
+  }
+}
+
+/// Figures of a few pairs say little of a run, however whole it is.
+void add_pairing_notes(const Comparison& comparison, std::vector<std::string>& notes) {
+  for (const ComparedRecording& recording : comparison.recordings) {
+    for (std::size_t m = 0; m < recording.results.size(); ++m) {
+      const std::optional<Evaluation>& evaluation = recording.results[m].evaluation;
+      if (!evaluation || 2 * evaluation->pairs >= evaluation->most_pairs) continue;
+      notes.push_back(fmt::format(
+          "{}, {}: only {} poses are paired, of {} that could be: the figures are of "
+          "these alone (--max-diff, --pair interpolate, --offset).",
+          recording.name, comparison.methods[m].label, evaluation->pairs, evaluation->most_pairs));
+    }
   }
 }
 
@@ -228,6 +249,7 @@ std::vector<std::string> comparison_notes(const Comparison& comparison) {
                     "with that of the smallest median, the difference is within the spread.",
                     kOverlapMark));
   }
+  add_pairing_notes(comparison, notes);
   const int jobs = most_jobs(comparison);
   if (jobs > 1) {
     notes.push_back(

@@ -13,10 +13,18 @@ constexpr double kLongestStep = 3.0;  // in median steps; a longer one is a hole
 // [m] Who went less far did not move: a truth's last digits are no way to have a share of.
 constexpr double kShortestPath = 0.01;
 
-std::int64_t median_step_ns(const Trajectory& trajectory) {
+std::vector<std::int64_t> stamps_of(const Trajectory& trajectory) {
+  std::vector<std::int64_t> stamps;
+  for (const StampedPose& pose : trajectory) stamps.push_back(pose.stamp_ns);
+  return stamps;
+}
+
+}  // namespace
+
+std::int64_t median_step_ns(const std::vector<std::int64_t>& stamps_ns) {
   std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    const std::int64_t step = trajectory[i].stamp_ns - trajectory[i - 1].stamp_ns;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i) {
+    const std::int64_t step = stamps_ns[i] - stamps_ns[i - 1];
     if (step > 0) steps.push_back(step);  // a stamp that comes twice is no pace
   }
   if (steps.empty()) return 0;
@@ -24,8 +32,6 @@ std::int64_t median_step_ns(const Trajectory& trajectory) {
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
 }
-
-}  // namespace
 
 std::vector<double> path_lengths(const Trajectory& trajectory) {
   std::vector<double> lengths;
@@ -57,7 +63,8 @@ EndDrift end_drift(const AssociatedTrajectories& pairs) {
   return drift_of(error, path_lengths(pairs.reference).back());
 }
 
-double coverage(const Trajectory& reference, const Trajectory& estimate, double offset) {
+double coverage(const Trajectory& reference, const Trajectory& estimate, double offset,
+                std::int64_t usual_step_ns) {
   if (reference.empty() || estimate.empty()) return 0.0;
   const std::int64_t offset_ns = std::llround(1e9 * offset);
   const std::int64_t begin = reference.front().stamp_ns, end = reference.back().stamp_ns;
@@ -70,7 +77,9 @@ double coverage(const Trajectory& reference, const Trajectory& estimate, double 
                ? 1.0
                : 0.0;
   }
-  const double longest = kLongestStep * static_cast<double>(median_step_ns(estimate));
+  const std::int64_t usual =
+      usual_step_ns > 0 ? usual_step_ns : median_step_ns(stamps_of(estimate));
+  const double longest = kLongestStep * static_cast<double>(usual);
   double covered = 0.0;
   for (std::size_t i = 1; i < estimate.size(); ++i) {
     const auto step = static_cast<double>(estimate[i].stamp_ns - estimate[i - 1].stamp_ns);

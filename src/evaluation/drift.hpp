@@ -26,9 +26,12 @@ struct EndDrift {
 [[nodiscard]] EndDrift end_drift(const AssociatedTrajectories& pairs);
 
 /// Share of the reference's time [0, 1] during which there is an estimate. Between two poses of the
-/// estimate there is one, unless they are farther apart than three times the median step.
+/// estimate there is one, unless they are farther apart than three times the usual step; 0: their
+/// median step, which knows nothing of poses that are missing everywhere.
 /// `offset` [s] is added to the estimate's stamps. A reference of no duration is covered or not.
 [[nodiscard]] double coverage(const Trajectory& reference, const Trajectory& estimate,
-                              double offset);
+                              double offset, std::int64_t usual_step_ns = 0);
+/// Of those that go forwards; 0 without any.
+[[nodiscard]] std::int64_t median_step_ns(const std::vector<std::int64_t>& stamps_ns);
 
 }  // namespace surefoot::evaluation

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "evaluation/evaluate.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -61,9 +63,27 @@ std::vector<NamedStatistics> relative_statistics(const AssociatedTrajectories& p
 
 /// Without stamps there is one pose for each of the reference's, which associate() has checked.
 double share_covered(const Trajectory& reference, const Trajectory& estimate,
-                     const AssociationOptions& options) {
-  if (options.method == AssociationMethod::index) return 1.0;
-  return coverage(reference, estimate, options.offset);
+                     const EvaluationOptions& options) {
+  if (options.association.method == AssociationMethod::index) return 1.0;
+  return coverage(reference, estimate, options.association.offset, options.usual_step_ns);
+}
+
+std::size_t count_within(const Trajectory& trajectory, std::int64_t begin_ns, std::int64_t end_ns) {
+  return static_cast<std::size_t>(
+      std::count_if(trajectory.begin(), trajectory.end(), [&](const StampedPose& pose) {
+        return pose.stamp_ns >= begin_ns && pose.stamp_ns <= end_ns;
+      }));
+}
+
+/// Poses in the time that both have, of the trajectory that has fewer there.
+std::size_t most_pairs(const Trajectory& reference, const Trajectory& estimate,
+                       const AssociationOptions& options) {
+  if (options.method == AssociationMethod::index) return estimate.size();
+  const std::int64_t offset_ns = std::llround(1e9 * options.offset);
+  return std::min(count_within(estimate, reference.front().stamp_ns - offset_ns,
+                               reference.back().stamp_ns - offset_ns),
+                  count_within(reference, estimate.front().stamp_ns + offset_ns,
+                               estimate.back().stamp_ns + offset_ns));
 }
 
 /// Without rotations there is no first pose to lay on another: the way from the first to the last
@@ -103,7 +123,8 @@ Evaluation evaluate(const std::string& name, const Trajectory& reference,
   result.name = name;
   result.pairs = pairs.estimate.size();
   result.poses = estimate.size();
-  result.coverage = share_covered(reference, estimate, options.association);
+  result.most_pairs = most_pairs(reference, estimate, options.association);
+  result.coverage = share_covered(reference, estimate, options);
   result.alignment = find_alignment(pairs, options.alignment, options.alignment_poses);
   pairs.estimate = aligned(pairs.estimate, result.alignment);
   const bool positions_only = options.positions_only;

@@ -26,6 +26,7 @@ struct EvaluationOptions {
   std::vector<double> segment_lengths = {};  ///< [m]; empty: by the length of the reference
   /// The reference has no rotations, as a prism's has none: errors that need them are left out.
   bool positions_only = false;
+  std::int64_t usual_step_ns = 0;  ///< between an estimate's poses where none is missing; 0: median
 };
 
 /// One kind of error with its statistics.
@@ -36,10 +37,11 @@ struct NamedStatistics {
 };
 
 struct Evaluation {
-  std::string name;       ///< of the estimate
-  std::size_t pairs = 0;  ///< poses that found a partner
-  std::size_t poses = 0;  ///< of the estimate
-  double coverage = 0.0;  ///< share [0, 1] of the reference that has an estimate
+  std::string name;            ///< of the estimate
+  std::size_t pairs = 0;       ///< poses that found a partner
+  std::size_t poses = 0;       ///< of the estimate
+  std::size_t most_pairs = 0;  ///< that there could be in the time that both trajectories have
+  double coverage = 0.0;       ///< share [0, 1] of the reference that has an estimate
   TrajectoryAlignment alignment;
   std::vector<NamedStatistics> absolute;
   std::vector<NamedStatistics> relative;  ///< empty if the run is too short for one stretch

@@ -69,9 +69,9 @@ bool clips_truth(const CompareOptions& options) {
 /// whole all the same.
 evaluation::RunVerdict judge_run(const Trajectory& truth, const Trajectory& estimate,
                                  const evaluation::Evaluation& found, const CompareOptions& options,
+                                 const evaluation::EvaluationOptions& evaluation,
                                  const fs::path& run_folder) {
   constexpr std::int64_t kALittle = 1'000'000'000;  // [ns]
-  const evaluation::EvaluationOptions& evaluation = options.evaluation;
   const auto verdict = evaluation::judge(truth, estimate, found, evaluation, options.rules);
   const bool lacks = verdict.outcome == evaluation::Outcome::stopped ||
                      verdict.outcome == evaluation::Outcome::partial;
@@ -125,14 +125,17 @@ class ResultMaker {
     }
     try {
       const Trajectory estimate = io::read_tum(folder / runs::kTrajectoryFile);
-      const double offset = options_.evaluation.association.offset;
-      const Trajectory truth =
-          clips_truth(options_) ? between_scans(truth_, folder, offset, kAll) : truth_;
-      result.evaluation = evaluation::evaluate(variant.label, truth, estimate, options_.evaluation);
-      evaluation::EvaluationOptions from_start = options_.evaluation;
+      evaluation::EvaluationOptions how = options_.evaluation;
+      how.usual_step_ns =
+          evaluation::median_step_ns(runs::read_scans_csv(folder / runs::kScansFile).stamps_ns);
+      const Trajectory truth = clips_truth(options_)
+                                   ? between_scans(truth_, folder, how.association.offset, kAll)
+                                   : truth_;
+      result.evaluation = evaluation::evaluate(variant.label, truth, estimate, how);
+      evaluation::EvaluationOptions from_start = how;
       from_start.alignment = evaluation::AlignmentMethod::origin;
       result.from_start = evaluation::evaluate(variant.label, truth, estimate, from_start);
-      result.verdict = judge_run(truth, estimate, *result.evaluation, options_, folder);
+      result.verdict = judge_run(truth, estimate, *result.evaluation, options_, how, folder);
       truth_part = truth;
       path = evaluation::aligned(estimate, result.evaluation->alignment);
     } catch (const std::exception& error) {

@@ -144,6 +144,20 @@ bool any_note(const Comparison& comparison, const std::string& part) {
   return false;
 }
 
+TEST(ComparisonNotes, TellFiguresOfAFewPairs) {
+  Comparison comparison = five_methods();
+  EXPECT_FALSE(any_note(comparison, "are paired"));
+  const Trajectory reference = test::winding_walk(kPoses);
+  Trajectory estimate = reference;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    if (i % 100 != 0) estimate[i].stamp_ns += 30'000'000;  // --max-diff is 10 ms
+  }
+  comparison.recordings[0].results[0].evaluation = evaluate("e", reference, estimate, {});
+  EXPECT_TRUE(any_note(comparison, "walk, third: only 4 poses are paired, of 399 that could be"))
+      << tables_markdown(comparison);
+  EXPECT_EQ(cell(comparison_tables(comparison)[3], "Poses paired", 0).text, "4 of 400");
+}
+
 TEST(ComparisonNotes, TellFailuresSharedMachinesAndRepeats) {
   Comparison comparison = five_methods();
   EXPECT_TRUE(any_note(comparison, "walk, dead: ended by signal 9"));

@@ -77,6 +77,13 @@ TEST(Coverage, AHoleInTheEstimateIsNotCoveredButADroppedScanIs) {
   EXPECT_NEAR(coverage(truth, dropped, 0.0), 1.0, 1e-9);
 }
 
+// Of every four scans one has a pose: the poses alone look like a slower sensor's.
+TEST(Coverage, PosesThatAreMissingEverywhereAreHoles) {
+  const Trajectory truth = at_rate(0.0, 10.0, 0.01), sparse = at_rate(0.0, 10.0, 0.4);
+  EXPECT_NEAR(coverage(truth, sparse, 0.0), 1.0, 1e-9);
+  EXPECT_NEAR(coverage(truth, sparse, 0.0, 100'000'000), 0.0, 1e-9);
+}
+
 TEST(Coverage, OfStampsThatComeTwice) {
   const Trajectory truth = at_rate(0.0, 10.0, 0.01);
   Trajectory twice;
