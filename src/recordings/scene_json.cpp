@@ -103,6 +103,7 @@ std::string scene_json(const RecordingRequest& request, const simulation::Scene&
       {"rain", options.air.rain},
       {"dust", options.air.dust},
       {"people", request.people},
+      {"route_given", !request.route_file.empty()},
       {"scene", json_of(scene)},
       {"robot", json_of(gait)},
       {"lidar", json_of(lidar)}};

@@ -47,6 +47,32 @@ TEST_F(SeedScenes, DifferInTheirSeedAlone) {
                    "campus-trot", "forest-trot"}));
 }
 
+TEST_F(SeedScenes, TheSameSeedIsNoOther) {
+  write("a/scene.json", scene_json(1).dump());
+  write("b/scene.json", scene_json(1).dump());
+  write("c/scene.json", scene_json(2).dump());
+  EXPECT_EQ(seed_scenes({folder_ / "a", folder_ / "b", folder_ / "c"}),
+            (Names{"forest-trot", "", "forest-trot"}));
+}
+
+TEST_F(SeedScenes, NoSeedChangesAFile) {
+  const auto made = [&](const std::string& name, int seed, const json& route, bool of_file) {
+    json scene = scene_json(seed);
+    if (of_file) scene["scene"]["description"] = "from forest";
+    scene["route_given"] = !of_file;
+    scene["scene"]["route_m"] = route;
+    write(name + "/scene.json", scene.dump());
+    return folder_ / name;
+  };
+  const json one = {{0, 0, 0}, {1, 0, 0}}, other = {{0, 0, 0}, {2, 0, 0}};
+  EXPECT_EQ(seed_scenes({made("a", 1, one, true), made("b", 2, one, true)}),
+            (Names{"forest-trot", "forest-trot (2)"}))
+      << "other triangles";
+  EXPECT_EQ(
+      seed_scenes({made("c", 1, one, false), made("d", 2, one, false), made("e", 3, other, false)}),
+      (Names{"forest-trot", "forest-trot", "forest-trot (2)"}));
+}
+
 TEST_F(SeedScenes, WhatTellsNothingIsOneOfAKind) {
   json nameless = scene_json(1);
   nameless["scene"].erase("name");
