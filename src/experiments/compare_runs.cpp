@@ -10,12 +10,19 @@
 
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
+#include "runs/run_files.hpp"
 
 namespace surefoot::experiments {
 
 namespace {
 constexpr std::chrono::milliseconds kPollPeriod{5};
 constexpr double kMebibyte = 1024.0 * 1024.0;
+
+/// Whether what the tables are made of is still there.
+bool has_results(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / runs::kTrajectoryFile) &&
+         std::filesystem::exists(folder / runs::kScansFile);
+}
 }  // namespace
 
 struct RunQueue::Running {
@@ -34,8 +41,9 @@ RunQueue::~RunQueue() = default;
 void RunQueue::skip_done(bool retry_failed) {
   std::erase_if(waiting_, [&](std::size_t i) {
     const std::optional<RunRecord> record = read_record(tasks_[i].folder);
-    const bool done =
-        record && record->key == tasks_[i].key && (record->end.is_done() || !retry_failed);
+    const bool kept =
+        record && (record->end.is_done() ? has_results(tasks_[i].folder) : !retry_failed);
+    const bool done = kept && record->key == tasks_[i].key;
     if (done) {
       ++done_;
       failed_ += record->end.is_done() ? 0 : 1;

@@ -259,6 +259,12 @@ TEST_F(Compare, WhatIsDoneIsNotDoneAgain) {
   EXPECT_NE(again.errors.find("1 done before"), std::string::npos) << again;
   EXPECT_EQ(times("out/runs"), before);
   EXPECT_EQ(content("out/compare.json"), first);
+  for (const char* file : {"trajectory.tum", "scans.csv"}) {
+    fs::remove(scratch_.path() / "out/runs/left/paper/1" / file);
+    const ProcessResult gone = compare(command);
+    EXPECT_EQ(gone.exit_code, 0) << gone;
+    EXPECT_NE(gone.errors.find("0 done before"), std::string::npos) << file << '\n' << gone;
+  }
   // Another parameter, a changed recording: done anew.
   const ProcessResult other =
       compare({"left", "-o", "out", "--no-figures", "--set", "map.radius=50"});
