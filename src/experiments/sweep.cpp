@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "evaluation/comparison_tables.hpp"
 #include "evaluation/marked_table.hpp"
 #include "io/ascii_values.hpp"
 
@@ -48,7 +49,7 @@ std::vector<std::string> values_of_range(const std::string& range) {
 
 void fill_row(const evaluation::Comparison& comparison, std::size_t method, SweepRow& row) {
   double milliseconds = 0.0;
-  int timed = 0;  // runs that left times
+  int timed = 0;  // whole runs: a part of a recording takes other times
   for (const evaluation::ComparedRecording& recording : comparison.recordings) {
     const evaluation::MethodResult& result = recording.results[method];
     SweepCell cell{.lost = result.verdict.text};
@@ -58,7 +59,7 @@ void fill_row(const evaluation::Comparison& comparison, std::size_t method, Swee
       if (step != nullptr) cell.step = step->rmse;
     }
     row.cells.push_back(cell);
-    if (const auto& run = result.runs.front(); run.scans > 0) {
+    if (const auto& run = result.runs.front(); cell.lost.empty() && run.scans > 0) {
       milliseconds += run.median_ms;
       ++timed;
     }
@@ -69,12 +70,14 @@ void fill_row(const evaluation::Comparison& comparison, std::size_t method, Swee
   if (timed > 0) row.milliseconds = milliseconds / timed;
 }
 
-std::optional<double> ratio(const SweepRow& row, const SweepRow& base, double SweepCell::*error) {
+std::optional<double> ratio(const SweepRow& row, const SweepRow& base,
+                            std::optional<double> SweepCell::*error) {
   double sum = 0.0;
   int count = 0;
   for (std::size_t r = 0; r < row.cells.size(); ++r) {
-    if (!row.cells[r].lost.empty() || !base.cells[r].lost.empty()) continue;
-    const double change = std::log(row.cells[r].*error / base.cells[r].*error);
+    const std::optional<double>&one = row.cells[r].*error, &usual = base.cells[r].*error;
+    if (!one || !usual) continue;
+    const double change = std::log(*one / *usual);
     if (!std::isfinite(change)) continue;  // one of them has no error at all
     sum += change;
     ++count;
@@ -82,12 +85,16 @@ std::optional<double> ratio(const SweepRow& row, const SweepRow& base, double Sw
   return count > 0 ? std::optional(std::exp(sum / count)) : std::nullopt;
 }
 
-std::string text_of(const std::optional<double>& ratio) {
-  return ratio ? fmt::format("{:.2f}", *ratio) : "-";
+std::string text_of(const std::optional<double>& value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "-";
 }
 
-OrderedJson json_of(const std::optional<double>& ratio) {
-  return ratio ? OrderedJson(*ratio) : OrderedJson(nullptr);
+std::string csv_of(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "";
+}
+
+OrderedJson json_of(const std::optional<double>& value) {
+  return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
 }  // namespace
@@ -130,24 +137,30 @@ SweepResult sweep_of(const evaluation::Comparison& comparison,
     row.step_ratio = ratio(row, base, &SweepCell::step);
     sweep.rows.push_back(std::move(row));
   }
+  sweep.notes = evaluation::trouble_notes(comparison);
   return sweep;
 }
 
 std::string sweep_markdown(const SweepResult& sweep) {
-  std::string text = "| parameter |";
-  for (const std::string& name : sweep.recordings) text += fmt::format(" {} |", name);
-  text += " APE ratio | step ratio | ms | untrusted |\n|---|";
-  for (std::size_t i = 0; i < sweep.recordings.size() + 4; ++i) text += "---|";
-  text += '\n';
-  for (const SweepRow& row : sweep.rows) {
-    text += fmt::format("| {} |", row.label);
-    for (const SweepCell& cell : row.cells) {
-      text += cell.lost.empty() ? fmt::format(" {:.3f} / {:.3f} |", cell.ape, cell.step)
-                                : fmt::format(" {} |", cell.lost);
-    }
-    text += fmt::format(" {} | {} | {:.1f} | {} |\n", text_of(row.ape_ratio),
-                        text_of(row.step_ratio), row.milliseconds, row.untrusted);
+  evaluation::Table table{.title = "", .head_names = {"parameter"}, .columns = sweep.recordings};
+  for (const char* name : {"APE ratio", "step ratio", "ms", "untrusted"}) {
+    table.columns.emplace_back(name);
   }
+  for (const SweepRow& row : sweep.rows) {
+    evaluation::TableRow& line = table.rows.emplace_back();
+    line.heads = {row.label};
+    for (const SweepCell& cell : row.cells) {
+      line.cells.push_back(
+          {cell.lost.empty() ? text_of(cell.ape, 3) + " / " + text_of(cell.step, 3) : cell.lost});
+    }
+    for (const std::string& text : {text_of(row.ape_ratio, 2), text_of(row.step_ratio, 2),
+                                    text_of(row.milliseconds, 1), std::to_string(row.untrusted)}) {
+      line.cells.push_back({text});
+    }
+  }
+  std::string text = evaluation::to_markdown(table);
+  if (!sweep.notes.empty()) text += '\n';
+  for (const std::string& note : sweep.notes) text += "- " + note + '\n';
   return text;
 }
 
@@ -158,7 +171,7 @@ std::string sweep_csv(const SweepResult& sweep) {
       const SweepCell& cell = row.cells[r];
       text += fmt::format("{},{},", evaluation::csv_field(row.label),
                           evaluation::csv_field(sweep.recordings[r]));
-      text += cell.lost.empty() ? fmt::format("{},{},\n", cell.ape, cell.step)
+      text += cell.lost.empty() ? fmt::format("{},{},\n", csv_of(cell.ape), csv_of(cell.step))
                                 : fmt::format(",,{}\n", evaluation::csv_field(cell.lost));
     }
   }
@@ -174,8 +187,8 @@ std::string sweep_json(const SweepResult& sweep, const evaluation::Comparison& c
       const SweepCell& cell = row.cells[r];
       OrderedJson json = {{"recording", sweep.recordings[r]}};
       if (cell.lost.empty()) {
-        json["ape_rmse_m"] = cell.ape;
-        json["step_rmse_m"] = cell.step;
+        json["ape_rmse_m"] = json_of(cell.ape);
+        json["step_rmse_m"] = json_of(cell.step);
       } else {
         json["lost"] = cell.lost;
       }
@@ -185,7 +198,7 @@ std::string sweep_json(const SweepResult& sweep, const evaluation::Comparison& c
                     {"method", comparison.methods[m].label},
                     {"ape_ratio", json_of(row.ape_ratio)},
                     {"step_ratio", json_of(row.step_ratio)},
-                    {"median_ms", row.milliseconds},
+                    {"median_ms", json_of(row.milliseconds)},
                     {"untrusted_scans", row.untrusted},
                     {"recordings", cells}});
   }
@@ -194,6 +207,7 @@ std::string sweep_json(const SweepResult& sweep, const evaluation::Comparison& c
                                 {"version", comparison.version},
                                 {"build", comparison.build},
                                 {"run_arguments", comparison.run_arguments},
+                                {"notes", sweep.notes},
                                 {"rows", rows}};
   return document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }

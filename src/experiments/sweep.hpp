@@ -26,9 +26,9 @@ struct SweepPlan {
 
 /// How one variant did on one recording.
 struct SweepCell {
-  double ape = 0.0;   ///< [m] RMSE after alignment
-  double step = 0.0;  ///< [m] RMSE of the motion from scan to scan
-  std::string lost;   ///< why there are no such figures; empty if there are
+  std::optional<double> ape = {};   ///< [m] RMSE after alignment
+  std::optional<double> step = {};  ///< [m] RMSE of the motion from scan to scan, if there is one
+  std::string lost;                 ///< why there are no such figures; empty if there are
 };
 
 struct SweepRow {
@@ -36,19 +36,22 @@ struct SweepRow {
   std::vector<SweepCell> cells = {};  ///< one a recording
   /// Geometric means against the first row, over the recordings that neither has lost.
   std::optional<double> ape_ratio = {}, step_ratio = {};
-  double milliseconds = 0.0;  ///< median time per scan, mean over the recordings that have one
+  /// Median time per scan, mean over the whole runs; none without any.
+  std::optional<double> milliseconds = {};
   std::size_t untrusted = 0;  ///< scans without a measured pose
 };
 
 struct SweepResult {
   std::vector<std::string> recordings;
-  std::vector<SweepRow> rows;  ///< the method as it is first
+  std::vector<SweepRow> rows;      ///< the method as it is first
+  std::vector<std::string> notes;  ///< what went wrong in which run, and why
 };
 
 /// From a comparison of the plan's variants, whose relative error is that of one step.
 [[nodiscard]] SweepResult sweep_of(const evaluation::Comparison& comparison,
                                    const std::vector<std::string>& labels);
 
+/// The table, and the notes under it.
 [[nodiscard]] std::string sweep_markdown(const SweepResult& sweep);
 /// A line for each variant and recording.
 [[nodiscard]] std::string sweep_csv(const SweepResult& sweep);
