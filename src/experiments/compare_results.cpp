@@ -12,6 +12,7 @@
 #include "experiments/run_record.hpp"
 #include "experiments/seed_scenes.hpp"
 #include "io/file_writer.hpp"
+#include "io/printable.hpp"
 #include "io/trajectory_files.hpp"
 #include "process/machine.hpp"
 #include "runs/run_files.hpp"
@@ -139,7 +140,7 @@ class ResultMaker {
       truth_part = truth;
       path = evaluation::aligned(estimate, result.evaluation->alignment);
     } catch (const std::exception& error) {
-      result.runs.front().error = std::string("not evaluated: ") + error.what();
+      result.runs.front().error = "not evaluated: " + io::printable(error.what());
     }
   }
 
@@ -170,7 +171,7 @@ ComparedRecording compare_recording(const CompareOptions& options, const Compare
   try {
     truth = read_truth(input);
   } catch (const std::exception& error) {
-    no_truth = error.what();
+    no_truth = io::printable(error.what());
   }
   if (no_truth.empty()) {
     recording.truth_length = evaluation::path_lengths(truth).back();

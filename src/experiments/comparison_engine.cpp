@@ -15,6 +15,7 @@
 #include "experiments/comparison_plan.hpp"
 #include "experiments/fingerprint.hpp"
 #include "io/counted.hpp"
+#include "io/printable.hpp"
 #include "process/exit_codes.hpp"
 #include "process/folder_lock.hpp"
 
@@ -48,7 +49,8 @@ bool has_truth(const CompareOptions& options, const CompareInput& input) {
     return true;
   } catch (const std::exception& error) {
     if (options.needs_every_truth) throw;
-    fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.title, error.what());
+    fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.title,
+               io::printable(error.what()));
     return false;
   }
 }

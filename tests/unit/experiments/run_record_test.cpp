@@ -118,6 +118,13 @@ TEST_F(RunRecordTest, TheReasonIsTheProgramsLastError) {
   EXPECT_EQ(error_of("reading\nterminate called\n\n"), ended + "terminate called");
 }
 
+// It is a line of a list.
+TEST_F(RunRecordTest, AReasonIsOneLine) {
+  write("run.log", "surefoot: a\vb: no scans\n");
+  const evaluation::MeasuredRun run = measured_run(folder_, {"{}", {2, 0, 1.0, 0.5, 4096}, 1});
+  EXPECT_EQ(run.error, "ended with exit code 2: surefoot: a?b: no scans");
+}
+
 // `surefoot run` says so of a recording with scans that it could not read.
 TEST_F(RunRecordTest, ARunThatLeftScansOutIsDone) {
   write("run.log", "left out: 000003.pcd: empty file\n");
