@@ -12,6 +12,7 @@
 #include "io/ascii_values.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/bags/motion_topics.hpp"
+#include "io/column_names.hpp"
 #include "io/decimal_time.hpp"
 #include "io/file_reader.hpp"
 #include "io/files/scan_files.hpp"
@@ -26,17 +27,6 @@ using Words = std::vector<std::string_view>;
 
 constexpr double kEarth = 6378137.0;  // [m], as in KITTI's devkit
 constexpr double kRadian = std::numbers::pi / 180.0;
-
-Words columns_of(std::string_view line) {
-  Words words;
-  std::size_t begin = 0;
-  while (begin < line.size()) {
-    const std::size_t end = std::min(line.find_first_of(", \t\r;", begin), line.size());
-    if (end > begin) words.push_back(line.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
 
 double number_of(std::string_view word, std::size_t line) {
   double value = 0.0;
@@ -97,18 +87,24 @@ void add_pose(Truth& truth, const Words& words, std::size_t first, std::size_t l
   truth.poses.push_back(pose);
 }
 
-/// Of EuRoC's state estimate: time, position, w x y z of the rotation, then velocity and biases.
-void add_euroc_pose(Truth& truth, const Words& words, std::size_t line, const RowTimes& times) {
-  Words pose(words.begin(), words.begin() + 4);
-  pose.insert(pose.end(), {words[5], words[6], words[7], words[4]});
-  add_pose(truth, pose, 1, line, stamp_of(words[0], line, times));
+/// Position and w x y z of the rotation, as EuRoC has them; what follows (there velocity and
+/// biases) is left.
+void add_w_first(Truth& truth, const Words& words, std::size_t first, std::size_t line,
+                 std::int64_t stamp_ns) {
+  const auto at = words.begin() + static_cast<std::ptrdiff_t>(first);
+  Words pose(words.begin(), at + 3);
+  pose.insert(pose.end(), {at[4], at[5], at[6], at[3]});
+  add_pose(truth, pose, first, line, stamp_ns);
 }
 
-void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes& times) {
+void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes& times,
+             bool w_first) {
+  const auto add = w_first ? add_w_first : add_pose;
   switch (words.size()) {
     case 4:
-    case 8:
       return add_pose(truth, words, 1, line, stamp_of(words[0], line, times));
+    case 8:
+      return add(truth, words, 1, line, stamp_of(words[0], line, times));
     case 9: {
       const bool whole = is_whole(words[0]) && is_whole(words[1]) && words[1].size() <= 9;
       const auto seconds = parse_decimal_seconds(words[0]);
@@ -117,7 +113,7 @@ void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes&
           __builtin_add_overflow(*seconds, whole_number(words[1], line), &stamp)) {
         fail_at_line(line, "9 columns that do not begin with seconds and nanoseconds");
       }
-      return add_pose(truth, words, 2, line, stamp);
+      return add(truth, words, 2, line, stamp);
     }
     case 12:
       truth.has_stamps = false;
@@ -129,7 +125,7 @@ void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes&
           {stamp_of(words[0], line, times), pose_of_kitti_row(std::span(words).subspan(1), line)});
       return;
     case 17:
-      return add_euroc_pose(truth, words, line, times);
+      return add_w_first(truth, words, 1, line, stamp_of(words[0], line, times));
     default:
       fail_at_line(line, std::to_string(words.size()) +
                              " columns; expected 4, 8, 9, 12, 13 or 17: times and poses");
@@ -301,11 +297,18 @@ Truth parse_truth_table(std::string_view text) {
   WholeTimes whole;
   for_each_row(text, [&](const Words& words, std::size_t) { whole.add(words.front()); });
   const RowTimes times{whole.scale().value_or(1), whole.scale().has_value()};
-  const std::size_t columns = for_each_row(
-      text, [&](const Words& words, std::size_t line) { add_row(truth, words, line, times); });
+  const RotationOrder order = rotation_order(text);
+  const std::size_t columns = for_each_row(text, [&](const Words& words, std::size_t line) {
+    add_row(truth, words, line, times, order.w_first);
+  });
   if (truth.poses.empty()) throw ReadError("no poses");
   const std::string unit = whole.unusual_unit();
+  const bool has_order = (columns == 8 || columns == 9) && truth.has_rotations;
+  const bool is_guess = !order.is_told && text.find(',') != std::string_view::npos;
   truth.what = std::to_string(columns) + " columns" + (unit.empty() ? "" : ", times in " + unit) +
+               (has_order && order.w_first ? ", rotations as w x y z"
+                : has_order && is_guess    ? ", rotations taken as x y z w"
+                                           : "") +
                (!truth.has_rotations ? ", positions without rotations"
                 : never_turns(truth) ? ", and no rotation in any row: are they known?"
                                      : "");

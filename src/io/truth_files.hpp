@@ -26,8 +26,8 @@ struct Truth {
 /// quaternion x y z w), 9 (seconds, nanoseconds, the same), 4 (t and position), 13 (t and a 3x4
 /// matrix) or 12 (the matrix alone). Whole times are in nanoseconds, microseconds or milliseconds
 /// as WholeTimes tells (stamps.hpp); one of 16 digits or more always. Quaternions 0 0 0 0 say that
-/// only positions are known. Lines of '#', and one of names at the top, are passed over. Throws
-/// ReadError naming the line.
+/// only positions are known. Lines of '#', and one of names at the top, are passed over, but for
+/// the order of the quaternion that they tell. Throws ReadError naming the line.
 [[nodiscard]] Truth parse_truth_table(std::string_view text);
 
 /// KITTI's OXTS records, one text each, in the devkit's local frame (Mercator about the first):

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "io/bags/bag_files.hpp"
+#include "io/column_names.hpp"
+#include "io/printable.hpp"
 #include "io/stamps.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
@@ -84,6 +86,20 @@ std::size_t columns_of(const fs::path& file) {
   return count;
 }
 
+/// Whether a line names the columns: without the mark of a comment, or w first of the rotation.
+bool has_names(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos) continue;
+    if (line[begin] != '#') return std::isalpha(static_cast<unsigned char>(line[begin])) != 0;
+    if (io::names_w_first(line)) return true;
+  }
+  return false;
+}
+
 bool has_commas(const fs::path& file) { return first_row(file).find(',') != std::string::npos; }
 
 /// By the number of values in the first row: TUM has 8, KITTI 12.
@@ -97,7 +113,9 @@ bool is_table(const fs::path& file, bool find_format) {
   if (!find_format || !fs::exists(file, ignored)) return false;
   if (io::is_bag_file(file) || fs::is_directory(file, ignored)) return true;
   const std::size_t columns = columns_of(file);
-  return columns == 4 || columns == 9 || columns == 13 || has_commas(file) || has_whole_times(file);
+  const bool is_named = columns > 0 && has_names(file);  // else it is a text about something
+  return columns == 4 || columns == 9 || columns == 13 || is_named || has_commas(file) ||
+         has_whole_times(file);
 }
 
 Trajectory read_trajectory(const fs::path& file, TrajectoryFormat format) {
@@ -204,7 +222,7 @@ std::vector<std::string> estimate_names(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
   for (const fs::path& path : paths) {
     const std::string name = name_of(path);
-    names.push_back(uses[name] == 1 ? name : path.string());
+    names.push_back(io::printable(uses[name] == 1 ? name : path.string()));
   }
   return names;
 }

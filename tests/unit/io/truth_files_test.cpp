@@ -68,6 +68,24 @@ TEST(TruthTable, PositionsWithoutAttitude) {
   EXPECT_EQ(prism.poses[0].pose.translation, Eigen::Vector3d(1, 2, 3));
 }
 
+TEST(TruthTable, NamesTellWhetherWIsFirst) {
+  const auto w_of = [](const std::string& text) {
+    return parse_truth_table(text).poses.at(0).pose.rotation.w();
+  };
+  const std::string row = "1403636579758555392,4.6,-1.7,0.6,1,0,0,0\n";
+  const std::string euroc =
+      "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+      "q_RS_z []\n" +
+      row;
+  EXPECT_EQ(w_of(euroc), 1.0);
+  EXPECT_EQ(parse_truth_table(euroc).what, "8 columns, rotations as w x y z");
+  EXPECT_EQ(w_of("t,x,y,z,qw,qx,qy,qz\n" + row), 1.0);
+  EXPECT_EQ(w_of("sec,nsec,x,y,z,qw,qx,qy,qz\n1583836591,182590976,5.5,-1,0.2,1,0,0,0\n"), 1.0);
+  EXPECT_EQ(w_of("t,x,y,z,qx,qy,qz,qw\n" + row), 0.0);
+  EXPECT_EQ(w_of("# a raw view, w unknown\n" + row), 0.0);
+  EXPECT_EQ(parse_truth_table(row).what, "8 columns, rotations taken as x y z w");
+}
+
 // As FusionPortable's of a total station.
 TEST(TruthTable, RotationsThatNeverTurnAreAskedAbout) {
   const Truth station = parse_truth_table("1.5 1 2 3 0 0 0 1\n1.6 4 2 3 0 0 0 1\n");

@@ -26,6 +26,25 @@ TEST(TrajectoryInputs, TellWithWhichPosesAnotherSegmentBegins) {
   EXPECT_TRUE(segment_begins(file).empty()) << "there is no pose after: the run was cut short";
 }
 
+TEST(TrajectoryInputs, NamesOfEstimatesAreOneLineEach) {
+  EXPECT_EQ(estimate_names({"/r/a\nb.tum", "/r/c.tum", "/s\n/c.tum"}),
+            (std::vector<std::string>{"a?b", "/r/c.tum", "/s?/c.tum"}));
+}
+
+// With blanks as with commas; the names' order of the rotation counts.
+TEST(TrajectoryInputs, ALineOfNamesNeedsNoMark) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "names.txt";
+  std::ofstream(file) << "stamp x y z qw qx qy qz\n1.5 1 2 3 1 0 0 0\n2.5 1 2 4 0 1 0 0\n";
+  ReferenceRequest request;
+  request.path = file;
+  const Trajectory poses = read_reference(request).truth.poses;
+  ASSERT_EQ(poses.size(), 2U);
+  EXPECT_EQ(poses[0].stamp_ns, 1'500'000'000);
+  EXPECT_EQ(poses[1].pose.rotation.x(), 1.0);
+  std::ofstream(file) << "# stamp x y z qw qx qy qz\n1.5 1 2 3 1 0 0 0\n";
+  EXPECT_EQ(read_reference(request).truth.poses[0].pose.rotation.w(), 1.0);
+}
+
 TEST(TrajectoryInputs, WholeTimesThatAreNoSecondsAreRead) {
   const auto file = std::filesystem::path(testing::TempDir()) / "whole.tum";
   constexpr std::int64_t kStep = 100'000'000;  // [ns]
