@@ -100,6 +100,9 @@ std::unique_ptr<live::LiveViewer> show_page(live_page::PageSubject subject,
 int run_live(CLI::App& command, LiveArguments& arguments) {
   live_runs::LiveRequest& request = arguments.request;
   complete_source(request.source, request.run.reader.robot);
+  if (const std::string& topic = request.source.topics.topic; !topic.empty()) {
+    request.run.reader.topic = topic;
+  }
   require_new_record(request.source.record, request.run.overwrite);
   const process::InterruptGuard interrupt;
   request.run.given = recorded_options(command);

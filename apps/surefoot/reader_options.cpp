@@ -106,7 +106,7 @@ void add_reader_options(CLI::App& command, OpenOptions& options) {
       ->type_name("NAME");
   group
       .add("--robot", options.robot,
-           "Read as what this robot's own software publishes asks for: topic, rate, stamps")
+           "Read as what this robot's own software publishes asks for: topic, rate, stamps, mount")
       ->check(command_line::one_of(io::robot_names()))
       ->type_name("NAME");
   add_time_options(group, options);

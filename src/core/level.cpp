@@ -129,9 +129,16 @@ Pose level_by_axis(const std::vector<Eigen::Vector3f>& points, const Config::Lev
       "level: no ground found in the first scan; the LiDAR's own z axis is taken for up";
   const Eigen::Quaterniond upside_down(
       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
-  if (find_ground(turned(points, upside_down), config.max_tilt_deg)) {
-    report.message +=
-        "; there is a floor above it: a LiDAR mounted upside down has the mount 0,0,0,180,0,0";
+  if (const auto floor = find_ground(turned(points, upside_down), config.max_tilt_deg)) {
+    // Roll, then pitch, that turn the floor's normal to z.
+    const Eigen::Vector3d up = upside_down * floor->normal;
+    double roll = std::atan2(up.y(), up.z());
+    if (roll < 0.0) roll += 2.0 * std::numbers::pi;  // 180, not -180
+    const double pitch = std::atan2(-up.x(), std::hypot(up.y(), up.z()));
+    report.message += format(
+        "; there is a floor above it: if the LiDAR hangs upside down, its mount is 0,0,0,%.0f,%.0f "
+        "and the yaw (--extrinsic)",
+        roll / kDegree, pitch / kDegree);
   }
   return {};
 }

@@ -5,8 +5,13 @@
 namespace surefoot::io {
 
 const std::vector<Robot>& robots() {
+  // The mount: radar_joint of the Go2's URDF.
   static const std::vector<Robot> all = {
-      {"go2", "Unitree Go2, its own L1", "/utlidar/cloud", 1.0 / 0.130}};
+      {"go2",
+       "Unitree Go2, its own L1",
+       "/utlidar/cloud",
+       1.0 / 0.130,
+       {from_roll_pitch_yaw({0.0, 2.8782, 0.0}), {0.28945, 0.0, -0.046825}}}};
   return all;
 }
 
@@ -25,10 +30,15 @@ const Robot& robot_named(std::string_view name) {
   throw ReadError("no robot '" + std::string(name) + "'; there are " + names);
 }
 
+const Robot* robot_of_scans(const OpenOptions& options) {
+  if (options.robot.empty()) return nullptr;
+  const Robot& robot = robot_named(options.robot);
+  return options.topic.empty() || options.topic == robot.topic ? &robot : nullptr;
+}
+
 OpenOptions with_robot(OpenOptions options) {
   if (options.robot.empty()) return options;
   const Robot& robot = robot_named(options.robot);
-  if (options.topic.empty()) options.likely_topics = {robot.topic};
   if (options.rate_hz <= 0.0) options.rate_hz = robot.rate_hz;
   options.repair_at_once = true;
   return options;

@@ -64,6 +64,8 @@ void open_topic(LiveInput& input, const LiveSource& source, const io::OpenOption
   std::replace(name.begin(), name.end(), '/', '-');
   name_input(input, source, name);
   const io::OpenOptions options = topic_options(input, reader);
+  // Who repeats it with the same robot must not look for that one's own topic.
+  if (!reader.robot.empty()) input.repeated_by.emplace_back("topic", request.topic);
   input.stream = topic_stream(input.network->subscribe(request.topic, say), options, source.record);
 }
 

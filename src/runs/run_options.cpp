@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/datasets.hpp"
+#include "io/robots.hpp"
 #include "runs/config_file.hpp"
 
 namespace surefoot::runs {
@@ -21,13 +22,20 @@ void set_mount(const std::vector<double>& extrinsic, Config& config) {
   }
 }
 
-/// What was given, or, where the base's poses are asked for, what the data set says.
-std::vector<double> extrinsic_of(const RunOptions& options) {
+/// What the robot says of its own LiDAR, which may hang upside down; where the base's poses are
+/// asked for, what the data set says.
+std::optional<Pose> known_mount(const RunOptions& options) {
+  const io::Robot* const robot = io::robot_of_scans(options.reader);
+  if (robot != nullptr && options.level.empty()) return robot->T_base_lidar;
   const std::string& set = options.reader.dataset;
-  if (!options.extrinsic.empty() || options.pose_of != "base" || set.empty()) {
-    return options.extrinsic;
-  }
-  const std::optional<Pose>& pose = io::dataset_named(set).T_base_lidar;
+  if (options.pose_of != "base" || set.empty()) return std::nullopt;
+  return io::dataset_named(set).T_base_lidar;
+}
+
+/// What was given, or what is known.
+std::vector<double> extrinsic_of(const RunOptions& options) {
+  if (!options.extrinsic.empty()) return options.extrinsic;
+  const std::optional<Pose> pose = known_mount(options);
   if (!pose) return {};
   const Eigen::Vector3d angles = roll_pitch_yaw(pose->rotation) * (180.0 / EIGEN_PI);
   const Eigen::Vector3d& at = pose->translation;

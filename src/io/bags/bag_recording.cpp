@@ -12,14 +12,16 @@
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
 #include "io/printable.hpp"
+#include "io/robots.hpp"
 
 namespace surefoot::io {
 namespace {
 
-// Empty where the bag has none of them.
-std::string likely_topic(const std::vector<TopicSurvey>& topics,
-                         const std::vector<std::string>& likely) {
-  for (const std::string& name : likely) {
+// Empty where the bag has none of them. A robot's own is asked for: its mount is not that of
+// others.
+std::string likely_topic(const std::vector<TopicSurvey>& topics, const OpenOptions& options) {
+  if (const Robot* const robot = robot_of_scans(options)) return robot->topic;
+  for (const std::string& name : options.likely_topics) {
     for (const TopicSurvey& survey : topics) {
       if (survey.usable && survey.topic.name == name) return name;
     }
@@ -58,8 +60,8 @@ std::string missed_text(const OpenOptions& options, const std::string& taken) {
   if (!options.topic.empty() || likely.empty()) return {};
   std::string names;
   for (const std::string& name : likely) names += (names.empty() ? "" : ", ") + name;
-  return "topic: " + (options.dataset.empty() ? options.robot : options.dataset) + " has " + names +
-         ", this bag has no scans there; " + printable(taken) + " is taken instead";
+  return "topic: " + options.dataset + " has " + names + ", this bag has no scans there; " +
+         printable(taken) + " is taken instead";
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ BagTopic open_bag_topic(TopicMessages messages, const std::string& name,
   TopicRecordingParts parts{name, std::move(messages), {}, {}, options.others_are_read};
   BagSurvey survey = survey_topics(parts.messages.bag(), options);
   const std::string asked =
-      options.topic.empty() ? likely_topic(survey.topics, options.likely_topics) : options.topic;
+      options.topic.empty() ? likely_topic(survey.topics, options) : options.topic;
   Topic topic = choose_with_notes(survey.topics, asked, parts);
   if (std::string text = missed_text(options, topic.name); !text.empty()) {
     parts.notes.push_back(std::move(text));

@@ -124,6 +124,8 @@ TEST(Level, ALidarUpsideDownIsTold) {
       level_pose(look(test::furnished_hall(), sensor(0.45, 180.0, 5.0)), ground_config(), report);
   EXPECT_FALSE(report.from_ground);
   EXPECT_NE(report.message.find("upside down"), std::string::npos) << report.message;
+  // Its mount is Ry(5) Rx(180).
+  EXPECT_NE(report.message.find("0,0,0,180,5 "), std::string::npos) << report.message;
   EXPECT_EQ(T.rotation.coeffs(), Eigen::Quaterniond::Identity().coeffs());
 }
 
