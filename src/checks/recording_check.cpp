@@ -10,6 +10,7 @@
 #include "checks/motion_sentences.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/bags/motion_topics.hpp"
+#include "io/messages/cloud_message.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/length_unit.hpp"
 
@@ -69,11 +70,13 @@ class Check {
     reader.repair_stamps = false;  // what is odd is told, not mended
     const auto recording = io::open_recording(options_.input, reader);
     ScanLooker looker;
+    std::string no_scans;
     while (!listener_.interrupted()) {
       const std::optional<io::ScanItem> item = recording->next();
       if (!item) break;
       result_.scans.push_back(looker.look(*item));
       add_layout(item->layout);
+      if (no_scans.empty()) no_scans = io::why_no_scans(recording->topic(), item->frame);
       listener_.progress(result_.scans.size(), recording->progress());
     }
     mend_stamps(result_.scans, options_.reader);
@@ -83,6 +86,9 @@ class Check {
     result_.figures = figures_of(result_.scans);
     result_.findings =
         findings_of(result_.scans, result_.figures, result_.counts, recording->losses());
+    if (!no_scans.empty()) {
+      result_.findings.push_back({true, "scans of a map or deskewed", no_scans, 0, ""});
+    }
     if (result_.layouts.size() > 1) {
       result_.findings.push_back({false, "fields that differ between scans",
                                   std::to_string(result_.layouts.size()) + " layouts", 0, ""});

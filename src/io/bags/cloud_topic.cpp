@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include <new>
+#include <set>
 
 #include "io/all_fields.hpp"
 #include "io/bags/topic_recordings.hpp"
+#include "io/counted.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/saturated.hpp"
 #include "io/scan_builder.hpp"
@@ -13,6 +15,8 @@ namespace {
 
 // Messages that are looked at for the meaning of the point times, and damaged ones among them.
 constexpr int kMostLookedAt = 20, kMostDamaged = 1000;
+// Sensors that are named beside the one that is read.
+constexpr std::size_t kMostOthers = 10;
 
 class CloudTopic final : public Recording {
  public:
@@ -26,10 +30,10 @@ class CloudTopic final : public Recording {
   }
 
   std::optional<ScanItem> next() override {
-    const std::optional<Message> message = next_message();
+    const std::optional<Message> message = next_of_sensor();
     if (!message) return std::nullopt;
     ScanItem item;
-    item.name = "message " + std::to_string(next_++);
+    item.name = "message " + std::to_string(next_ - 1);
     item.logged_ns = message->logged_ns;
     try {
       read_scan(*message, item);
@@ -43,11 +47,17 @@ class CloudTopic final : public Recording {
 
   std::optional<std::size_t> size() const override { return std::nullopt; }
   void skip(std::size_t scans) override {
-    for (; scans > 0 && next_message(); --scans) ++next_;
+    while (scans > 0 && next_of_sensor()) --scans;
   }
   double progress() const override { return parts_.messages.progress(); }
   const std::vector<std::string>& notes() const override { return parts_.notes; }
-  std::vector<std::string> losses() const override { return parts_.messages.losses(); }
+  std::vector<std::string> losses() const override {
+    std::vector<std::string> all = parts_.messages.losses();
+    if (left_out_ > 0) {
+      all.push_back(counted(left_out_, "message") + " of other sensors on the topic left out");
+    }
+    return all;
+  }
   std::string topic() const override { return parts_.messages.topic().name; }
   std::string description() const override { return parts_.messages.description(); }
 
@@ -62,6 +72,33 @@ class CloudTopic final : public Recording {
     for (; bag_notes_ < notes.size(); ++bag_notes_) parts_.notes.push_back(notes[bag_notes_]);
     if (!message) parts_.note_late_topics();
     return message;
+  }
+
+  /// The next message of the first one's sensor: of two that are mixed, no run can be made.
+  std::optional<Message> next_of_sensor() {
+    while (std::optional<Message> message = next_message()) {
+      ++next_;
+      if (!is_anothers(*message)) return message;
+    }
+    return std::nullopt;
+  }
+
+  bool is_anothers(const Message& message) {
+    std::string sensor;
+    try {
+      sensor = sensor_of(read(message));
+    } catch (const ReadError&) {
+      return false;  // whoever reads it says so
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+    if (sensor == sensor_) return false;
+    ++left_out_;
+    if (others_.size() < kMostOthers && others_.insert(sensor).second) {
+      parts_.notes.push_back("topic: " + parts_.messages.topic().name + " is of several sensors: " +
+                             sensor_ + " is read; left out: " + sensor);
+    }
+    return true;
   }
 
   [[nodiscard]] CloudMessage read(const Message& message) const {
@@ -85,6 +122,8 @@ class CloudTopic final : public Recording {
       try {
         const CloudMessage cloud = read(*message);
         const ScanColumns columns = find_scan_columns(cloud.table, options_);
+        if (sensor_.empty()) take_sensor(cloud);
+        if (sensor_of(cloud) != sensor_) continue;
         zero_stamps_ += cloud.stamp_ns == 0 ? 1 : 0;
         look_at_times(cloud, stamp_of(cloud, *message), columns);
         settled = columns.time == nullptr || times_are_left_out() || is_confirmed_ ||
@@ -99,6 +138,13 @@ class CloudTopic final : public Recording {
       }
     }
     if (good == 0) throw ReadError(where() + ": " + first_error);
+  }
+
+  void take_sensor(const CloudMessage& cloud) {
+    sensor_ = sensor_of(cloud);
+    const std::string why = why_no_scans(parts_.messages.topic().name, cloud.frame);
+    if (!why.empty())
+      parts_.notes.push_back("topic: " + why + ": is there one of the LiDAR's own?");
   }
 
   void note_stamps() {
@@ -161,6 +207,9 @@ class CloudTopic final : public Recording {
   std::optional<PointTimeRule> rule_, last_rule_;
   bool is_confirmed_ = false;  ///< the last message's rule, by the one before
   std::string rule_text_;
+  std::string sensor_;            ///< whose messages are read
+  std::set<std::string> others_;  ///< that are left out
+  std::size_t left_out_ = 0;      ///< messages of them
   std::size_t bag_notes_ = 0;
   std::size_t next_ = 0;
   int looked_at_ = 0;    ///< messages that the point times' meaning was found from

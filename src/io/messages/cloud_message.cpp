@@ -4,6 +4,7 @@
 
 #include "io/messages/livox_message.hpp"
 #include "io/messages/point_cloud2.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -15,6 +16,27 @@ bool is_livox_type(std::string_view type) {
 }
 
 }  // namespace
+
+std::string sensor_of(const CloudMessage& cloud) {
+  return "frame '" + printable(cloud.frame) + "'" +
+         (cloud.lidar ? ", LiDAR " + std::to_string(*cloud.lidar) : "");
+}
+
+std::string why_no_scans(std::string_view topic, std::string_view frame) {
+  // A robot's name may stand before.
+  const std::string_view last = frame.substr(frame.rfind('/') + 1);
+  for (const std::string_view world : {"odom", "map", "world", "camera_init"}) {
+    if (last == world) {
+      return "points in frame '" + std::string(last) + "', a world's, are no scans as measured";
+    }
+  }
+  for (const std::string_view word : {"deskewed", "registered", "undistorted"}) {
+    if (topic.find(word) != std::string_view::npos) {
+      return "points that are " + std::string(word) + " are no scans as measured";
+    }
+  }
+  return {};
+}
 
 bool is_cloud_type(std::string_view type) {
   return type == "sensor_msgs/PointCloud2" || is_livox_type(type);

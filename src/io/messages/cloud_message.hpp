@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,16 @@ namespace surefoot::io {
 struct CloudMessage {
   std::int64_t stamp_ns = 0;
   std::string frame;
+  std::optional<unsigned> lidar;  ///< number of the sensor, where messages have one
   PointTable table;
 };
+
+/// "frame 'lidar'", "frame 'livox_frame', LiDAR 2".
+[[nodiscard]] std::string sensor_of(const CloudMessage& cloud);
+
+/// Why points on such a topic in such a frame are no scans as a LiDAR measured them; empty: they
+/// may be.
+[[nodiscard]] std::string why_no_scans(std::string_view topic, std::string_view frame);
 
 /// sensor_msgs/PointCloud2, and Livox's CustomMsg of both drivers.
 [[nodiscard]] bool is_cloud_type(std::string_view type);

@@ -38,7 +38,8 @@ CloudMessage read_livox_message(MessageReader& reader) {
   const bool same_clock = !overflow && difference > -kSameClockNs && difference < kSameClockNs;
   cloud.stamp_ns = same_clock ? time_base : header.stamp_ns;
   (void)reader.number<std::uint32_t>("number of points");
-  (void)reader.take(4, "LiDAR's number");  // and three reserved
+  // And three reserved bytes.
+  cloud.lidar = std::to_integer<unsigned>(reader.take(4, "LiDAR's number").front());
   const auto count = reader.structures("points", kPointBytes);
   reader.align(sizeof(std::uint32_t));
   // In CDR the next point's first number is aligned to 4; delimited structures have their size

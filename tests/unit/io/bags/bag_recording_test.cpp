@@ -134,6 +134,58 @@ TEST(BagRecording, AnotherTopicThanThePresetsIsNotTakenUnsaid) {
   EXPECT_EQ(said({}), "");
 }
 
+TEST(BagRecording, ARobotsOwnTopicIsNotReplacedByAnother) {
+  const test::TemporaryFolder folder;
+  const fs::path bag = write_scans(folder.path() / "a.mcap", ScanFormat::mcap, 2);
+  OpenOptions options;
+  options.robot = "go2";
+  const std::string error =
+      test::message_of<ReadError>([&] { (void)open_recording(bag, options); });
+  EXPECT_NE(error.find("no topic '/utlidar/cloud'"), std::string::npos) << error;
+  options.topic = "/points";
+  EXPECT_TRUE(open_recording(bag, options)->next().has_value());
+}
+
+TEST(BagRecording, OfTwoSensorsOnATopicTheFirstIsRead) {
+  const test::TemporaryFolder folder;
+  const auto bag = make_mcap_bag(folder.path() / "a.mcap");
+  const std::size_t topic = bag->add_topic("/points", point_cloud2_definition());
+  for (int i = 0; i < 6; ++i) {
+    const char* frame = i % 2 == 0 ? "front" : "rear";
+    bag->write(topic, i, format_point_cloud2(scan_at(i), frame, MessageWriter::Flavour::cdr));
+  }
+  bag->finish();
+  const auto recording = open_recording(folder.path() / "a.mcap");
+  recording->skip(1);
+  for (const int i : {2, 4}) {
+    const auto item = recording->next();
+    ASSERT_TRUE(item.has_value() && item->scan.has_value());
+    EXPECT_EQ(item->scan->stamp_ns, scan_at(i).stamp_ns);
+  }
+  EXPECT_FALSE(recording->next().has_value());
+  const std::string notes = test::joined(recording->notes());
+  EXPECT_NE(notes.find("frame 'front' is read; left out: frame 'rear'"), std::string::npos)
+      << notes;
+  ASSERT_EQ(recording->losses().size(), 1U);
+  EXPECT_EQ(recording->losses().front(), "3 messages of other sensors on the topic left out");
+}
+
+TEST(BagRecording, PointsOfAWorldsFrameAreNoScans) {
+  const test::TemporaryFolder folder;
+  const auto noted = [&](const char* topic, const char* frame) {
+    const auto bag = make_mcap_bag(folder.path() / "a.mcap");
+    bag->write(bag->add_topic(topic, point_cloud2_definition()), 0,
+               format_point_cloud2(scan_at(0), frame, MessageWriter::Flavour::cdr));
+    bag->finish();
+    const auto recording = open_recording(folder.path() / "a.mcap");
+    return test::joined(recording->notes()).find("no scans as measured") != std::string::npos;
+  };
+  EXPECT_TRUE(noted("/points", "odom"));
+  EXPECT_TRUE(noted("/points", "robot/camera_init"));
+  EXPECT_TRUE(noted("/utlidar/cloud_deskewed", "lidar"));
+  EXPECT_FALSE(noted("/points", "mapping_lidar"));
+}
+
 TEST(BagRecording, SkipAndMessagesThatAreBad) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.mcap";

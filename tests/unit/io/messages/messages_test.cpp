@@ -209,7 +209,7 @@ std::string livox(bool cdr, std::int64_t base) {
   std::string m = cdr ? kCdr : word(0);
   m += word(100) + word(0) + (cdr ? word(2) + "l" + zeros(1) : word(1) + "l");
   if (cdr) m = padded(m, 8);
-  m += little(base) + word(3) + zeros(4) + word(3);
+  m += little(base) + word(3) + "\x02" + zeros(3) + word(3);
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (cdr) m = padded(m, 4);
     m += word(i * 1'000'000) + little(1.0F) + little(2.0F) + little(static_cast<float>(i));
@@ -225,6 +225,7 @@ TEST(LivoxMessage, BothDrivers) {
         read_cloud(cdr ? "livox_ros_driver2/CustomMsg" : "livox_ros_driver/CustomMsg",
                    cdr ? Encoding::cdr : Encoding::ros1, bytes_of(bytes));
     EXPECT_EQ(cloud.stamp_ns, 100'000'000'003);
+    EXPECT_EQ(sensor_of(cloud), "frame 'l', LiDAR 2");
     const BuiltScan built =
         build_scan(cloud.table, find_scan_columns(cloud.table, {}),
                    PointTimeRule{TimeUnit::nanoseconds, TimeReference::relative, true},
