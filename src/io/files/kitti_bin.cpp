@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/files/kitti_bin.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "io/recording.hpp"
 
@@ -53,10 +55,29 @@ bool has_rings(std::span<const std::byte> file) {
   return oddities_of(table_of(file, kNuScenes)).no_ring == 0;
 }
 
+/// Whether most points, read as KITTI's, have coordinates beyond any LiDAR's or an intensity that
+/// is next to nothing: what is stored are no floats.
+bool are_no_floats(const PointTable& table) {
+  constexpr double kTooFar = 1e6, kNextToNothing = 1e-12;
+  std::vector<bool> odd(table.size, false);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool is_intensity = i + 1 == table.columns.size();
+    for_each_value(table.columns[i], table.size, [&](std::size_t k, auto value) {
+      const double size = std::abs(static_cast<double>(value));
+      if (is_intensity ? size > 0.0 && size < kNextToNothing : size > kTooFar) odd[k] = true;
+    });
+  }
+  return 2 * static_cast<std::size_t>(std::count(odd.begin(), odd.end(), true)) > table.size;
+}
+
 }  // namespace
 
 PointTable parse_kitti_bin(std::span<const std::byte> file) {
   if (has_rings(file)) return table_of(file, kNuScenes);
+  if (are_no_floats(table_of(file, kKitti))) {
+    throw ReadError(
+        ".bin: neither KITTI's nor nuScenes' float32 values (NCLT's uint16?); convert it to PCD");
+  }
   constexpr const char* kExpected =
       "; expected float32 x y z intensity a point (KITTI) or x y z intensity ring (nuScenes)";
   if (file.size() % (kKitti * sizeof(float)) != 0) {

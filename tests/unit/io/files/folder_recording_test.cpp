@@ -155,6 +155,20 @@ TEST(FolderRecording, BinFilesOfOtherWidthsAreToldByTheirValues) {
                  }));
   const ScanItem other = read_all(coloured.path())[0];
   EXPECT_NE(other.error.find("are below zero; expected float32"), std::string::npos) << other.error;
+
+  // NCLT's: uint16 x y z of 5 mm from -100 m on, uint8 intensity, uint8 laser.
+  std::string nclt;
+  for (int i = 0; i < 101; ++i) {
+    const auto add = [&](int value) { nclt += {char(value & 0xFF), char(value >> 8)}; };
+    add(20'000 + 37 * i);
+    add(20'000 - 41 * i);
+    add(19'000 + i);
+    nclt += {char(i), char(i % 32)};
+  }
+  const TemporaryFolder michigan;
+  michigan.write("0.bin", nclt);
+  const std::string error = read_all(michigan.path())[0].error;
+  EXPECT_NE(error.find("NCLT"), std::string::npos) << error;
 }
 
 TEST(FolderRecording, WrongStampsFiles) {
