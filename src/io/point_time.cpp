@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/point_time.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
+#include <string_view>
 
 #include "surefoot/seconds.hpp"
 
@@ -158,6 +162,23 @@ const char* text_of(TimeReference reference) {
       "the times out");
 }
 
+// What a name such as "timestamp_ns" ends with.
+std::optional<TimeUnit> unit_named_by(std::string_view name) {
+  if (name.ends_with("_ns")) return TimeUnit::nanoseconds;
+  if (name.ends_with("_us")) return TimeUnit::microseconds;
+  if (name.ends_with("_ms")) return TimeUnit::milliseconds;
+  return std::nullopt;
+}
+
+// Between two values of a float32 that are as far from zero.
+double step_of(const TimeExtents& extents, ScalarType type) {
+  if (type != ScalarType::f32) return 0.0;
+  const auto value =
+      static_cast<float>(std::max(std::abs(extents.least), std::abs(extents.greatest)));
+  const float next = std::nextafter(value, std::numeric_limits<float>::infinity());
+  return static_cast<double>(next) - static_cast<double>(value);
+}
+
 }  // namespace
 
 OpenOptions with_defined_unit(OpenOptions options, const PointTable& table, const Column& time) {
@@ -165,9 +186,9 @@ OpenOptions with_defined_unit(OpenOptions options, const PointTable& table, cons
   const bool is_livox = time.name == "offset_time" && has("tag") && has("line");
   const bool is_ouster = time.name == "t" && has("reflectivity") && has("range");
   const bool is_defined = time.type == ScalarType::u32 && (is_livox || is_ouster);
-  if (is_defined && options.time_unit == TimeUnit::automatic) {
-    options.time_unit = TimeUnit::nanoseconds;
-  }
+  if (options.time_unit != TimeUnit::automatic) return options;
+  if (const auto named = unit_named_by(time.name)) options.time_unit = *named;
+  if (is_defined) options.time_unit = TimeUnit::nanoseconds;
   return options;
 }
 
@@ -188,6 +209,7 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
   }
   rule.unit = *unit;
   rule.spread = extents.greatest - extents.least;
+  rule.step = step_of(extents, type);
   rule.unit_certain = options.time_unit != TimeUnit::automatic || unit_by_epoch(extents) ||
                       rule.unit == TimeUnit::nanoseconds ||
                       rule.spread <= kLongestSure * facts_of(rule.unit).per_second;
@@ -204,12 +226,27 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
   return rule;
 }
 
+namespace {
+
+std::string coarseness(const PointTimeRule& rule) {
+  constexpr double kTold = 0.02;  // of a sweep
+  if (rule.step <= kTold * rule.spread) return {};
+  char text[100];
+  std::snprintf(text, sizeof(text), "; float32 holds these times in steps of %.3g ms%s",
+                1e3 * rule.step / facts_of(rule.unit).per_second,
+                rule.is_too_coarse() ? ", too coarse for a sweep: they are left out" : "");
+  return text;
+}
+
+}  // namespace
+
 std::string describe_point_time(const std::string& field, ScalarType type,
                                 const PointTimeRule& rule, const TimeExtents& extents) {
   const double duration = (extents.greatest - extents.least) / facts_of(rule.unit).per_second;
   const bool usual = duration == 0.0 || (duration >= kShortest && duration <= kNear);
   return "time field '" + field + "': " + name_of(type) + ", " + facts_of(rule.unit).name +
          text_of(rule.reference) + number(extents.least) + " .. " + number(extents.greatest) +
+         coarseness(rule) +
          (usual ? "" : "; a scan of " + number(duration) + " s is unusual, 0.01 to 1 s expected");
 }
 

@@ -35,6 +35,10 @@ struct PointTimeRule {
   /// a sensor's first packets. Then the longest of several scans knows best.
   bool unit_certain = true;
   double spread = 0.0;  ///< of the values that it is from
+  double step = 0.0;    ///< of these as their type holds them; 0: no matter
+
+  /// Absolute times in a float32 may be no times: nearly all points of a sweep have the same few.
+  [[nodiscard]] bool is_too_coarse() const { return spread > 0.0 && 4.0 * step > spread; }
 };
 
 /// Whether a scan's rule is to be believed instead of that of one before.
@@ -54,7 +58,7 @@ struct PointTimeRule {
 }
 
 /// The options with the unit of a time field that is defined by who made the points: Livox's
-/// offset_time and Ouster's t are in nanoseconds, however short a scan is.
+/// offset_time and Ouster's t are in nanoseconds, however short a scan is; time_us says it.
 [[nodiscard]] OpenOptions with_defined_unit(OpenOptions options, const PointTable& table,
                                             const Column& time);
 

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <utility>
 
 #include "geometry/returns.hpp"
+#include "io/printable.hpp"
 #include "io/recording_filter.hpp"
 #include "io/recording_summary.hpp"
+#include "io/scan_builder.hpp"
 
 namespace surefoot::io {
 
@@ -21,9 +24,9 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 constexpr const char* kNoTimes =
     "point times: none in these scans, so that nothing can be deskewed: where the sensor moves the "
-    "error may grow a hundredfold. If the LiDAR spins, --derive-times azimuth (with --spin and "
-    "--cut) "
-    "gives them";
+    "error may grow a hundredfold. ";
+constexpr const char* kDeriveThem =
+    "If the LiDAR spins, --derive-times azimuth (with --spin and --cut) gives them";
 constexpr const char* kEqualTimes =
     "point times: all equal in a scan, so that nothing can be deskewed: where the sensor moves the "
     "error may grow a hundredfold. If the LiDAR spins, --derive-times azimuth (with --spin and "
@@ -39,6 +42,33 @@ constexpr const char* kBackward =
 constexpr int kWatched = 20, kHabit = 3;
 // Scans that are looked at before the first is given out: their stamps tell the period.
 constexpr std::size_t kLookAhead = 10;
+
+// A field whose name sounds like times, of a layout as PointTable tells it, but not one that is
+// read as such; empty: none.
+std::string time_like_field(std::string_view layout) {
+  const std::size_t begin = layout.find(": ");
+  if (begin == std::string_view::npos) return {};
+  for (std::string_view rest = layout.substr(begin + 2); !rest.empty();) {
+    const std::size_t end = rest.find(", ");
+    const std::string_view field = rest.substr(0, end);
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 2);
+    const std::string_view name = field.substr(0, field.rfind(' '));
+    std::string plain(name);
+    for (char& c : plain) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const auto has = [&](const char* word) { return plain.find(word) != std::string::npos; };
+    if ((has("time") || has("stamp") || has("offset")) && !is_time_name(name)) {
+      return std::string(name);
+    }
+  }
+  return {};
+}
+
+std::string no_times_text(std::string_view layout) {
+  const std::string field = time_like_field(layout);
+  return kNoTimes + (field.empty() ? kDeriveThem
+                                   : "Is it the field '" + printable(field) + "'? --time-field " +
+                                         shell_word(field) + " reads it");
+}
 
 double azimuth_of(const Eigen::Vector3f& point) {
   return std::atan2(static_cast<double>(point.y()), static_cast<double>(point.x()));
@@ -60,7 +90,7 @@ class WatchedRecording : public RecordingFilter {
   std::optional<ScanItem> next() override {
     std::optional<ScanItem> item = take();
     if (item && item->scan) {
-      watch(*item->scan);
+      watch(*item->scan, item->layout);
       // Times of another making count from another instant.
       const bool made = options_.time_direction == TimeDirection::backward ||
                         options_.derive_times == DeriveTimes::azimuth || options_.rows > 0;
@@ -105,7 +135,7 @@ class WatchedRecording : public RecordingFilter {
          std::to_string(period_ns_ / 1000) + " us");
   }
 
-  void watch(Scan& scan) {
+  void watch(Scan& scan, const std::string& layout) {
     if (options_.time_direction == TimeDirection::none) {
       scan.times_ns.clear();
       return;
@@ -126,7 +156,7 @@ class WatchedRecording : public RecordingFilter {
         times == PointTimes::there && spin_of(scan) == std::optional(Spin::counterclockwise);
     odd_ = times != PointTimes::there || backward ? odd_ + 1 : 0;
     if (odd_ < kHabit) return;
-    note(backward ? kBackward : times == PointTimes::none ? kNoTimes : kEqualTimes);
+    note(backward ? kBackward : times == PointTimes::none ? no_times_text(layout) : kEqualTimes);
     said_ = true;
   }
 

@@ -15,8 +15,9 @@
 namespace surefoot::io {
 namespace {
 
-constexpr std::array<std::string_view, 8> kTimeNames = {
-    "t", "time", "timestamp", "time_stamp", "offset_time", "time_offset", "timeoffset", "stamp"};
+constexpr std::array<std::string_view, 11> kTimeNames = {
+    "t",          "time",  "timestamp", "time_stamp",     "offset_time", "time_offset",
+    "timeoffset", "stamp", "time_us",   "time_offset_ns", "timestamp_ns"};
 // Where LOAM's descendants put milliseconds; in other clouds it is what it says.
 constexpr std::string_view kCurvature = "curvature";
 constexpr double kLeastMilliseconds = 10.0;  // of a scan; no curvature spreads as far
@@ -297,9 +298,12 @@ ScanColumns find_scan_columns(const PointTable& table, const OpenOptions& option
   return columns;
 }
 
+bool is_time_name(std::string_view name) {
+  return std::count(kTimeNames.begin(), kTimeNames.end(), plain_name(name)) > 0;
+}
+
 bool may_be_times(const PointTable& table, const Column& column) {
-  const std::string name = plain_name(column.name);
-  if (name != kCurvature) return std::count(kTimeNames.begin(), kTimeNames.end(), name) > 0;
+  if (plain_name(column.name) != kCurvature) return is_time_name(column.name);
   return times_in_curvature(table, column);
 }
 
@@ -351,6 +355,7 @@ BuiltScan build_scan(const PointTable& table, const ScanColumns& columns,
   if (!stamp_ns && rule->reference == TimeReference::absolute) {
     scan.stamp_ns = sane_time(times.least);
   }
+  if (rule->is_too_coarse()) return built;
   const std::int64_t origin = origin_of(times, rule->reference, scan.stamp_ns, stamp_at);
   check_offsets(times, origin);
   if (rule->reference != TimeReference::relative) {

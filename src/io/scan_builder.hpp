@@ -42,6 +42,9 @@ struct BuiltScan {
   std::optional<PointClock> clock;
 };
 
+/// Whether a field of this name is read as point times.
+[[nodiscard]] bool is_time_name(std::string_view name);
+
 /// Whether a table without other point times would have its times in that column.
 [[nodiscard]] bool may_be_times(const PointTable& table, const Column& column);
 

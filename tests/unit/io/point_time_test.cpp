@@ -129,6 +129,23 @@ TEST(PointTimeRules, TwoScansOfOneLengthConfirmEachOther) {
   EXPECT_FALSE(confirms(rule(0.1, 0.2, 100'000'000), vague)) << "relative or absolute, both fit";
 }
 
+TEST(PointTimeRules, AbsoluteTimesInAFloat32AreCoarse) {
+  const auto uptime = [](double since, ScalarType type) {
+    const TimeExtents extents{since, since + 0.125, 100};
+    const PointTimeRule rule = decide_point_time(extents, type, kEpochNs, {});
+    return std::pair(rule.is_too_coarse(), describe_point_time("time", type, rule, extents));
+  };
+  const auto [day_is_too_coarse, day] = uptime(1e5, f32);
+  EXPECT_FALSE(day_is_too_coarse);
+  EXPECT_NE(day.find("in steps of 7.81 ms"), std::string::npos) << day;
+  const auto [weeks_are_too_coarse, weeks] = uptime(1e6, f32);
+  EXPECT_TRUE(weeks_are_too_coarse);
+  EXPECT_NE(weeks.find("in steps of 62.5 ms, too coarse"), std::string::npos) << weeks;
+  EXPECT_FALSE(uptime(1e6, f64).first);
+  EXPECT_EQ(uptime(1e6, f64).second.find("steps"), std::string::npos);
+  EXPECT_EQ(uptime(100.0, f32).second.find("steps"), std::string::npos);
+}
+
 TEST(PointTimeRules, UnitsThatAreDefined) {
   const auto unit_of = [](const char* time, ScalarType type, const char* other, const char* more) {
     PointTable table;
@@ -137,6 +154,8 @@ TEST(PointTimeRules, UnitsThatAreDefined) {
   };
   EXPECT_EQ(unit_of("offset_time", u32, "tag", "line"), nanoseconds);
   EXPECT_EQ(unit_of("t", u32, "reflectivity", "range"), nanoseconds);
+  EXPECT_EQ(unit_of("time_us", u32, "intensity", "ring"), microseconds);
+  EXPECT_EQ(unit_of("timestamp_ns", u32, "intensity", "ring"), nanoseconds);
   EXPECT_EQ(unit_of("t", u32, "intensity", "ring"), automatic);
   EXPECT_EQ(unit_of("t", f32, "reflectivity", "range"), automatic);
   OpenOptions options;

@@ -63,6 +63,21 @@ TEST(PointTimeWatch, SaysOnceThatThereAreNoTimesOrThatAllAreEqual) {
   EXPECT_NE(notes_of(scan)[1].find("--derive-times azimuth"), std::string::npos);
 }
 
+TEST(PointTimeWatch, NamesAFieldThatMayHoldThem) {
+  const test::TemporaryFolder folder;
+  std::string file =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z Laser_Time\nSIZE 4 4 4 4\n"
+      "TYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
+      "1 2 3 0\n2 3 4 0.05\n3 4 5 0.1\n";
+  for (const char* name : {"s/1.pcd", "s/2.pcd", "s/3.pcd"}) folder.write(name, file);
+  folder.write("s/times.txt", "1\n2\n3\n");
+  const auto recording = open_recording(folder.path() / "s");
+  while (recording->next()) {
+  }
+  const std::string notes = test::joined(recording->notes());
+  EXPECT_NE(notes.find("--time-field Laser_Time"), std::string::npos) << notes;
+}
+
 TEST(PointTimeWatch, SaysThatTimesRunBackward) {
   Scan scan = spinning(0.0, -1.0);
   for (std::int32_t& time : scan.times_ns) time = static_cast<std::int32_t>(kPeriod) - time;
