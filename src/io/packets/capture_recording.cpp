@@ -95,6 +95,10 @@ class CaptureRecording final : public Recording {
   void gather_notes() {
     const std::vector<std::string>& notes = scans().notes();
     for (; gathered_ < notes.size(); ++gathered_) notes_.push_back(notes[gathered_]);
+    const std::vector<std::string>& others = intake_.notes();
+    for (; gathered_others_ < others.size(); ++gathered_others_) {
+      notes_.push_back(others[gathered_others_]);
+    }
   }
 
   // Reads one frame; false at the end.
@@ -130,7 +134,8 @@ class CaptureRecording final : public Recording {
   std::size_t packets_ = 0;
   std::size_t fragments_seen_ = 0;
   std::vector<std::string> notes_;
-  std::size_t gathered_ = 0;  ///< of the scans' notes
+  std::size_t gathered_ = 0;         ///< of the scans' notes
+  std::size_t gathered_others_ = 0;  ///< of other sensors
   bool ended_ = false;
   PacketNumbers numbers_;
   std::optional<std::uint64_t> parts_begin_;  ///< number of the frame, of the next datagram's

@@ -8,6 +8,14 @@ namespace {
 constexpr std::size_t kPositionPacketBytes = 512;
 constexpr std::uint16_t kPositionPort = 8308;
 
+std::string address_text(std::uint32_t address) {
+  std::string text;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    text += (text.empty() ? "" : ".") + std::to_string(address >> shift & 0xFF);
+  }
+  return text;
+}
+
 }  // namespace
 
 void PacketIntake::add(std::int64_t arrival_ns, const UdpDatagram& datagram) {
@@ -23,6 +31,7 @@ void PacketIntake::add(std::int64_t arrival_ns, const UdpDatagram& datagram) {
              (counts_.data_packets > 0 && stream != stream_)) {
     ++counts_.other;
     remember_traffic(datagram);
+    look_for_another(datagram);
   } else {
     use(arrival_ns, datagram);
   }
@@ -33,6 +42,7 @@ void PacketIntake::use(std::int64_t arrival_ns, const UdpDatagram& datagram) {
     case PacketUse::used:
       // The first sensor's; a second one's would be mixed up with them.
       stream_ = {datagram.source_address, datagram.destination_port};
+      data_bytes_ = datagram.payload.size();
       ++counts_.data_packets;
       break;
     case PacketUse::malformed:
@@ -45,6 +55,20 @@ void PacketIntake::use(std::int64_t arrival_ns, const UdpDatagram& datagram) {
       remember_traffic(datagram);
       break;
   }
+}
+
+// From another address: what one sensor sends to another port may be as long and no data.
+void PacketIntake::look_for_another(const UdpDatagram& datagram) {
+  constexpr std::size_t kMostNamed = 10;
+  const Stream stream = {datagram.source_address, datagram.destination_port};
+  const bool is_asked = port_ == 0 || datagram.destination_port == port_;
+  if (!is_asked || stream.first == stream_.first || datagram.payload.size() != data_bytes_ ||
+      others_.size() >= kMostNamed || !others_.insert(stream).second) {
+    return;
+  }
+  notes_.push_back("another " + scans_.sensor() + " at " + address_text(stream.first) + ":" +
+                   std::to_string(stream.second) + ", not read" +
+                   (stream.second != stream_.second ? " (--udp-port takes another port)" : ""));
 }
 
 void PacketIntake::remember_traffic(const UdpDatagram& datagram) {

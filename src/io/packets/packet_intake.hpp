@@ -7,8 +7,10 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/packets/packet_scans.hpp"
 #include "io/packets/udp_datagram.hpp"
@@ -34,6 +36,8 @@ class PacketIntake {
   [[nodiscard]] CaptureCounts counts() const;
   /// What there was instead of a sensor's data, for messages: "; most are of 512 bytes to port 9".
   [[nodiscard]] std::string traffic_seen() const;
+  /// Other sensors of the kind, which are not read. Grows while packets are added.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   /// " to UDP port 2368" where only that one is listened to.
   [[nodiscard]] std::string port_text() const;
 
@@ -43,11 +47,15 @@ class PacketIntake {
 
   void use(std::int64_t arrival_ns, const UdpDatagram& datagram);
   void remember_traffic(const UdpDatagram& datagram);
+  void look_for_another(const UdpDatagram& datagram);
 
   std::uint16_t port_;
   PacketScans scans_;
   CaptureCounts counts_;
   Stream stream_ = {};
+  std::size_t data_bytes_ = 0;  ///< of a data packet
+  std::set<Stream> others_;     ///< that send as many
+  std::vector<std::string> notes_;
   std::map<std::pair<std::uint16_t, std::size_t>, std::size_t> traffic_;  ///< by port and size
 };
 

@@ -334,6 +334,11 @@ TEST(Capture, ASecondSensorIsLeftOut) {
   EXPECT_FALSE(recording->next());
   EXPECT_EQ(recording->capture_counts().data_packets, 75U);
   EXPECT_EQ(recording->capture_counts().other, 75U);
+  const std::string notes = test::joined(recording->notes());
+  const std::size_t told = notes.find("another VLP-16 at ");
+  ASSERT_NE(told, std::string::npos) << notes;
+  EXPECT_NE(notes.find(".2:2368, not read"), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("another", told + 1), std::string::npos) << "once: " << notes;
 }
 
 TEST(Capture, MetadataAreFoundByANameThatIsAlike) {
