@@ -155,6 +155,9 @@ std::unique_ptr<Recording> open_any(const std::filesystem::path& path, const Ope
                     ": packet captures cannot be read: built without libpcap (SUREFOOT_PCAP=OFF)");
 #endif
   }
+  if (path.extension() == ".yaml") {
+    throw ReadError(path.string() + ": is no recording; a run.yaml is repeated by --config");
+  }
   throw ReadError(path.string() + ": extension '" + path.extension().string() +
                   "'; expected a folder of scans, or a .pcd, .ply, .bin, .las, .pcap, .pcapng, "
                   ".bag, .db3 or .mcap file, or one that begins as these do");

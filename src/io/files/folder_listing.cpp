@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "io/counted.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::io {
@@ -63,6 +65,29 @@ Sorted sort_folder(const std::filesystem::path& folder) {
     throw ReadError(folder.string() + ": cannot list it: " + error.message());
   }
   return sorted;
+}
+
+// Folders below, a few levels deep, that hold scans or captures: "a/b, a/c". Not all are looked at.
+std::string folders_with_scans(const std::filesystem::path& folder) {
+  constexpr int kDeepest = 4;
+  constexpr std::size_t kMostEntries = 10'000, kMostNamed = 5;
+  std::set<std::string> found;
+  std::error_code error;
+  std::size_t entries = 0;
+  for (std::filesystem::recursive_directory_iterator it(folder, error), end;
+       !error && it != end && ++entries < kMostEntries && found.size() < kMostNamed;
+       it.increment(error)) {
+    std::error_code ignored;
+    if (it.depth() >= kDeepest) it.disable_recursion_pending();
+    const std::filesystem::path& file = it->path();
+    if (it.depth() == 0 || !it->is_regular_file(ignored)) continue;
+    if (scan_file_kind(file) || is_capture(file)) {
+      found.insert(printable(file.parent_path().lexically_relative(folder).string()));
+    }
+  }
+  std::string names;
+  for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;
+  return names;
 }
 
 ScanFileKind kind_of_format(const std::string& format) {
@@ -137,8 +162,10 @@ FolderListing list_folder(const std::filesystem::path& path, const std::string& 
     }
   }
   if (listing.files.empty()) {
+    const std::string below = folders_with_scans(path);
     throw ReadError(
         path.string() + ": " + counts +
+        (below.empty() ? "" : "; there are some in " + below + ": name the folder") +
         (format.empty() ? "" : ", but format " + format + " is asked for") +
         "; expected a folder of PCD, PLY, KITTI .bin or LAS files or of a bag, or one capture");
   }

@@ -102,6 +102,17 @@ std::string notes_of(const std::filesystem::path& path, const OpenOptions& optio
   return text;
 }
 
+TEST(OpenRecording, ScansThatLieDeeperAndARunsParametersAreNamed) {
+  const test::TemporaryFolder folder;
+  folder.write("drive/lidar/top/1.pcd", "");
+  const std::string deeper =
+      test::message_of<ReadError>([&] { (void)open_recording(folder.path() / "drive"); });
+  EXPECT_NE(deeper.find("there are some in lidar/top"), std::string::npos) << deeper;
+  const auto file = folder.write("out/run.yaml", "surefoot: 0.1.0\n");
+  const std::string yaml = test::message_of<ReadError>([&] { (void)open_recording(file); });
+  EXPECT_NE(yaml.find("--config"), std::string::npos) << yaml;
+}
+
 TEST(OpenRecording, OptionsThatSayNothingAboutItAreNoted) {
   const TemporaryFolder folder;
   folder.write("a.bin", kitti_scan(1));
