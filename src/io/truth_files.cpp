@@ -97,6 +97,17 @@ void add_w_first(Truth& truth, const Words& words, std::size_t first, std::size_
   add_pose(truth, pose, first, line, stamp_ns);
 }
 
+/// MulRan's, and not any 13 columns, as Boreas has them.
+void add_stamped_matrix(Truth& truth, const Words& words, std::size_t line, const RowTimes& times) {
+  try {
+    truth.poses.push_back(
+        {stamp_of(words[0], line, times), pose_of_kitti_row(std::span(words).subspan(1), line)});
+  } catch (const ReadError& error) {
+    throw ReadError(std::string(error.what()) +
+                    "; of 13 columns expected a time and the rows of a 3x4 matrix (MulRan's)");
+  }
+}
+
 void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes& times,
              bool w_first) {
   const auto add = w_first ? add_w_first : add_pose;
@@ -121,9 +132,7 @@ void add_row(Truth& truth, const Words& words, std::size_t line, const RowTimes&
           {static_cast<std::int64_t>(truth.poses.size()), pose_of_kitti_row(words, line)});
       return;
     case 13:
-      truth.poses.push_back(
-          {stamp_of(words[0], line, times), pose_of_kitti_row(std::span(words).subspan(1), line)});
-      return;
+      return add_stamped_matrix(truth, words, line, times);
     case 17:
       return add_w_first(truth, words, 1, line, stamp_of(words[0], line, times));
     default:

@@ -160,6 +160,12 @@ TEST(Truth, KittiRawsRecordsBecomePoses) {
   EXPECT_EQ(truth.T_lidar_truth.translation, Eigen::Vector3d(-0.8, 0.3, -0.8));
 }
 
+TEST(Truth, ThirteenColumnsThatAreNoMatrixAreToldSo) {
+  const std::string boreas = "1048955000,-14.7,-29.9,0.4,0,0,0,-0.006,-0.01,-0.03,0,0,0\n";
+  const std::string error = test::message_of<ReadError>([&] { (void)parse_truth_table(boreas); });
+  EXPECT_NE(error.find("rows of a 3x4 matrix (MulRan's)"), std::string::npos) << error;
+}
+
 TEST(Datasets, EachHasAllThatAUserMustKnow) {
   for (const Dataset& set : datasets()) {
     EXPECT_FALSE(set.what.empty()) << set.name;
