@@ -121,10 +121,11 @@ class Summariser {
       intensities_.push_back(spread_of(intensities));
     }
     if (not_finite > 0) {
-      note_oddity("points that are NaN or infinite", name + ": " + std::to_string(not_finite));
+      note_oddity("scans with points that are NaN or infinite",
+                  name + ": " + std::to_string(not_finite));
     }
     if (zero > 0) {
-      note_oddity("points that are zero", name + ": " + std::to_string(zero));
+      note_oddity("scans with points that are zero", name + ": " + std::to_string(zero));
     }
   }
 

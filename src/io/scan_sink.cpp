@@ -102,8 +102,8 @@ class FileSink final : public ScanSink {
     std::string text =
         one_file_ ? "lost: the scan's stamp, which a file alone has no room for" : "";
     if (format_ != ScanFormat::las) return text;
-    return text + (text.empty() ? "" : "\n") +
-           "lost: digits below the millimetre, and points that are not finite";
+    return text + (text.empty() ? "" : "\n") + "lost: digits below the millimetre" +
+           (lost_points_ ? ", and points that are not finite" : "");
   }
 
   void finish() override {
@@ -130,11 +130,12 @@ class FileSink final : public ScanSink {
     stamps_ += format_seconds(scan.stamp_ns) + '\n';
   }
 
-  static std::vector<Eigen::Vector3d> finite_points(const Scan& scan) {
+  std::vector<Eigen::Vector3d> finite_points(const Scan& scan) {
     std::vector<Eigen::Vector3d> points;
     for (const Eigen::Vector3f& point : scan.points) {
       if (point.allFinite()) points.push_back(point.cast<double>());
     }
+    lost_points_ = lost_points_ || points.size() < scan.points.size();
     return points;
   }
 
@@ -157,6 +158,7 @@ class FileSink final : public ScanSink {
   bool one_file_;
   std::string stamps_;
   std::size_t scans_ = 0;
+  bool lost_points_ = false;  ///< of LAS: those that are not finite
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "io/bags/mcap_writer.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "io/file_writer.hpp"
 
@@ -33,7 +35,7 @@ void append_map(std::string& out, const McapWriter::Metadata& map) {
 
 McapWriter::McapWriter(const std::filesystem::path& file, McapOptions options)
     : path_(file), options_(std::move(options)), file_(file, std::ios::binary) {
-  if (!file_) throw WriteError(path_.string() + ": cannot be written");
+  if (!file_) throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
   put(mcap::kMagic);
   std::string body;
   append_string(body, options_.profile);

@@ -180,7 +180,8 @@ TEST(FolderRecording, PointsThatAreNoReturnsAreNotSaidToLackTimes) {
   EXPECT_EQ(summary.points.median, 6.0);
   for (const Oddity& oddity : summary.oddities) {
     EXPECT_EQ(oddity.what.find("usable time"), std::string::npos) << oddity.what;
-    EXPECT_TRUE(oddity.what != "points that are NaN or infinite" || oddity.first == "0.pcd: 3");
+    EXPECT_TRUE(oddity.what != "scans with points that are NaN or infinite" ||
+                oddity.first == "0.pcd: 3");
   }
 }
 
