@@ -19,12 +19,19 @@ namespace surefoot::io {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// Bytes of the mark that some editors put before UTF-8: 3, or none.
+[[nodiscard]] inline std::size_t byte_order_mark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
 /// Reads a text line by line and knows where it is. Lines end with LF or CRLF.
 class LineReader {
  public:
   /// `lines_before`: of the file that the text is a part of.
   explicit LineReader(std::string_view text, std::size_t lines_before = 0)
-      : text_(text), line_number_(lines_before) {}
+      : text_(text),
+        offset_(lines_before == 0 ? byte_order_mark(text) : 0),
+        line_number_(lines_before) {}
 
   /// Moves to the next line; false at the end of the text.
   [[nodiscard]] bool next(std::string_view& line);
@@ -35,7 +42,7 @@ class LineReader {
 
  private:
   std::string_view text_;
-  std::size_t offset_ = 0;
+  std::size_t offset_;
   std::size_t line_number_;
 };
 

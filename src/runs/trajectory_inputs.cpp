@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "io/ascii_values.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/column_names.hpp"
 #include "io/printable.hpp"
@@ -49,7 +50,9 @@ void for_rows(const fs::path& file, Take&& take) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return;  // its reader says what it is
   std::ifstream stream(file);
+  bool first = true;
   for (std::string line; std::getline(stream, line);) {
+    if (std::exchange(first, false)) line.erase(0, io::byte_order_mark(line));
     const std::size_t begin = line.find_first_not_of(" \t\r");
     if (begin == std::string::npos || line[begin] == '#') continue;
     const bool names = std::isalpha(static_cast<unsigned char>(line[begin])) != 0;
@@ -157,6 +160,17 @@ ReferenceTrajectory read_reference(const ReferenceRequest& request) {
 
 namespace {
 
+/// An estimate that has stamps cannot be paired with a reference that has none.
+void refuse_stamped(const fs::path& file, const ReferenceTrajectory& reference) {
+  if (reference.format != TrajectoryFormat::kitti || columns_of(file) != 8) return;
+  std::error_code ignored;
+  const fs::path rows = file.parent_path() / kKittiTrajectoryFile;
+  throw io::ReadError(
+      file.string() + ": has stamps, and the reference " + reference.file.string() + " has none" +
+      (reference.is_foreign ? "" : "; --dataset kitti takes them from its sequence's times.txt") +
+      (fs::exists(rows, ignored) ? ", or take " + rows.string() + ", pose by pose" : ""));
+}
+
 /// An estimate that is neither TUM's nor KITTI's.
 Trajectory read_table(const fs::path& file, const ReferenceTrajectory& reference,
                       const std::string& topic) {
@@ -178,6 +192,7 @@ Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& refere
                          const std::string& topic) {
   refuse_recording(path);
   const fs::path file = trajectory_file(path);
+  refuse_stamped(file, reference);
   Trajectory estimate = is_table(file, !reference.is_format_given)
                             ? read_table(file, reference, topic)
                             : read_trajectory(file, reference.format);

@@ -75,5 +75,34 @@ TEST(TrajectoryInputs, WholeTimesThatAreNoSecondsAreRead) {
   EXPECT_EQ(read().back().stamp_ns, 2'000'000'000);
 }
 
+TEST(TrajectoryInputs, AMarkOfUtf8BeforeTheFirstLineIsNoPartOfIt) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "marked.tum";
+  for (const char* begin : {"\xEF\xBB\xBF", "\xEF\xBB\xBF# t x y z qx qy qz qw\n"}) {
+    std::ofstream(file) << begin << "1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n";
+    ReferenceRequest request;
+    request.path = file;
+    EXPECT_EQ(read_reference(request).truth.poses.size(), 2U);
+  }
+}
+
+TEST(TrajectoryInputs, StampsAgainstAReferenceWithoutAreToldAsThat) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "stamped_run";
+  std::filesystem::create_directories(folder);
+  const auto truth = std::filesystem::path(testing::TempDir()) / "00.txt";
+  std::ofstream(truth) << "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n";
+  std::ofstream(folder / "trajectory.tum") << "1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n";
+  std::ofstream(folder / "trajectory_kitti.txt") << "1 0 0 0 0 1 0 0 0 0 1 0\n";
+  ReferenceRequest request;
+  request.path = truth;
+  try {
+    (void)read_estimate(folder, read_reference(request));
+    FAIL() << "is read";
+  } catch (const io::ReadError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("--dataset kitti"), std::string::npos) << text;
+    EXPECT_NE(text.find("trajectory_kitti.txt"), std::string::npos) << text;
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::runs
