@@ -100,6 +100,10 @@ std::optional<Pose> FinishedWalk::correction(std::int64_t time_ns) const {
   return correction_at(pieces_, poses_, time_ns);
 }
 
+std::size_t FinishedWalk::frame_at(std::int64_t time_ns) const {
+  return frames_.empty() ? 0 : frames_[piece_at(time_ns)];
+}
+
 std::vector<FramePoses> FinishedWalk::corrected(const Trajectory& measured) const {
   std::vector<FramePoses> result;
   WalkClock clock;
@@ -107,7 +111,7 @@ std::vector<FramePoses> FinishedWalk::corrected(const Trajectory& measured) cons
     const std::int64_t time_ns = clock.next(pose.stamp_ns);
     const std::optional<Pose> T_map_odometry = correction(time_ns);
     if (!T_map_odometry) continue;
-    const std::size_t frame = frames_.empty() ? 0 : frames_[piece_at(time_ns)];
+    const std::size_t frame = frame_at(time_ns);
     if (result.empty() || result.back().frame != frame) result.push_back({frame, {}});
     result.back().poses.push_back({pose.stamp_ns, *T_map_odometry * pose.pose});
   }

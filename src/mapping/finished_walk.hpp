@@ -43,6 +43,8 @@ class FinishedWalk {
   /// T_map_odometry at a time along the walk; smooth between the pieces. None where nothing holds
   /// the piece to the map that it was joined to.
   [[nodiscard]] std::optional<Pose> correction(std::int64_t time_ns) const;
+  /// In which frame that is, of those that nothing joins.
+  [[nodiscard]] std::size_t frame_at(std::int64_t time_ns) const;
   /// The odometry's poses, all that the mapper was given, corrected; without those that have none.
   /// Taken apart where the next one is in another frame.
   [[nodiscard]] std::vector<FramePoses> corrected(const Trajectory& measured) const;

@@ -2,76 +2,103 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/map_builder.hpp"
 
-#include <limits>
+#include "surefoot/seconds.hpp"
 
 namespace surefoot::mapping {
 
-bool MapBuilder::forgotten(std::size_t point) const {
-  if (emptied_.empty()) return false;
+bool MapBuilder::forgotten(const Frame& frame, std::size_t point) const {
+  if (frame.emptied.empty()) return false;
   const auto found =
-      emptied_.find(voxel_key(voxel_index(points_[point].cast<double>(), inverse_side_)));
-  return found != emptied_.end() && first_seen_[point] < found->second;
+      frame.emptied.find(voxel_key(voxel_index(points_[point].cast<double>(), inverse_side_)));
+  return found != frame.emptied.end() && first_seen_[point] < found->second;
 }
 
-void MapBuilder::add(const DeskewedScan& scan, const Pose& T_world_lidar, double seconds) {
+template <typename Use>
+void MapBuilder::for_points(const Use& use) const {
+  for (std::size_t s = 0; s < scans_.size(); ++s) {
+    const std::size_t end = s + 1 < scans_.size() ? scans_[s + 1].first_point : points_.size();
+    for (std::size_t i = scans_[s].first_point; i < end; ++i) use(i, scans_[s]);
+  }
+}
+
+void MapBuilder::add(const DeskewedScan& scan, const Pose& T_world_lidar, const When& when) {
   const Eigen::Matrix3d R = T_world_lidar.rotation.toRotationMatrix();
   if (scan.intensities.empty()) {
     has_intensities_ = false;
     intensities_.clear();
   }
+  Frame& frame = frames_[when.frame];
+  scans_.push_back({points_.size(), when});
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const Eigen::Vector3d point = R * scan.points[i].cast<double>() + T_world_lidar.translation;
     const auto next = static_cast<std::uint32_t>(points_.size());
-    std::uint32_t& taken_by = taken_.at(voxel_index(point, inverse_voxel_));
-    if (taken_by != CubeTable::kNone && !forgotten(taken_by)) continue;
+    std::uint32_t& taken_by = frame.taken.at(voxel_index(point, inverse_voxel_));
+    if (taken_by != CubeTable::kNone && !forgotten(frame, taken_by)) continue;
     taken_by = next;
     points_.emplace_back(point.cast<float>());
-    first_seen_.push_back(static_cast<float>(seconds));
+    first_seen_.push_back(static_cast<float>(seconds(when.after_ns)));
     if (has_intensities_) intensities_.push_back(scan.intensities[i]);
   }
 }
 
-void MapBuilder::forget(const Cubes& cubes, double seconds) {
+void MapBuilder::forget(const Cubes& cubes, const When& when) {
   if (cubes.centres.empty()) return;
   inverse_side_ = 1.0 / cubes.side;
+  Frame& frame = frames_[when.frame];
   for (const Eigen::Vector3d& centre : cubes.centres) {
-    emptied_[voxel_key(voxel_index(centre, inverse_side_))] = static_cast<float>(seconds);
+    frame.emptied[voxel_key(voxel_index(centre, inverse_side_))] =
+        static_cast<float>(seconds(when.after_ns));
   }
 }
 
 MapBuilder MapBuilder::corrected(
-    const std::function<std::optional<Pose>(double seconds)>& correction) const {
+    const std::function<std::optional<Correction>(std::int64_t after_ns)>& correction) const {
   MapBuilder moved(voxel_);
   moved.has_intensities_ = has_intensities_;
-  float time = std::numeric_limits<float>::quiet_NaN();  // points come scan by scan
-  std::optional<Pose> by;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (first_seen_[i] != time) {
-      time = first_seen_[i];
-      by = correction(time);
+  const Scan* asked = nullptr;
+  std::optional<Correction> by;
+  Frame* frame = nullptr;
+  for_points([&](std::size_t i, const Scan& scan) {
+    if (&scan != asked) {
+      asked = &scan;
+      by = correction(scan.when.after_ns);
+      if (by) {
+        frame = &moved.frames_[by->frame];
+        moved.scans_.push_back({moved.points_.size(), {scan.when.after_ns, by->frame}});
+      }
     }
-    if (!by) continue;
-    const Eigen::Vector3d point = *by * points_[i].cast<double>();
-    std::uint32_t& taken_by = moved.taken_.at(voxel_index(point, inverse_voxel_));
-    if (taken_by != CubeTable::kNone) continue;
+    if (!by) return;
+    const Eigen::Vector3d point = by->pose * points_[i].cast<double>();
+    std::uint32_t& taken_by = frame->taken.at(voxel_index(point, inverse_voxel_));
+    if (taken_by != CubeTable::kNone) return;
     taken_by = static_cast<std::uint32_t>(moved.points_.size());
     moved.points_.emplace_back(point.cast<float>());
-    moved.first_seen_.push_back(time);
+    moved.first_seen_.push_back(first_seen_[i]);
     if (has_intensities_) moved.intensities_.push_back(intensities_[i]);
-  }
+  });
   return moved;
 }
 
 MapBuilder MapBuilder::without_forgotten() const {
   MapBuilder left(voxel_);
   left.has_intensities_ = has_intensities_;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (forgotten(i)) continue;
+  const Scan* last = nullptr;
+  for_points([&](std::size_t i, const Scan& scan) {
+    if (&scan != last) left.scans_.push_back({left.points_.size(), scan.when});
+    last = &scan;
+    if (forgotten(frames_.at(scan.when.frame), i)) return;
     left.points_.push_back(points_[i]);
     left.first_seen_.push_back(first_seen_[i]);
     if (has_intensities_) left.intensities_.push_back(intensities_[i]);
-  }
+  });
   return left;
+}
+
+std::vector<std::int64_t> MapBuilder::first_seen_ns() const {
+  std::vector<std::int64_t> times;
+  times.reserve(points_.size());
+  for_points([&](std::size_t, const Scan& scan) { times.push_back(scan.when.after_ns); });
+  return times;
 }
 
 }  // namespace surefoot::mapping

@@ -3,7 +3,6 @@
 #include "runs/map_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -118,13 +117,16 @@ report::DrawnLoops MapRun::drawn() const {
 
 void MapRun::write_points(const std::filesystem::path& folder, const mapping::FinishedWalk& walk,
                           const mapping::MapBuilder& map) const {
-  const auto walked_ns = [&](double time) { return clock_.begin_ns() + std::llround(1e9 * time); };
-  const mapping::MapBuilder moved =
-      map.corrected([&](double time) { return walk.correction(walked_ns(time)); });
-  std::vector<std::int64_t> times;
-  for (const float time : moved.first_seen()) {
-    times.push_back(walked_ns(static_cast<double>(time)));
-  }
+  using Correction = mapping::MapBuilder::Correction;
+  const auto correction = [&](std::int64_t after_ns) -> std::optional<Correction> {
+    const std::int64_t time_ns = clock_.begin_ns() + after_ns;
+    const std::optional<Pose> T_map_odometry = walk.correction(time_ns);
+    if (!T_map_odometry) return std::nullopt;
+    return Correction{*T_map_odometry, walk.frame_at(time_ns)};
+  };
+  const mapping::MapBuilder moved = map.corrected(correction);
+  std::vector<std::int64_t> times = moved.first_seen_ns();
+  for (std::int64_t& time : times) time += clock_.begin_ns();
   const std::vector<bool> gone = walk.moved(moved.points(), times);
   std::vector<float> intensities, first_seen;
   std::vector<Eigen::Vector3f> points;

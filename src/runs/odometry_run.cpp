@@ -14,6 +14,7 @@
 
 #include "io/decimal_time.hpp"
 #include "io/scan_selection.hpp"
+#include "mapping/placed_scans.hpp"
 #include "mapping/pose_graph_solver.hpp"
 #include "mapping/walk_clock.hpp"
 #include "process/machine.hpp"
@@ -33,7 +34,6 @@
 #include "runs/saved_map.hpp"
 #include "surefoot/odometry.hpp"
 #include "surefoot/reference.hpp"
-#include "surefoot/seconds.hpp"
 
 namespace surefoot::runs {
 
@@ -126,7 +126,8 @@ class OdometryRun final : public RunControl {
   Shares shares_;          ///< what has been done, and is done after this
   int first_segment_ = 0;  ///< since it began anew
   int last_segment_ = -1;
-  mapping::WalkClock clock_;  ///< of the scans in the map
+  mapping::WalkClock clock_;     ///< of the scans in the map
+  mapping::PlacedScans placed_;  ///< their frames
 };
 
 RunOutcome OdometryRun::execute() {
@@ -261,10 +262,11 @@ void OdometryRun::use(const io::ScanItem& item, RunOutput& output) {
   if (listener_.answered) listener_.answered(item.name, estimate, odometry_);
   if (estimate.trusted() && !options_.no_map) {
     const std::int64_t now_ns = clock_.next(estimate.stamp_ns);
-    const double time = seconds(now_ns - clock_.begin_ns());
+    const mapping::MapBuilder::When when{now_ns - clock_.begin_ns(),
+                                         static_cast<std::size_t>(placed_.next(estimate).frame)};
     const DeskewedScan& seen = odometry_.deskewed_scan();  // while the local map is added to
-    map_.forget(odometry_.emptied_cubes(), time);
-    map_.add(seen, estimate.T_world_lidar, time);
+    map_.forget(odometry_.emptied_cubes(), when);
+    map_.add(seen, estimate.T_world_lidar, when);
   }
   if (map_run_ && estimate.trusted()) {
     map_run_->add(estimate, T_lidar_written_, odometry_.deskewed_scan());
@@ -276,7 +278,6 @@ void OdometryRun::reset() {
   if (last_segment_ < first_segment_) return;  // it has not begun
   odometry_ = Odometry(config_, options_.threads);
   observe();
-  map_ = mapping::MapBuilder(options_.map_voxel);
   first_segment_ = last_segment_ + 1;
   listener_.say("reset: the odometry begins anew, in a segment of its own");
 }

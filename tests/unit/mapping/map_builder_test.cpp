@@ -9,21 +9,61 @@
 namespace surefoot::mapping {
 namespace {
 
+constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
+
 TEST(MapBuilder, CorrectsPointsByWhenTheyWereSeenAndDropsThoseOfNoPlace) {
   MapBuilder map(0.1);
   DeskewedScan scan;
   for (int i = 0; i < 3; ++i) {
     scan.points = {{static_cast<float>(i), 0.0F, 0.0F}};
-    map.add(scan, Pose{}, i);
+    map.add(scan, Pose{}, {i * kSecond, 0});
   }
   Pose up;
   up.translation.z() = 5.0;
-  const MapBuilder moved =
-      map.corrected([&](double time) { return time == 1.0 ? std::nullopt : std::optional(up); });
+  const MapBuilder moved = map.corrected([&](std::int64_t after_ns) {
+    return after_ns == kSecond ? std::nullopt : std::optional(MapBuilder::Correction{up, 0});
+  });
   ASSERT_EQ(moved.points().size(), 2U);
   EXPECT_EQ(moved.points()[0], Eigen::Vector3f(0.0F, 0.0F, 5.0F));
   EXPECT_EQ(moved.points()[1], Eigen::Vector3f(2.0F, 0.0F, 5.0F));
   EXPECT_EQ(moved.first_seen(), (std::vector<float>{0.0F, 2.0F}));
+}
+
+TEST(MapBuilder, FramesThatNothingJoinsLeaveEachOthersPointsAlone) {
+  MapBuilder map(0.1);
+  DeskewedScan scan;
+  scan.points = {{1.0F, 0.0F, 0.0F}};
+  map.add(scan, Pose{}, {0, 0});
+  map.add(scan, Pose{}, {kSecond, 1});
+  map.add(scan, Pose{}, {2 * kSecond, 0});  // home again
+  EXPECT_EQ(map.first_seen(), (std::vector<float>{0.0F, 1.0F}));
+  map.forget({1.0, {Eigen::Vector3d(1.5, 0.5, 0.5)}}, {3 * kSecond, 1});
+  EXPECT_EQ(map.without_forgotten().first_seen(), (std::vector<float>{0.0F}));
+}
+
+TEST(MapBuilder, FramesComeTogetherWhereACorrectionJoinsThem) {
+  MapBuilder map(0.1);
+  DeskewedScan scan;
+  scan.points = {{1.0F, 0.0F, 0.0F}};
+  map.add(scan, Pose{}, {0, 0});
+  map.add(scan, Pose{}, {kSecond, 1});
+  const auto in_frames_of = [&](std::int64_t span_ns) {
+    return map.corrected([&](std::int64_t after_ns) {
+      return MapBuilder::Correction{Pose{}, static_cast<std::size_t>(after_ns / span_ns)};
+    });
+  };
+  EXPECT_EQ(in_frames_of(2 * kSecond).points().size(), 1U);
+  EXPECT_EQ(in_frames_of(kSecond).points().size(), 2U);
+}
+
+TEST(MapBuilder, ScansAreToldFromEachOtherToTheNanosecond) {
+  MapBuilder map(0.1);
+  DeskewedScan scan;
+  scan.points = {{1.0F, 0.0F, 0.0F}};
+  constexpr std::int64_t kHour = 3600 * kSecond;
+  map.add(scan, Pose{}, {kHour, 0});
+  map.add(scan, Pose{}, {kHour + 1, 1});
+  EXPECT_EQ(map.first_seen_ns(), (std::vector<std::int64_t>{kHour, kHour + 1}));
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runs/map_run.hpp"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
+#include "io/file_reader.hpp"
+#include "io/files/ply_reader.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
 #include "runs/trajectory_inputs.hpp"
@@ -42,6 +46,27 @@ TEST_F(MapRunTest, WhatNothingJoinsIsMarkedInTheOptimizedTrajectory) {
   EXPECT_EQ(io::read_tum(file).size(), 30U);
   EXPECT_EQ(segments_of(file), 2U);
   EXPECT_EQ(segment_begins(file), (std::vector<std::size_t>{10, 20}));
+}
+
+// As a float 32.100042 s is less.
+TEST_F(MapRunTest, TheFirstScanBehindARestartIsNotTakenForTheFrameBefore) {
+  mapping::MapperOptions options;
+  options.close_loops = false;
+  MapRun run(options, {});
+  mapping::MapBuilder map(0.1);
+  DeskewedScan wall;
+  for (int i = 0; i < 100; ++i) wall.points.emplace_back(5.0F, 0.1F * static_cast<float>(i), 0.0F);
+  for (int i = 0; i < 20; ++i) {
+    const int segment = i / 10;
+    Estimate estimate = estimate_at(i % 10, segment, i % 10 == 0 ? Status::first_scan : Status::ok);
+    if (segment > 0) estimate.stamp_ns += 32'100'042'000LL;
+    run.add(estimate, Pose(), wall);
+    map.add(wall, estimate.T_world_lidar, {estimate.stamp_ns, static_cast<std::size_t>(segment)});
+  }
+  (void)run.finish(folder_, map, false);
+  std::vector<std::byte> bytes;
+  io::read_whole_file(folder_ / kOptimizedMapFile, bytes);
+  EXPECT_EQ(io::parse_ply(bytes).size, map.points().size());
 }
 
 }  // namespace

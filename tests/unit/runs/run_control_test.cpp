@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/file_reader.hpp"
+#include "io/files/ply_reader.hpp"
 #include "runs/odometry_run.hpp"
 #include "runs/run_files.hpp"
 #include "runs/saved_map.hpp"
@@ -76,6 +78,19 @@ TEST_F(RunControlTest, PosesInAMapOutliveThatItIsSearchedAgainAndThatAnotherIs) 
   EXPECT_EQ(content("trajectory_map_1.tum"), "in a");
   EXPECT_EQ(content("trajectory_map_2.tum"), "in a again");
   EXPECT_FALSE(fs::exists(folder_ / "out/trajectory_map_3.tum"));
+}
+
+TEST_F(RunControlTest, TheMapKeepsWhatCameBeforeAReset) {
+  const auto points = [&] {
+    std::vector<std::byte> bytes;
+    io::read_whole_file(folder_ / "out" / kMapFile, bytes);
+    return io::parse_ply(bytes).size;
+  };
+  run([](RunControl&) {});
+  const std::size_t once = points();
+  options_.reset_before = {200'000'000};
+  run([](RunControl&) {});
+  EXPECT_EQ(points(), 2 * once);
 }
 
 }  // namespace
