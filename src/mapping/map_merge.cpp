@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mapping/held_pieces.hpp"
+#include "mapping/loop_solution.hpp"
 #include "mapping/map_placement.hpp"
 
 namespace surefoot::mapping {
@@ -78,11 +79,13 @@ bool allows(const Loop& loop, const std::vector<Piece>& pieces) {
 bool fits_elsewhere(const std::vector<Loop>& asked_alone, const MapPlacement& placement,
                     const MergeOptions& options) {
   TwoMaps joint(placement.pieces);
+  const auto& first = placement.of_first;
   const auto& second = placement.of_second;
   return std::any_of(asked_alone.begin(), asked_alone.end(), [&](const Loop& loop) {
     const bool fitted = is_taken(loop) || loop.check.verdict == LoopVerdict::ambiguous;
     if (!fitted || allows(loop, placement.pieces)) return false;
     if (!std::binary_search(second.begin(), second.end(), loop.query)) return false;
+    if (!std::binary_search(first.begin(), first.end(), loop.place)) return false;
     if (loop.check.overlap < options.likes * placement.support()) return false;
     const MapComparison as_they_lie = joint.compare(placement.of_first, {loop.query});
     return loop.check.overlap > options.as_good * as_they_lie.overlap;
@@ -102,39 +105,83 @@ bool lie_apart(const MapPlacement& one, const MapPlacement& other) {
   return *middle > kBent;
 }
 
-/// That of the ways in which the maps may lie by which most of them agrees; none, and why, where
-/// none fits, or another one fits as well.
-const MapPlacement* choose(const std::vector<MapPlacement>& placements,
-                           const std::vector<Loop>& asked_alone, const MergeOptions& options,
-                           std::string& why_not) {
-  constexpr const char* kAlike = "places look alike: some would have the maps lie otherwise";
-  const MapPlacement* best = nullptr;
+/// Whether both tell how the same pieces lie. What nothing joins is as a map of its own: that it
+/// lies elsewhere speaks neither for nor against.
+bool are_of_the_same(const MapPlacement& one, const MapPlacement& other) {
+  return one.of_first == other.of_first && one.of_second == other.of_second;
+}
+
+/// Whether the pieces would lie otherwise as well.
+bool is_doubtful(const MapPlacement& best, const std::vector<const MapPlacement*>& fitting,
+                 const std::vector<Loop>& asked_alone, const MergeOptions& options) {
+  const bool otherwise =
+      std::any_of(fitting.begin(), fitting.end(), [&](const MapPlacement* placement) {
+        return placement->support() > options.likes * best.support() &&
+               are_of_the_same(best, *placement) && lie_apart(best, *placement);
+      });
+  return otherwise || fits_elsewhere(asked_alone, best, options);
+}
+
+/// The way in which the maps may lie by which most of them agrees; behind it those of the second
+/// map's other frames in the same one of the first. None, and why, where none fits, or another one
+/// fits as well.
+std::vector<const MapPlacement*> choose(const std::vector<MapPlacement>& placements,
+                                        const std::vector<Loop>& asked_alone,
+                                        const MergeOptions& options, std::string& why_not) {
+  std::vector<const MapPlacement*> fitting, chosen;
   for (const MapPlacement& placement : placements) {
-    if (!fits(placement, options)) continue;
-    if (best == nullptr || placement.support() > best->support()) best = &placement;
+    if (fits(placement, options)) fitting.push_back(&placement);
   }
-  if (best == nullptr) {
+  if (fitting.empty()) {
     why_not = placements.empty() ? "no two places agree on how they lie"
                                  : objection(placements.front(), options);
-    return nullptr;
+    return {};
   }
-  for (const MapPlacement& placement : placements) {
-    const bool likely = placement.support() > options.likes * best->support();
-    if (likely && fits(placement, options) && lie_apart(*best, placement)) why_not = kAlike;
+  std::stable_sort(fitting.begin(), fitting.end(), [](const auto* one, const auto* other) {
+    return one->support() > other->support();
+  });
+  for (auto next = fitting.begin(); next != fitting.end(); ++next) {
+    const bool is_second_best = std::any_of(fitting.begin(), next, [&](const auto* better) {
+      return are_of_the_same(*better, **next);
+    });
+    if (is_second_best) continue;
+    if (!chosen.empty() && (*next)->of_first != chosen.front()->of_first) continue;
+    if (!is_doubtful(**next, fitting, asked_alone, options)) {
+      chosen.push_back(*next);
+    } else if (chosen.empty()) {
+      why_not = "places look alike: some would have the maps lie otherwise";
+      return {};
+    }
   }
-  if (fits_elsewhere(asked_alone, *best, options)) why_not = kAlike;
-  return why_not.empty() ? best : nullptr;
+  return chosen;
+}
+
+/// The graph by all that was chosen. `join`: gets what came of its loops.
+PoseGraph solve_together(const std::vector<const MapPlacement*>& chosen, MapJoin& join) {
+  PoseGraph graph = chosen.front()->solved;
+  for (std::size_t k = 1; k < chosen.size(); ++k) {
+    const MapPlacement& next = *chosen[k];
+    for (const std::size_t i : next.of_second) graph.poses[i] = next.solved.poses[i];
+    std::vector<std::size_t> agreeing;
+    for (std::size_t i = 0; i < next.loops.size(); ++i) {
+      if (is_taken(next.loops[i])) agreeing.push_back(i);
+    }
+    take_loops(graph, join.loops, agreeing);
+    join.comparison.near += next.comparison.near;
+  }
+  join.taken =
+      static_cast<std::size_t>(std::count_if(join.loops.begin(), join.loops.end(), is_taken));
+  return graph;
 }
 
 /// Both maps at the graph's poses, without what nothing holds to the first.
 void fill_joint(const SavedMap& first, const SavedMap& second, const PoseGraph& graph,
                 MapJoin& join) {
   HeldPieces held(graph);
-  const std::size_t place = std::find_if(join.loops.begin(), join.loops.end(), is_taken)->place;
   SavedMap joint;
   std::vector<std::optional<std::size_t>> number(join.pieces.size());
   for (std::size_t i = 0; i < join.pieces.size(); ++i) {
-    const bool kept = i < join.first || held.set_of(i) == held.set_of(place);
+    const bool kept = held.set_of(i) < join.first;
     if (i >= join.first) {
       join.placed.push_back(kept ? std::optional(graph.poses[i]) : std::nullopt);
     }
@@ -167,6 +214,12 @@ std::optional<Pose> MapJoin::begin() const {
   return found != placed.end() ? *found : std::nullopt;
 }
 
+std::size_t MapJoin::held() const {
+  return static_cast<std::size_t>(
+      std::count_if(placed.begin(), placed.end(),
+                    [](const std::optional<Pose>& pose) { return pose.has_value(); }));
+}
+
 MapJoin join_maps(const SavedMap& first, const SavedMap& second, const MergeOptions& options) {
   MapJoin join;
   join.first = first.pieces.size();
@@ -182,15 +235,15 @@ MapJoin join_maps(const SavedMap& first, const SavedMap& second, const MergeOpti
   const std::vector<Loop> asked_alone = join.loops;
   const std::vector<MapPlacement> placements =
       find_placements(pair, asked_alone, options.placements);
-  const MapPlacement* chosen = choose(placements, asked_alone, options, join.message);
-  if (chosen != nullptr || !placements.empty()) {
-    const MapPlacement& shown = chosen != nullptr ? *chosen : placements.front();
+  const std::vector<const MapPlacement*> chosen =
+      choose(placements, asked_alone, options, join.message);
+  if (!placements.empty()) {
+    const MapPlacement& shown = chosen.empty() ? placements.front() : *chosen.front();
     join.loops = shown.loops;
     join.comparison = shown.comparison;
   }
-  if (chosen != nullptr) {
-    join.taken = chosen->taken;
-    fill_joint(first, second, chosen->solved, join);
+  if (!chosen.empty()) {
+    fill_joint(first, second, solve_together(chosen, join), join);
     return join;
   }
   for (Loop& loop : join.loops) {

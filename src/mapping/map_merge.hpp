@@ -33,6 +33,8 @@ struct MapJoin {
   std::vector<std::optional<Pose>> placed;
   std::string message;  ///< where they could not be joined: why, in one sentence
 
+  /// So many pieces of the second map are placed.
+  [[nodiscard]] std::size_t held() const;
   /// T_first_piece of the earliest piece that is placed; none where they could not be joined.
   [[nodiscard]] std::optional<Pose> begin() const;
 };

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -118,6 +119,7 @@ TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
   EXPECT_EQ(join.joint->pieces.size(), first.pieces.size() + second.pieces.size() - 1);
   EXPECT_EQ(join.joint->places.size(), join.joint->pieces.size());
   EXPECT_FALSE(join.placed.back());
+  EXPECT_EQ(join.held(), second.pieces.size() - 1);
   // The first walk's world is the truth's, the second's begins level at its first pose.
   const Pose T_first_second = upright(later_walk().truth.front());
   for (std::size_t i = 0; i < first.pieces.size(); ++i) {
@@ -199,6 +201,52 @@ TEST_F(MapMerge, MoreLoopsThatAgreeOnWhatIsNotSoDoNotOutvoteTheMapsThemselves) {
   const Pose found = placements[1].pieces[join.first].T_world_piece;
   const Pose truth = T_first_second * join.pieces[join.first].T_world_piece;
   EXPECT_LT((found.translation - truth.translation).norm(), 0.1);
+}
+
+/// A walk of which nothing holds the pieces from `begin` on to those before; they lie in a frame of
+/// their own.
+SavedMap in_two_frames(SavedMap map, std::size_t begin) {
+  const Pose T_new_old = se3_exp((Twist() << 12.0, -7.0, 1.5, 0.0, 0.0, 0.9).finished());
+  for (std::size_t i = begin; i < map.pieces.size(); ++i) {
+    map.pieces[i].T_world_piece = T_new_old * map.pieces[i].T_world_piece;
+  }
+  map.pieces[begin].restarted = true;
+  std::erase_if(map.edges,
+                [&](const PoseEdge& edge) { return (edge.from < begin) != (edge.to < begin); });
+  return map;
+}
+
+TEST_F(MapMerge, StretchesThatNothingJoinsArePlacedEachWhereItLies) {
+  const SavedMap whole = map_of(test::walk_through("campus", 46, of_length(90.0)));
+  const SceneWalk walk = test::walk_through("campus", 46, other_day(5.0, 80.0));
+  const SavedMap second = map_of(walk);
+  const MapJoin join = join_maps(whole, in_two_frames(second, second.pieces.size() / 2));
+  ASSERT_TRUE(join.joint) << join.message;
+  EXPECT_EQ(join.held(), second.pieces.size());
+  EXPECT_EQ(join.joint->pieces.size(), whole.pieces.size() + second.pieces.size());
+  const Pose T_first_second = upright(walk.truth.front());
+  for (std::size_t i = 0; i < second.pieces.size(); ++i) {
+    ASSERT_TRUE(join.placed[i]) << "piece " << i;
+    const Pose truth = T_first_second * second.pieces[i].T_world_piece;
+    EXPECT_LT((join.placed[i]->translation - truth.translation).norm(), 0.15) << "piece " << i;
+  }
+}
+
+/// The first map's frames stay as they are.
+TEST_F(MapMerge, AMapThatBeganAnewIsJoinedToOneThatShowsItWhole) {
+  const SavedMap whole = map_of(test::walk_through("campus", 46, of_length(90.0)));
+  const SceneWalk walk = test::walk_through("campus", 46, other_day(5.0, 80.0));
+  const SavedMap torn = in_two_frames(whole, whole.pieces.size() / 2);
+  const MapJoin join = join_maps(torn, map_of(walk));
+  ASSERT_TRUE(join.joint) << join.message;
+  const Pose T_new_old = se3_exp((Twist() << 12.0, -7.0, 1.5, 0.0, 0.0, 0.9).finished());
+  const Pose T_first_second = upright(walk.truth.front());
+  ASSERT_TRUE(join.placed.front());
+  const Pose old = T_first_second * join.pieces[join.first].T_world_piece;
+  const double in_either =
+      std::min((join.placed.front()->translation - old.translation).norm(),
+               (join.placed.front()->translation - (T_new_old * old).translation).norm());
+  EXPECT_LT(in_either, 0.15);
 }
 
 TEST_F(MapMerge, AJointMapIsJoinedAgain) {
