@@ -118,11 +118,6 @@ std::vector<FramePoses> FinishedWalk::corrected(const Trajectory& measured) cons
   return result;
 }
 
-PoseGraph FinishedWalk::graph() const {
-  PoseGraph graph;
-  for (const Piece& piece : map_.pieces) graph.poses.push_back(piece.T_world_piece);
-  graph.edges = map_.edges;
-  return graph;
-}
+PoseGraph FinishedWalk::graph() const { return graph_of(map_); }
 
 }  // namespace surefoot::mapping

@@ -330,4 +330,11 @@ SavedMap parse_map(std::string_view bytes) {
   return read_map(in, nullptr);
 }
 
+PoseGraph graph_of(const SavedMap& map) {
+  PoseGraph graph;
+  for (const Piece& piece : map.pieces) graph.poses.push_back(piece.T_world_piece);
+  graph.edges = map.edges;
+  return graph;
+}
+
 }  // namespace surefoot::mapping

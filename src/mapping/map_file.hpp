@@ -29,6 +29,9 @@ struct SavedMap {
   std::vector<PoseEdge> edges;          ///< odometry and loops
 };
 
+/// Of the pieces, at their corrected poses.
+[[nodiscard]] PoseGraph graph_of(const SavedMap& map);
+
 class MapFileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "mapping/moved_things.hpp"
 #include "mapping/place_search.hpp"
 
 namespace surefoot::mapping {
@@ -24,6 +25,7 @@ constexpr double kWorthAsking = 0.4;    // that fitted so well
 
 MapLocalizer::MapLocalizer(SavedMap map, const LocalizerOptions& options)
     : map_(std::move(map)),
+      held_(held_together(graph_of(map_))),
       options_(options),
       builder_(options.pieces),
       agreement_(options.agreement) {
@@ -107,19 +109,20 @@ AskedPlace MapLocalizer::ask_place(std::size_t number, const Surroundings& here,
   const LoopCheck check =
       check_places(*submap_of(number), here.seen, turned_both_ways(T_place_seen), limits);
   const Pose& T_map_place = map_.pieces[number].T_world_piece;
-  return {T_map_place * check.alignment.T_target_source * here.T_world_seen.inverse(), check};
+  return {T_map_place * check.alignment.T_target_source * here.T_world_seen.inverse(), check,
+          held_[number]};
 }
 
 /// What fitted in the last search is asked once more where it lay: that a search does not name it
 /// any more says little.
 void MapLocalizer::ask_again(const Surroundings& here, const LoopLimits& limits,
                              std::vector<AskedPlace>& asked) {
-  for (const Pose& T_map_world : fitted_) {
+  for (const AskedPlace& fitted : fitted_) {
     const bool known = std::any_of(asked.begin(), asked.end(), [&](const AskedPlace& place) {
-      return agree_here(place.T_map_world, T_map_world);
+      return place.frame == fitted.frame && agree_here(place.T_map_world, fitted.T_map_world);
     });
-    const Pose T_map_seen = T_map_world * here.T_world_seen;
-    const auto nearest = nearest_place(T_map_seen.translation);
+    const Pose T_map_seen = fitted.T_map_world * here.T_world_seen;
+    const auto nearest = nearest_place(T_map_seen.translation, fitted.frame);
     if (known || !nearest) continue;
     const Pose T_place_seen = map_.pieces[*nearest].T_world_piece.inverse() * T_map_seen;
     asked.push_back(ask_place(*nearest, here, T_place_seen, limits));
@@ -133,10 +136,10 @@ void MapLocalizer::remember(std::vector<AskedPlace> asked) {
   fitted_.clear();
   for (const AskedPlace& place : asked) {
     if (fitted_.size() == kAskedAgain || fit_of(place.check) < kWorthAsking) return;
-    const bool known = std::any_of(fitted_.begin(), fitted_.end(), [&](const Pose& pose) {
-      return agree_here(pose, place.T_map_world);
+    const bool known = std::any_of(fitted_.begin(), fitted_.end(), [&](const AskedPlace& fitted) {
+      return fitted.frame == place.frame && agree_here(fitted.T_map_world, place.T_map_world);
     });
-    if (!known) fitted_.push_back(place.T_map_world);
+    if (!known) fitted_.push_back(place);
   }
 }
 
@@ -158,7 +161,10 @@ MapLocalizer::Answer MapLocalizer::only_place(const Surroundings& here) {
   const PlaceChoice choice = choose_place(asked, last_.value_or(Eigen::Vector3d::Zero()),
                                           roofed ? options_.roofed_choice : options_.choice);
   Answer answer{.place = std::nullopt, .several = choice.several};
-  if (choice.chosen) answer.place = OnlyPlace{asked[*choice.chosen].T_map_world, choice.fit};
+  if (choice.chosen) {
+    const AskedPlace& chosen = asked[*choice.chosen];
+    answer.place = OnlyPlace{chosen.T_map_world, choice.fit, chosen.frame};
+  }
   if (choice.alike) agreement_.add_alike(way_);
   for (const AskedPlace& place : asked) {
     agreement_.add_missing(place.T_map_world, place.check.missing, way_);
@@ -179,13 +185,14 @@ void MapLocalizer::search() {
         answer.several ? "not found yet: several places fit" : "not found yet: no place fits";
     return answer.several ? agreement_.forget() : agreement_.add_silence();
   }
-  const auto& [T_map_world, fit] = *answer.place;
+  const auto& [T_map_world, fit, frame] = *answer.place;
   const Eigen::Vector3d robot = last_.value_or(Eigen::Vector3d::Zero());
   if (!agreement_.add(T_map_world, fit, way_, robot, options_.choice)) {
     message_ = "not found yet: a place fits, and is asked again";
     return;
   }
   T_map_world_ = T_map_world;
+  frame_ = frame;
   forget_places();
   checked_at_ = succeeded_at_ = way_;
   message_ = "found";
@@ -197,11 +204,14 @@ void MapLocalizer::forget_places() {
   elsewhere_.reset();
 }
 
-/// The nearest place within reach; none: the map does not show it.
-std::optional<std::size_t> MapLocalizer::nearest_place(const Eigen::Vector3d& at) const {
+/// The nearest place of a frame within reach; none: the map does not show it. Those of others are
+/// anywhere.
+std::optional<std::size_t> MapLocalizer::nearest_place(const Eigen::Vector3d& at,
+                                                       std::size_t frame) const {
   std::optional<std::size_t> nearest;
   double distance = kNearest;
   for (std::size_t i = 0; i < map_.pieces.size(); ++i) {
+    if (held_[i] != frame) continue;
     const double apart = (map_.pieces[i].T_world_piece.translation - at).norm();
     if (apart >= distance) continue;
     distance = apart;
@@ -217,7 +227,7 @@ std::optional<Pose> MapLocalizer::confirmed() {
   if (!walked && recent_.empty()) return std::nullopt;
   const bool enough = walked && (recent_.empty() || walked->length > kEnoughWay);
   const Piece& piece = enough ? *walked : recent_.back();
-  const auto nearest = nearest_place(*T_map_world_ * piece.T_world_piece.translation);
+  const auto nearest = nearest_place(*T_map_world_ * piece.T_world_piece.translation, frame_);
   if (!nearest) return std::nullopt;
   // Two pieces alone: while the place is known, little time may be spent on it.
   const VerifiableSubmap place(make_submap(map_.pieces[*nearest]));

@@ -102,6 +102,7 @@ class MapLocalizer {
   struct OnlyPlace {
     Pose T_map_world;
     double fit = 0.0;
+    std::size_t frame = 0;
   };
   struct Answer {
     std::optional<OnlyPlace> place;
@@ -116,7 +117,8 @@ class MapLocalizer {
   void forget_places();
   void check();
   [[nodiscard]] std::optional<Pose> confirmed();
-  [[nodiscard]] std::optional<std::size_t> nearest_place(const Eigen::Vector3d& at) const;
+  [[nodiscard]] std::optional<std::size_t> nearest_place(const Eigen::Vector3d& at,
+                                                         std::size_t frame) const;
   [[nodiscard]] std::shared_ptr<const VerifiableSubmap> submap_of(std::size_t place);
   [[nodiscard]] AskedPlace ask_place(std::size_t number, const Surroundings& here,
                                      const Pose& T_place_seen, const LoopLimits& limits);
@@ -127,14 +129,16 @@ class MapLocalizer {
   [[nodiscard]] bool agree_here(const Pose& one, const Pose& other) const;
 
   SavedMap map_;
+  std::vector<std::size_t> held_;  // which of its pieces are held together: of one frame
   LocalizerOptions options_;
   PlaceIndex index_;
   std::vector<std::pair<std::size_t, std::shared_ptr<const VerifiableSubmap>>> places_;
   PieceBuilder builder_;
   std::vector<Piece> recent_;  // finished ones before it
   PlaceAgreement agreement_;
-  std::vector<Pose> fitted_;  // T_map_world of the places that fitted best when last asked
+  std::vector<AskedPlace> fitted_;  // that fitted best when last asked
   std::optional<Pose> T_map_world_;
+  std::size_t frame_ = 0;          // of the place that is known
   std::optional<Pose> elsewhere_;  // T_map_world that the last look saw, which was not believed
   std::string message_ = "no scan yet";
   std::size_t scans_ = 0;

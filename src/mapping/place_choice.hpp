@@ -18,6 +18,7 @@ namespace surefoot::mapping {
 struct AskedPlace {
   Pose T_map_world;
   LoopCheck check;
+  std::size_t frame = 0;  ///< which of the map's, of those that nothing joins
 };
 
 struct ChoiceLimits {

@@ -130,6 +130,43 @@ TEST(LocalizerTest, FindsItsPlaceFromAnUnknownStartAndKeepsIt) {
   }
 }
 
+/// The other map's pieces in a frame of their own, each just where one of the map's lies in its
+/// frame; they come first.
+SavedMap with_another_frame(const SavedMap& map, const SavedMap& other) {
+  SavedMap both = other;
+  for (std::size_t i = 0; i < both.pieces.size(); ++i) {
+    both.pieces[i].T_world_piece = map.pieces[i % map.pieces.size()].T_world_piece;
+  }
+  const std::size_t offset = both.pieces.size();
+  both.pieces.insert(both.pieces.end(), map.pieces.begin(), map.pieces.end());
+  both.pieces[offset].restarted = true;
+  both.places.insert(both.places.end(), map.places.begin(), map.places.end());
+  for (PoseEdge edge : map.edges) {
+    edge.from += offset;
+    edge.to += offset;
+    both.edges.push_back(edge);
+  }
+  return both;
+}
+
+TEST(LocalizerTest, IsConfirmedByTheFrameThatItIsInAlone) {
+  WalkOptions options;
+  options.length = 60.0;
+  const SavedMap plaza = saved_map_of(mapped(test::walk_through("plaza", 47, options)));
+  const SavedMap campus = saved_map_of(mapped(test::walk_through("campus", 46, options)));
+  options.unknown_start = true;
+  const SceneWalk walk = test::walk_through("campus", 46, options);
+  MapLocalizer localizer(with_another_frame(campus, plaza), {});
+  bool found = false;
+  for (std::size_t i = 0; i < walk.scans.size(); ++i) {
+    localizer.add(walk.scans[i], walk.points[i]);
+    expect_right_or_not_found(localizer, walk, i);
+    ASSERT_TRUE(!found || localizer.T_map_world()) << i << ": " << localizer.message();
+    found = found || localizer.T_map_world();
+  }
+  EXPECT_TRUE(found) << localizer.message();
+}
+
 /// Once the place is known, few scans are looked at: to make their points takes time. And it is
 /// still noticed where the map no longer agrees.
 TEST(LocalizerTest, AKnownPlaceIsCheckedByFewScans) {
