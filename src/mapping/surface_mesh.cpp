@@ -105,7 +105,7 @@ class Mesher {
       if (!fresh[i]) continue;
       ring[i] = static_cast<std::uint32_t>(mesh.vertices.size());
       known_in(block, cells[i]).find_or_insert(voxel_key(cells[i]), ring[i]);
-      mesh.vertices.push_back(fresh[i]->cast<float>());
+      mesh.vertices.push_back(*fresh[i]);
     }
     return true;
   }

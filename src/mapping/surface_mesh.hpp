@@ -16,7 +16,7 @@
 namespace surefoot::mapping {
 
 struct SurfaceMesh {
-  std::vector<Eigen::Vector3f> vertices;  ///< [m] the map's frame
+  std::vector<Eigen::Vector3d> vertices;  ///< [m] the map's frame
   /// Anticlockwise, looked at from the side that was seen.
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };

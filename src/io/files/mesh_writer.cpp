@@ -18,6 +18,8 @@ void append_three(std::string& out, const T& values) {
   for (const auto value : values) append_bytes(out, value);
 }
 
+Eigen::Vector3f in_floats(const Eigen::Vector3d& values) { return values.cast<float>(); }
+
 }  // namespace
 
 std::string format_mesh_ply(const MeshView& mesh) {
@@ -26,7 +28,7 @@ std::string format_mesh_ply(const MeshView& mesh) {
                     "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
                     std::to_string(mesh.triangles.size()) +
                     "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Eigen::Vector3f& vertex : mesh.vertices) append_three(out, vertex);
+  for (const Eigen::Vector3d& vertex : mesh.vertices) append_three(out, in_floats(vertex));
   for (const auto& triangle : mesh.triangles) {
     append_bytes(out, std::uint8_t{3});
     append_three(out, triangle);
@@ -36,11 +38,11 @@ std::string format_mesh_ply(const MeshView& mesh) {
 
 std::string format_mesh_obj(const MeshView& mesh) {
   std::string out = "# Surefoot\n";
-  for (const Eigen::Vector3f& vertex : mesh.vertices) {
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
     out += 'v';
-    for (const float value : vertex) {
+    for (const double value : vertex) {
       out += ' ';
-      append_fixed(out, static_cast<double>(value), 4);
+      append_fixed(out, value, 4);
     }
     out += '\n';
   }
@@ -57,11 +59,13 @@ std::string format_mesh_stl(const MeshView& mesh) {
   out.resize(80, ' ');
   append_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3f& first = mesh.vertices[a];
-    const Eigen::Vector3f normal =
+    const Eigen::Vector3d& first = mesh.vertices[a];
+    const Eigen::Vector3d normal =
         (mesh.vertices[b] - first).cross(mesh.vertices[c] - first).normalized();
-    append_three(out, normal);
-    for (const std::uint32_t corner : {a, b, c}) append_three(out, mesh.vertices[corner]);
+    append_three(out, in_floats(normal));
+    for (const std::uint32_t corner : {a, b, c}) {
+      append_three(out, in_floats(mesh.vertices[corner]));
+    }
     append_bytes(out, std::uint16_t{0});
   }
   return out;

@@ -13,15 +13,15 @@ namespace surefoot::io {
 
 /// Vertices [m] and triangles of their indices; nothing is copied.
 struct MeshView {
-  std::span<const Eigen::Vector3f> vertices;
+  std::span<const Eigen::Vector3d> vertices;
   std::span<const std::array<std::uint32_t, 3>> triangles;
 };
 
-/// PLY 1.0, little-endian.
+/// PLY 1.0, little-endian, vertices in floats.
 [[nodiscard]] std::string format_mesh_ply(const MeshView& mesh);
 /// Wavefront OBJ, to a tenth of a millimetre.
 [[nodiscard]] std::string format_mesh_obj(const MeshView& mesh);
-/// Binary STL, each triangle with its normal.
+/// Binary STL, vertices in floats, each triangle with its normal.
 [[nodiscard]] std::string format_mesh_stl(const MeshView& mesh);
 
 enum class MeshFormat { ply, obj, stl };

@@ -30,10 +30,11 @@ std::vector<Piece> pieces_of(const test::SceneWalk& walk) {
 std::vector<double> off_scene(const SurfaceMesh& mesh, const simulation::RayCaster& rays) {
   std::vector<simulation::Ray> beams;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3f first = mesh.vertices[a];
-    const Eigen::Vector3f normal =
-        (mesh.vertices[b] - first).cross(mesh.vertices[c] - first).normalized();
-    const Eigen::Vector3f middle = (first + mesh.vertices[b] + mesh.vertices[c]) / 3.0F;
+    const Eigen::Vector3f first = mesh.vertices[a].cast<float>();
+    const Eigen::Vector3f second = mesh.vertices[b].cast<float>();
+    const Eigen::Vector3f third = mesh.vertices[c].cast<float>();
+    const Eigen::Vector3f normal = (second - first).cross(third - first).normalized();
+    const Eigen::Vector3f middle = (first + second + third) / 3.0F;
     // A wall's other face lies 0.2 m behind: the surface is looked for from in front.
     beams.push_back({middle + 0.1F * normal, -normal, 0.0F});
   }

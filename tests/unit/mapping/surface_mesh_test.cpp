@@ -53,9 +53,9 @@ struct Triangle {
 std::vector<Triangle> triangles_of(const SurfaceMesh& mesh) {
   std::vector<Triangle> result;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d first = mesh.vertices[a].cast<double>();
-    const Eigen::Vector3d second = mesh.vertices[b].cast<double>();
-    const Eigen::Vector3d third = mesh.vertices[c].cast<double>();
+    const Eigen::Vector3d first = mesh.vertices[a];
+    const Eigen::Vector3d second = mesh.vertices[b];
+    const Eigen::Vector3d third = mesh.vertices[c];
     const Eigen::Vector3d cross = (second - first).cross(third - first);
     result.push_back({(first + second + third) / 3.0, cross.normalized(), 0.5 * cross.norm()});
   }
@@ -85,7 +85,7 @@ void expect_on_room(const Eigen::Vector3d& place) {
 
 TEST(SurfaceMeshTest, ARoomIsClosedAndLooksInwards) {
   const SurfaceMesh mesh = draw_mesh({room()}, {});
-  for (const Eigen::Vector3f& vertex : mesh.vertices) expect_on_room(vertex.cast<double>());
+  for (const Eigen::Vector3d& vertex : mesh.vertices) expect_on_room(vertex);
   double outwards = 0.0;
   for (const Triangle& triangle : triangles_of(mesh)) {
     const Eigen::Vector3d from_middle = triangle.middle - Eigen::Vector3d(0.0, 0.0, 1.1);
@@ -125,8 +125,19 @@ TEST(SurfaceMeshTest, LiesWhereThePieceLies) {
   piece.T_world_piece.rotation =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(0.1, 0.2, 1.0).normalized());
   const SurfaceMesh mesh = draw_mesh({piece}, {});
-  for (const Eigen::Vector3f& vertex : mesh.vertices) {
-    expect_on_room(piece.T_world_piece.inverse() * vertex.cast<double>());
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    expect_on_room(piece.T_world_piece.inverse() * vertex);
+  }
+  EXPECT_NEAR(area_of(mesh), 180.0, 7.0);
+}
+
+/// As in coordinates of a country: floats are half a metre apart there.
+TEST(SurfaceMeshTest, IsAsExactFarFromTheOrigin) {
+  Piece piece = room();
+  piece.T_world_piece.translation = {500'000.37, 5'400'000.17, 14.14};
+  const SurfaceMesh mesh = draw_mesh({piece}, {});
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    expect_on_room(piece.T_world_piece.inverse() * vertex);
   }
   EXPECT_NEAR(area_of(mesh), 180.0, 7.0);
 }
@@ -139,7 +150,8 @@ TEST(SurfaceMeshTest, IsTheSameForBlocksOfAnySize) {
     for (const auto& triangle : mesh.triangles) {
       std::array<float, 9> corners{};
       for (std::size_t k = 0; k < 9; ++k) {
-        corners[k] = mesh.vertices[triangle[k / 3]][static_cast<Eigen::Index>(k % 3)];
+        corners[k] =
+            static_cast<float>(mesh.vertices[triangle[k / 3]][static_cast<Eigen::Index>(k % 3)]);
       }
       sorted.push_back(corners);
     }
@@ -196,11 +208,11 @@ TEST(SurfaceMeshTest, EndsWhereNothingWasSeen) {
   }
   const SurfaceMesh mesh = draw_mesh({piece}, {});
   EXPECT_GT(area_of(mesh), 28.0);
-  for (const Eigen::Vector3f& vertex : mesh.vertices) {
-    const float out = vertex.head<2>().lpNorm<Eigen::Infinity>();
-    EXPECT_GT(out, 0.7F);
-    EXPECT_LT(out, 3.3F);
-    EXPECT_NEAR(vertex.z(), 0.0F, 1e-3F);
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    const double out = vertex.head<2>().lpNorm<Eigen::Infinity>();
+    EXPECT_GT(out, 0.7);
+    EXPECT_LT(out, 3.3);
+    EXPECT_NEAR(vertex.z(), 0.0, 1e-3);
   }
 }
 

@@ -11,8 +11,8 @@
 namespace surefoot::io {
 namespace {
 
-const std::vector<Eigen::Vector3f> kVertices = {
-    {0.0F, 0.0F, 0.5F}, {2.0F, 0.0F, 0.5F}, {0.0F, -1.25F, 0.5F}, {2.0F, 1.0F, 0.5F}};
+const std::vector<Eigen::Vector3d> kVertices = {
+    {0.0, 0.0, 0.5}, {2.0, 0.0, 0.5}, {0.0, -1.25, 0.5}, {2.0, 1.0, 0.5}};
 const std::vector<std::array<std::uint32_t, 3>> kTriangles = {{0, 1, 3}, {0, 2, 1}};
 const MeshView kMesh{kVertices, kTriangles};
 
@@ -41,6 +41,11 @@ TEST(MeshWriter, ObjCountsFromOne) {
   EXPECT_EQ(format_mesh_obj(kMesh),
             "# Surefoot\nv 0.0000 0.0000 0.5000\nv 2.0000 0.0000 0.5000\n"
             "v 0.0000 -1.2500 0.5000\nv 2.0000 1.0000 0.5000\nf 1 2 4\nf 1 3 2\n");
+}
+
+TEST(MeshWriter, ObjKeepsWhatLiesFarAway) {
+  const std::vector<Eigen::Vector3d> far = {{500'000.1234, 5'400'000.5678, 0.0}};
+  EXPECT_EQ(format_mesh_obj({far, {}}), "# Surefoot\nv 500000.1234 5400000.5678 0.0000\n");
 }
 
 TEST(MeshWriter, StlHasItsNormals) {
