@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "command_line/option_checks.hpp"
 #include "commands.hpp"
@@ -120,6 +121,8 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   add_point_options(*command, *options);
   add_surface_options(*command, files);
   add_elevation_options(*command, files);
+  command->add_option("--frame", files.frame,
+                      "of a map whose frames nothing joins this one alone, from 0 on");
   command->add_flag("--overwrite", files.overwrite, "write also where files are already");
   command->callback([command, options] {
     if (command->count("--tiles-at") > 0) options->files.tiles_at = earth_place(options->place);
@@ -130,6 +133,7 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
         });
     progress.finish();
     print_exported(options->files, done);
+    for (const std::string& note : done.notes) fmt::print(stderr, "note: {}\n", note);
   });
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 
+#include "mapping/held_pieces.hpp"
 #include "mapping/moved_things.hpp"
 
 namespace surefoot::mapping {
@@ -21,25 +21,11 @@ SavedMap saved_map_of(const WalkMapper& mapper) {
   return map;
 }
 
-namespace {
-
-/// The numbers of sets, counted as they come.
-std::vector<std::size_t> counted(const std::vector<std::size_t>& sets) {
-  std::map<std::size_t, std::size_t> numbers;
-  std::vector<std::size_t> result;
-  for (const std::size_t set : sets) {
-    result.push_back(numbers.try_emplace(set, numbers.size()).first->second);
-  }
-  return result;
-}
-
-}  // namespace
-
 FinishedWalk::FinishedWalk(const WalkMapper& mapper)
     : pieces_(mapper.pieces()),
       poses_(mapper.graph().poses),
       held_(held_together(mapper.graph())),
-      frames_(counted(held_)),
+      frames_(frames_of(mapper.graph())),
       placed_(poses_.size(), true),
       map_(saved_map_of(mapper)),
       clouds_(mapper.clouds()) {}

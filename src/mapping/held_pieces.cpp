@@ -3,6 +3,7 @@
 #include "mapping/held_pieces.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace surefoot::mapping {
@@ -33,6 +34,16 @@ std::vector<std::size_t> HeldPieces::held_to(std::size_t piece, std::size_t begi
     if (set_of(i) == set_of(piece)) result.push_back(i);
   }
   return result;
+}
+
+std::vector<std::size_t> frames_of(const PoseGraph& graph) {
+  HeldPieces held(graph);
+  std::map<std::size_t, std::size_t> numbers;
+  std::vector<std::size_t> frames;
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    frames.push_back(numbers.try_emplace(held.set_of(i), numbers.size()).first->second);
+  }
+  return frames;
 }
 
 }  // namespace surefoot::mapping

@@ -27,4 +27,7 @@ class HeldPieces {
   std::vector<std::size_t> parent_;
 };
 
+/// Of each piece of a graph the number of its frame, of those that nothing joins, as they come.
+[[nodiscard]] std::vector<std::size_t> frames_of(const PoseGraph& graph);
+
 }  // namespace surefoot::mapping

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "runs/map_export.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "io/counted.hpp"
 #include "io/file_writer.hpp"
 #include "io/files/geotiff_writer.hpp"
 #include "io/files/las_writer.hpp"
@@ -18,6 +24,7 @@
 #include "io/files/pcd_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "io/yaml_word.hpp"
+#include "mapping/held_pieces.hpp"
 #include "report/page.hpp"
 #include "runs/saved_map.hpp"
 
@@ -218,6 +225,48 @@ ExportedGrid export_elevation(const mapping::SavedMap& map, const MapExport& wan
   return {heights, grid.width, grid.height, grid.cell};
 }
 
+/// What is to be written: all of it, or one of the frames that nothing joins.
+void choose_frame(const MapExport& wanted, mapping::SavedMap& map,
+                  std::vector<std::string>& notes) {
+  const std::vector<std::size_t> frames = mapping::frames_of(mapping::graph_of(map));
+  const std::size_t count =
+      frames.empty() ? 0 : *std::max_element(frames.begin(), frames.end()) + 1;
+  if (!wanted.frame) {
+    if (count > 1) {
+      notes.push_back(fmt::format(
+          "{} frames that nothing joins lie over each other; --frame N writes one, from 0 on",
+          count));
+    }
+    return;
+  }
+  if (*wanted.frame >= count) {
+    throw std::invalid_argument(fmt::format("--frame {}: the map has {}, counted from 0 on",
+                                            *wanted.frame, io::counted(count, "frame")));
+  }
+  std::vector<mapping::Piece> pieces;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i] == *wanted.frame) pieces.push_back(std::move(map.pieces[i]));
+  }
+  map = {std::move(pieces), {}, {}};  // nothing else of it is written
+}
+
+/// Floats have 24 bits: far from the origin, as in coordinates of a country, that is little.
+void tell_of_floats(const mapping::SavedMap& map, const MapExport& wanted,
+                    std::vector<std::string>& notes) {
+  constexpr double kFar = 10e3;  // [m] where they are a millimetre apart
+  double farthest = 0.0;
+  for (const mapping::Piece& piece : map.pieces) {
+    farthest = std::max(farthest, piece.T_world_piece.translation.lpNorm<Eigen::Infinity>());
+  }
+  const bool mesh_in_floats =
+      !wanted.mesh.empty() && io::mesh_format(wanted.mesh) != io::MeshFormat::obj;
+  if (farthest < kFar || (wanted.ply.empty() && wanted.pcd.empty() && !mesh_in_floats)) return;
+  notes.push_back(
+      fmt::format("{:.0f} km from the map's origin the floats of PLY, PCD and STL are "
+                  "{:.2g} m apart; --las, --tiles and a mesh in OBJ lose nothing there",
+                  1e-3 * farthest, std::ldexp(1.0, std::ilogb(farthest) - 23)));
+}
+
 }  // namespace
 
 MapExported export_map(const fs::path& map, const MapExport& wanted,
@@ -229,7 +278,10 @@ MapExported export_map(const fs::path& map, const MapExport& wanted,
   }
   check_endings(wanted);  // before all the work
   check_files(map, wanted);
-  const mapping::SavedMap saved = read_saved_map(map);
+  mapping::SavedMap saved = read_saved_map(map);
+  MapExported done;
+  choose_frame(wanted, saved, done.notes);
+  tell_of_floats(saved, wanted, done.notes);
   if (!wanted.ply.empty()) io::write_ply(wanted.ply, points_of<float>(saved));
   if (!wanted.pcd.empty()) {
     Scan points;
@@ -237,7 +289,6 @@ MapExported export_map(const fs::path& map, const MapExport& wanted,
     io::write_pcd(wanted.pcd, points);
   }
   if (!wanted.las.empty()) io::write_las(wanted.las, points_of<double>(saved));
-  MapExported done;
   if (!wanted.tiles.empty()) done.tiles = export_tiles(saved, wanted);
   if (!wanted.mesh.empty()) done.triangles = export_mesh(saved, wanted, progress);
   if (!wanted.grid.empty()) done.grids.push_back(export_occupancy(saved, wanted));

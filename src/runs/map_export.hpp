@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "io/files/point_tiles.hpp"
@@ -28,6 +29,7 @@ struct MapExport {
   mapping::GridOptions occupancy;
   double elevation_cell = 0.2;  ///< [m]
   mapping::LeggedRobot robot;
+  std::optional<std::size_t> frame;  ///< of those that nothing joins this one alone, from 0 on
   bool overwrite = false;  ///< files that are there already, too (never a folder of tiles)
 };
 
@@ -41,6 +43,7 @@ struct MapExported {
   std::vector<ExportedGrid> grids;
   io::TileCounts tiles;
   std::size_t triangles = 0;
+  std::vector<std::string> notes;  ///< what to know of these files
 };
 
 /// `progress`: of the mesh, which takes longest. Throws io::ReadError, io::WriteError (before any
