@@ -41,6 +41,10 @@ int merge(const MergeArguments& arguments) {
       fmt::print("{}: joined by {} of {} compared; {} seen by both; {}\n", map.path.string(),
                  io::counted(map.taken, "loop"), io::counted(map.compared, "place"),
                  io::counted(map.near, "place"), place_in_map(*map.begin));
+      if (map.held < map.pieces) {
+        fmt::print("{}: {} of its {} are held to it; the others are left out\n", map.path.string(),
+                   map.held, io::counted(map.pieces, "piece"));
+      }
     } else {
       fmt::print("{}: not joined, of {} compared: {}\n", map.path.string(),
                  io::counted(map.compared, "place"), map.message);

@@ -72,9 +72,9 @@ MergeOutcome merge_saved_maps(const std::vector<fs::path>& maps, const fs::path&
       if (map.joined) continue;
       mapping::MapJoin join = mapping::join_maps(joint, read[i + 1], options);
       loops[i + 1] = join_csv(join, i + 2);
-      map = {map.path,    join.joint.has_value(), join.loops.size(),
-             join.taken,  join.comparison.near,   join.message,
-             join.begin()};
+      map = {map.path,     join.joint.has_value(),    join.loops.size(),
+             join.taken,   join.comparison.near,      join.message,
+             join.begin(), read[i + 1].pieces.size(), join.held()};
       if (!join.joint) continue;
       joint = std::move(*join.joint);
       map_of.resize(joint.pieces.size(), i + 2);

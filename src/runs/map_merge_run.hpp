@@ -24,6 +24,8 @@ struct MergedMap {
   std::size_t near = 0;            ///< places that both have seen
   std::string message = {};        ///< why not
   std::optional<Pose> begin = {};  ///< where it begins in the first map's frame
+  std::size_t pieces = 0;          ///< of it;
+  std::size_t held = 0;            ///< so many are held to the first, the others are left out
 };
 
 struct MergeOutcome {

@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 #include "io/trajectory_files.hpp"
 #include "process.hpp"
+#include "runs/saved_map.hpp"
 
 namespace surefoot::test {
 namespace {
@@ -110,6 +112,22 @@ TEST_F(MergeCommand, JoinsMapsOfOnePlace) {
   EXPECT_EQ(surefoot({"merge", "one-map", "-o", "alone"}).exit_code, 2);
   EXPECT_EQ(surefoot({"merge", "one-map", "nowhere", "-o", "alone"}).exit_code, 2);
   EXPECT_FALSE(fs::exists(path("alone")));
+}
+
+TEST_F(MergeCommand, TellsWhatNothingHoldsAndLeavesItOut) {
+  mapping::SavedMap torn = runs::read_saved_map(path("two-map"));
+  const std::size_t last = torn.pieces.size() - 1;
+  torn.pieces.back().restarted = true;
+  std::erase_if(torn.edges, [&](const mapping::PoseEdge& edge) {
+    return edge.from == last || edge.to == last;
+  });
+  fs::create_directory(path("torn"));
+  runs::write_saved_map(path("torn/map.surefoot"), torn);
+  const ProcessResult result = surefoot({"merge", "one-map", "torn", "-o", "one-and-torn"});
+  ASSERT_EQ(result.exit_code, 0) << result;
+  const std::string told = "torn: " + std::to_string(last) + " of its " + std::to_string(last + 1) +
+                           " pieces are held to it; the others are left out";
+  EXPECT_NE(result.output.find(told), std::string::npos) << result;
 }
 
 TEST_F(MergeCommand, ARunGoesOnWithAMapInItsFrame) {
