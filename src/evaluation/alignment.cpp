@@ -112,6 +112,16 @@ TrajectoryAlignment find_alignment(const AssociatedTrajectories& pairs, Alignmen
   throw std::invalid_argument("unknown alignment method");
 }
 
+bool leaves_turn_open(const AssociatedTrajectories& pairs, AlignmentMethod method,
+                      std::size_t poses) {
+  if (method != AlignmentMethod::rigid && method != AlignmentMethod::similarity) return false;
+  constexpr double kNarrow = 0.02;  // what the way spreads sideways, of what along
+  const std::size_t all = pairs.estimate.size();
+  const Eigen::Vector3d spread =
+      svd(moments(pairs, poses == 0 ? all : std::min(poses, all)).covariance_yx).values;
+  return spread[1] < kNarrow * kNarrow * spread[0];
+}
+
 Trajectory aligned(const Trajectory& trajectory, const TrajectoryAlignment& alignment) {
   Trajectory result = trajectory;
   for (StampedPose& stamped : result) {

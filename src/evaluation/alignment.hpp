@@ -33,6 +33,11 @@ struct TrajectoryAlignment {
 [[nodiscard]] TrajectoryAlignment find_alignment(const AssociatedTrajectories& pairs,
                                                  AlignmentMethod method, std::size_t poses = 0);
 
+/// Whether the positions hardly decide the turn about the way, as those of a nearly straight one:
+/// then what is left of noise does, and roll is any. Only where positions alone are asked.
+[[nodiscard]] bool leaves_turn_open(const AssociatedTrajectories& pairs, AlignmentMethod method,
+                                    std::size_t poses = 0);
+
 [[nodiscard]] Trajectory aligned(const Trajectory& trajectory,
                                  const TrajectoryAlignment& alignment);
 

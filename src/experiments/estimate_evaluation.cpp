@@ -159,6 +159,17 @@ void tell_left_out(const Evaluation& evaluation, const evaluation::EvaluationOpt
   }
 }
 
+void tell_open_turn(const std::string& name, const runs::ReferenceTrajectory& reference,
+                    const Trajectory& estimate, const evaluation::EvaluationOptions& options,
+                    const EvaluationListener& listener) {
+  if (options.positions_only) return;
+  const auto pairs = evaluation::associate(reference.truth.poses, estimate, options.association);
+  if (!evaluation::leaves_turn_open(pairs, options.alignment, options.alignment_poses)) return;
+  listener.note(name +
+                ": a nearly straight way; its positions hardly decide the turn about it, so that "
+                "rotation errors may be anything; --align poses takes the rotations, too");
+}
+
 /// What one should know of an estimate before believing its figures.
 void tell_of(const std::filesystem::path& file, const std::string& name, const Trajectory& estimate,
              const EvaluationListener& listener) {
@@ -213,6 +224,7 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
       evaluations.push_back(
           evaluation::evaluate(names[i], reference.truth.poses, estimate, options));
       tell_left_out(evaluations.back(), options, listener);
+      tell_open_turn(names[i], reference, estimate, options, listener);
       paths.estimates.push_back(evaluation::aligned(estimate, evaluations.back().alignment));
       paths.begins.push_back(runs::segment_begins(request.estimates[i]));
     } catch (const std::exception& error) {

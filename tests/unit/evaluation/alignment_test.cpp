@@ -93,6 +93,10 @@ TEST(Alignment, OrientationsDecideTheTurnAboutAStraightWay) {
   };
   EXPECT_GT(left_over_deg(AlignmentMethod::rigid), 1.0);
   EXPECT_LT(left_over_deg(AlignmentMethod::poses), 0.01);
+  EXPECT_TRUE(leaves_turn_open({reference, estimate}, AlignmentMethod::rigid));
+  EXPECT_FALSE(leaves_turn_open({reference, estimate}, AlignmentMethod::poses));
+  const Trajectory winding = winding_walk(60);
+  EXPECT_FALSE(leaves_turn_open({winding, winding}, AlignmentMethod::rigid));
 }
 
 TEST(Alignment, FirstPosesAloneDecideIfAskedTo) {
