@@ -13,6 +13,7 @@
 #include "io/messages/cloud_message.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/length_unit.hpp"
+#include "runs/run_truth.hpp"
 
 namespace surefoot::checks {
 namespace {
@@ -62,7 +63,7 @@ class Check {
     if (options_.truth.empty()) return;
     truth_ = is_bag(options_.truth)
                  ? io::read_pose_topic(options_.truth, options_.truth_topic).poses
-                 : io::read_tum(options_.truth);
+                 : runs::read_truth_poses(options_.truth);
   }
 
   void look_at_all() {

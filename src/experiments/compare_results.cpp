@@ -16,6 +16,7 @@
 #include "io/trajectory_files.hpp"
 #include "process/machine.hpp"
 #include "runs/run_files.hpp"
+#include "runs/run_truth.hpp"
 #include "runs/scans_csv.hpp"
 #include "runs/trajectory_inputs.hpp"
 #include "surefoot/seconds.hpp"
@@ -204,7 +205,7 @@ fs::path run_folder(const CompareInput& input, const MethodVariant& variant, int
 }
 
 Trajectory read_truth(const CompareInput& input) {
-  Trajectory truth = io::read_tum(input.truth);
+  Trajectory truth = runs::read_truth_poses(input.truth);
   if (truth.empty()) throw std::runtime_error(input.truth.string() + ": holds no poses");
   return truth;
 }
