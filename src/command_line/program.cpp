@@ -38,6 +38,26 @@ void check_command(const CLI::App& app, const std::vector<const char*>& words) {
   throw std::invalid_argument(unknown_word("subcommand", words[1], names));
 }
 
+/// Of what a subcommand did not expect, the first option: CLI11 tells its value before it.
+void check_options(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    const std::vector<std::string> left = command->remaining();
+    const auto option = std::find_if(left.begin(), left.end(), [](const std::string& word) {
+      return word.starts_with("--") && word.size() > 2;
+    });
+    if (option == left.end()) continue;
+    std::vector<std::string> known;
+    for (const CLI::Option* one : command->get_options()) {
+      for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
+    }
+    const std::string nearest = nearest_word(option->substr(0, option->find('=')), known);
+    if (nearest.empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: no option is called '{}'; did you mean '{}'? --help shows all",
+                    command->get_name(), *option, nearest));
+  }
+}
+
 /// "PATH: why", without the name of the call that failed.
 std::string text_of(const std::filesystem::filesystem_error& error) {
   return error.path1().empty() ? error.what()
@@ -64,6 +84,9 @@ int parse(CLI::App& app, int argc, const char* const* argv) {
   try {
     check_command(app, words);
     app.parse(static_cast<int>(words.size()), words.data());
+  } catch (const CLI::ExtrasError& error) {
+    check_options(app);
+    if (app.exit(error) != 0) return process::kBadInput;
   } catch (const CLI::ParseError& error) {
     if (app.exit(error) != 0) return process::kBadInput;
   }

@@ -29,15 +29,20 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string unknown_word(const std::string& kind, const std::string& word,
-                         const std::vector<std::string>& known) {
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   const auto nearest =
       std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
         return distance(word, a) < distance(word, b);
       });
   const bool near = nearest != known.end() && 2 * distance(word, *nearest) <= nearest->size();
+  return near ? *nearest : "";
+}
+
+std::string unknown_word(const std::string& kind, const std::string& word,
+                         const std::vector<std::string>& known) {
+  const std::string nearest = nearest_word(word, known);
   return fmt::format("no {} is called '{}'; {}there are: {}", kind, word,
-                     near ? fmt::format("did you mean '{}'? ", *nearest) : "",
+                     nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
                      fmt::join(known, ", "));
 }
 

@@ -36,6 +36,7 @@ ssize_t write_if_possible(void* /*cookie*/, const char* bytes, size_t size) {
 void guard_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) take_place(stream);
   std::signal(SIGPIPE, SIG_IGN);  // to write to such a pipe fails, as elsewhere
+  std::signal(SIGXFSZ, SIG_IGN);  // so does what exceeds the limit of a file's size (ulimit -f)
 #ifdef __GLIBC__
   std::FILE* const patient =
       fopencookie(nullptr, "w", {nullptr, write_if_possible, nullptr, nullptr});

@@ -17,6 +17,12 @@ TEST(Suggestion, ALetterTooManyTooFewOrWrongIsRecognised) {
             std::string::npos);
 }
 
+TEST(Suggestion, TheNearestWordOrNone) {
+  const std::vector<std::string> options = {"--count", "--config"};
+  EXPECT_EQ(nearest_word("--cuont", options), "--count");
+  EXPECT_EQ(nearest_word("--walk", options), "");
+}
+
 TEST(Suggestion, WhatHasLittleInCommonIsNotSuggested) {
   EXPECT_EQ(unknown_word("subcommand", "walk", kCommands),
             "no subcommand is called 'walk'; there are: run, info, compare");
