@@ -143,8 +143,8 @@ class CloudTopic final : public Recording {
   void take_sensor(const CloudMessage& cloud) {
     sensor_ = sensor_of(cloud);
     const std::string why = why_no_scans(parts_.messages.topic().name, cloud.frame);
-    if (!why.empty())
-      parts_.notes.push_back("topic: " + why + ": is there one of the LiDAR's own?");
+    if (why.empty()) return;
+    parts_.notes.push_back("topic: " + why + ": is there one of the LiDAR's own?");
   }
 
   void note_stamps() {
