@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/compare_inputs.hpp"
 
+#include "experiments/compare_results.hpp"
 #include "support/scratch.hpp"
 
 namespace surefoot::experiments {
@@ -23,6 +24,22 @@ TEST(FolderNames, AreUniqueAndFitForEveryFileSystem) {
   EXPECT_EQ(folder_name("paper+deskew.segments=8"), "paper+deskew.segments=8");
   EXPECT_EQ(folder_name("a/b\n"), "a_b_");
   EXPECT_EQ(folder_name(""), "_");
+}
+
+TEST_F(CompareInputs, TruthsAreReadInEveryFormThatHasStampsAndRotations) {
+  const auto poses_of = [&](const std::string& content) {
+    CompareInput input;
+    input.truth = write("truth.txt", content);
+    return read_truth(input);
+  };
+  const Trajectory tum = poses_of("1.5 1 2 3 0 0 0 1\n1.6 4 2 3 0 0 0 1\n");
+  const Trajectory nine = poses_of("1 500000000 1 2 3 0 0 0 1\n1 600000000 4 2 3 0 0 0 1\n");
+  ASSERT_EQ(nine.size(), tum.size());
+  for (std::size_t i = 0; i < tum.size(); ++i) {
+    EXPECT_EQ(nine[i].stamp_ns, tum[i].stamp_ns);
+    EXPECT_EQ(nine[i].pose.translation, tum[i].pose.translation);
+  }
+  EXPECT_ANY_THROW((void)poses_of("1.5 1 2 3\n1.6 4 2 3\n"));
 }
 
 TEST_F(CompareInputs, TruthLiesBesideTheScansOrIsGiven) {
