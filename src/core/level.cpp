@@ -107,6 +107,10 @@ std::vector<Eigen::Vector3f> turned(const std::vector<Eigen::Vector3f>& points,
   return result;
 }
 
+Eigen::Quaterniond upside_down() {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
+}
+
 Pose level_by_mount(const std::vector<Eigen::Vector3f>& points, const Config::Level& config,
                     LevelReport& report) {
   const Pose T_base_lidar = mount_pose(config);
@@ -118,6 +122,9 @@ Pose level_by_mount(const std::vector<Eigen::Vector3f>& points, const Config::Le
         "; but the ground in the first scan is %.0f deg off it: is the mount T_base_lidar, metres "
         "and degrees?",
         tilt_deg(ground->normal), 0.0);
+  } else if (!ground && find_ground(turned(points, upside_down() * T_base_lidar.rotation),
+                                    config.max_tilt_deg)) {
+    report.message += "; but there is a floor above it: is the mount upside down?";
   }
   return T_base_lidar;
 }
@@ -127,11 +134,9 @@ Pose level_by_axis(const std::vector<Eigen::Vector3f>& points, const Config::Lev
                    LevelReport& report) {
   report.message =
       "level: no ground found in the first scan; the LiDAR's own z axis is taken for up";
-  const Eigen::Quaterniond upside_down(
-      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
-  if (const auto floor = find_ground(turned(points, upside_down), config.max_tilt_deg)) {
+  if (const auto floor = find_ground(turned(points, upside_down()), config.max_tilt_deg)) {
     // Roll, then pitch, that turn the floor's normal to z.
-    const Eigen::Vector3d up = upside_down * floor->normal;
+    const Eigen::Vector3d up = upside_down() * floor->normal;
     double roll = std::atan2(up.y(), up.z());
     if (roll < 0.0) roll += 2.0 * std::numbers::pi;  // 180, not -180
     const double pitch = std::atan2(-up.x(), std::hypot(up.y(), up.z()));

@@ -139,6 +139,9 @@ TEST(Level, AMountThatTheGroundContradictsIsTold) {
     (void)level_pose(cloud, config, report);
     EXPECT_EQ(report.message.find("off it"), std::string::npos) << report.message;
   }
+  config.mount_pitch_deg = 165.0;
+  (void)level_pose(cloud, config, report);
+  EXPECT_NE(report.message.find("floor above"), std::string::npos) << report.message;
   config.mount_pitch_deg = 15.0 * kDegree;  // in radians, by mistake
   (void)level_pose(cloud, config, report);
   EXPECT_NE(report.message.find("15 deg off it"), std::string::npos) << report.message;
