@@ -58,8 +58,7 @@ const ConfigField kHealth[] = {
      "a direction with a smaller share of an even scene's information is degenerate", kChosen},
     {"health.restart_after", SLOT(health.restart_after), "10", "", 1, 1e6,
      "more scans in a row that were not registered: method surefoot looks for its place, paper "
-     "begins "
-     "its map anew",
+     "begins its map anew",
      kChosen},
 };
 

@@ -39,25 +39,28 @@ std::string file_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The part of the truth between a run's first scan and its last, whose stamps are `offset` [s]
-/// behind the truth's; at either end no more than `most` [ns] is left out.
-Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder, double offset,
-                         std::int64_t most) {
+/// The part of the truth between a run's first scan and its last, and the pose behind either end
+/// that these may be paired with; at either end no more than `most` [ns] is left out.
+Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder,
+                         const evaluation::AssociationOptions& association, std::int64_t most) {
   const std::vector<std::int64_t> stamps =
       runs::read_scans_csv(run_folder / runs::kScansFile).stamps_ns;
   if (stamps.empty() || truth.empty()) return truth;
   const auto [earliest, latest] = std::minmax_element(stamps.begin(), stamps.end());
   const std::int64_t begin = truth.front().stamp_ns, end = truth.back().stamp_ns;
-  const std::int64_t offset_ns = std::llround(1e9 * offset);
+  const std::int64_t offset_ns = std::llround(1e9 * association.offset);
   const std::int64_t first_scan = *earliest + offset_ns, last_scan = *latest + offset_ns;
   const std::int64_t first = first_scan - begin > most ? begin : first_scan;
   const std::int64_t last = end - last_scan > most ? end : last_scan;
-  Trajectory part;
-  std::copy_if(truth.begin(), truth.end(), std::back_inserter(part),
-               [first, last](const StampedPose& stamped) {
-                 return stamped.stamp_ns >= first && stamped.stamp_ns <= last;
-               });
-  return part.size() < 2 ? truth : part;
+  const bool interpolates = association.method == evaluation::AssociationMethod::interpolate;
+  const std::int64_t reach =
+      std::llround(1e9 * (interpolates ? association.max_gap : association.max_difference));
+  const auto earlier = [](const StampedPose& pose, std::int64_t ns) { return pose.stamp_ns < ns; };
+  auto from = std::lower_bound(truth.begin(), truth.end(), first, earlier);
+  auto to = std::lower_bound(from, truth.end(), last + 1, earlier);
+  if (from != truth.begin() && first - std::prev(from)->stamp_ns <= reach) --from;
+  if (to != truth.end() && to->stamp_ns - last <= reach) ++to;
+  return to - from < 2 ? truth : Trajectory(from, to);
 }
 
 constexpr std::int64_t kAll = std::int64_t{1} << 62;  // [ns]
@@ -81,8 +84,7 @@ evaluation::RunVerdict judge_run(const Trajectory& truth, const Trajectory& esti
       evaluation.association.method == evaluation::AssociationMethod::index) {
     return verdict;
   }
-  const Trajectory asked =
-      between_scans(truth, run_folder, evaluation.association.offset, kALittle);
+  const Trajectory asked = between_scans(truth, run_folder, evaluation.association, kALittle);
   return evaluation::judge(asked, estimate, evaluation::evaluate("", asked, estimate, evaluation),
                            evaluation, options.rules);
 }
@@ -130,9 +132,8 @@ class ResultMaker {
       evaluation::EvaluationOptions how = options_.evaluation;
       how.usual_step_ns =
           evaluation::median_step_ns(runs::read_scans_csv(folder / runs::kScansFile).stamps_ns);
-      const Trajectory truth = clips_truth(options_)
-                                   ? between_scans(truth_, folder, how.association.offset, kAll)
-                                   : truth_;
+      const Trajectory truth =
+          clips_truth(options_) ? between_scans(truth_, folder, how.association, kAll) : truth_;
       result.evaluation = evaluation::evaluate(variant.label, truth, estimate, how);
       evaluation::EvaluationOptions from_start = how;
       from_start.alignment = evaluation::AlignmentMethod::origin;

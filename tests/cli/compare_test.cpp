@@ -395,17 +395,34 @@ TEST_F(Compare, PartOfTheScansIsComparedWithPartOfTheTruth) {
   EXPECT_EQ(result(results("out"), "left", "paper")["outcome_text"], "stopped at 45 %");
 }
 
-TEST_F(Compare, PartOfATruthWhoseClockIsOffIsTheSamePart) {
-  std::istringstream truth(content("left/gt.tum"));
+/// A recording's truth, so much [s] later.
+std::string later_truth(const std::string& text, double by) {
+  std::istringstream truth(text);
   std::string later;
   for (std::string line; std::getline(truth, line);) {
     const std::size_t blank = line.find(' ');
     later += line.starts_with('#')
                  ? line
-                 : fmt::format("{:.9f}{}", std::stod(line) + 2.0, line.substr(blank));
+                 : fmt::format("{:.9f}{}", std::stod(line) + by, line.substr(blank));
     later += '\n';
   }
-  write_content(scratch_.path() / "later.tum", later);
+  return later;
+}
+
+// The last scan's partner is taken a little after it.
+TEST_F(Compare, PartOfATruthHoldsThePartnersOfItsEnds) {
+  for (const double by : {0.003, -0.003}) {
+    write_content(scratch_.path() / "beside.tum", later_truth(content("left/gt.tum"), by));
+    ASSERT_EQ(compare({"left", "--methods", "paper", "--no-figures", "-o", "beside", "--count", "6",
+                       "--truth=beside.tum"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(result(results("beside"), "left", "paper")["evaluation"]["pairs"], 6) << by;
+  }
+}
+
+TEST_F(Compare, PartOfATruthWhoseClockIsOffIsTheSamePart) {
+  write_content(scratch_.path() / "later.tum", later_truth(content("left/gt.tum"), 2.0));
   for (const std::vector<std::string>& part :
        {std::vector<std::string>{"--count", "6"}, std::vector<std::string>{"--cover=recording"}}) {
     std::vector<std::string> usual = {"left", "--methods", "paper", "--no-figures", "-o", "usual"};
