@@ -88,7 +88,7 @@ TEST_F(Ros2Test, DamagedMessagesByTheThousandHaveNoEffect) {
   for (const Scan& scan : scans) {
     for (int i = 0; i < kDamagedEach; ++i) {
       peer.write("rt/points", damaged(i % 3));
-      if (i % 10 == 0) std::this_thread::sleep_for(milliseconds(1));
+      if (i % 4 == 0) std::this_thread::sleep_for(milliseconds(1));
     }
     peer.write("rt/points", cloud_by_fast_cdr(scan, "lidar"));
     std::this_thread::sleep_for(milliseconds(40));
