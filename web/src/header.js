@@ -23,7 +23,7 @@ function keyFigures(run) {
     [
       "Time per scan",
       `${fixed(quantile(total, 0.5), 1)} ms`,
-      `median; p90 ${fixed(quantile(total, 0.9), 1)}, p99 ${fixed(quantile(total, 0.99), 1)} ms`,
+      `median; p90 ${fixed(quantile(total, 0.9), 1)}, p99 ${fixed(quantile(total, 0.99), 1)}\u00a0ms`,
     ],
     ["Untrusted", grouped(untrusted), `${grouped(weak)} degenerate`],
   ];
