@@ -21,7 +21,7 @@ void add_input_options(CLI::App& command, experiments::CompareOptions& options) 
   command.add_option("recordings", options.recordings,
                      "Folders or captures, as for 'surefoot run', with gt.tum in the folder");
   command.add_option("--truth", options.truths,
-                     "True trajectories (TUM), one for each recording, instead of gt.tum");
+                     "True trajectories with stamps, one for each recording, instead of gt.tum");
   command.add_option("--suite", options.suites,
                      "All recordings in folders made by 'surefoot suite'; or sets of it, tuning, "
                      "reporting ...: made in the output folder first, if not there yet");

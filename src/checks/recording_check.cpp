@@ -158,7 +158,7 @@ class Check {
     }
   }
 
-  void find_lag(MotionCheck& motion) const {
+  void find_lag(MotionCheck& motion) {
     const Trajectory& path = motion.trials.trials[motion.trials.preferred].trajectory;
     if (path.size() < kLeastScans) return;
     Trajectory reference;
@@ -172,8 +172,12 @@ class Check {
       reference = std::move(gyroscope.turning);
       motion.reference = gyroscope.topic;
     } else if (std::filesystem::exists(options_.input / "gt.tum", ignored)) {
-      reference = io::read_tum(options_.input / "gt.tum");
-      motion.reference = "gt.tum";
+      try {
+        reference = runs::read_truth_poses(options_.input / "gt.tum");
+        motion.reference = "gt.tum";
+      } catch (const io::ReadError& error) {
+        result_.findings.push_back({false, "a truth that cannot be read", error.what(), 0, ""});
+      }
     }
     if (motion.reference.empty()) return;
     constexpr double kSweeps = 1.5;

@@ -48,13 +48,16 @@ void check_options(const CLI::App& app) {
     if (option == left.end()) continue;
     std::vector<std::string> known;
     for (const CLI::Option* one : command->get_options()) {
-      for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
+      for (const std::string& name : one->get_lnames()) known.push_back(name);
     }
-    const std::string nearest = nearest_word(option->substr(0, option->find('=')), known);
-    if (nearest.empty()) continue;
+    const std::string name = option->substr(2, option->find('=') - 2);
+    const auto longer = std::find_if(known.begin(), known.end(),
+                                     [&](const std::string& one) { return one.starts_with(name); });
+    const std::string meant = longer != known.end() ? *longer : nearest_word(name, known);
+    if (meant.empty()) continue;
     throw std::invalid_argument(
-        fmt::format("{}: no option is called '{}'; did you mean '{}'? --help shows all",
-                    command->get_name(), *option, nearest));
+        fmt::format("{}: no option is called '{}'; did you mean '--{}'? --help shows all",
+                    command->get_name(), *option, meant));
   }
 }
 

@@ -39,8 +39,8 @@ std::string file_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The part of the truth between a run's first scan and its last, and the pose behind either end
-/// that these may be paired with; at either end no more than `most` [ns] is left out.
+/// The part of the truth between a run's first scan and its last, and a pose just behind either
+/// end, which these may be paired with; at either end no more than `most` [ns] is left out.
 Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder,
                          const evaluation::AssociationOptions& association, std::int64_t most) {
   const std::vector<std::int64_t> stamps =
@@ -52,14 +52,12 @@ Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder,
   const std::int64_t first_scan = *earliest + offset_ns, last_scan = *latest + offset_ns;
   const std::int64_t first = first_scan - begin > most ? begin : first_scan;
   const std::int64_t last = end - last_scan > most ? end : last_scan;
-  const bool interpolates = association.method == evaluation::AssociationMethod::interpolate;
-  const std::int64_t reach =
-      std::llround(1e9 * (interpolates ? association.max_gap : association.max_difference));
+  constexpr std::int64_t kJustBehind = 10'000'000;  // [ns] so that it counts for no part to cover
   const auto earlier = [](const StampedPose& pose, std::int64_t ns) { return pose.stamp_ns < ns; };
   auto from = std::lower_bound(truth.begin(), truth.end(), first, earlier);
   auto to = std::lower_bound(from, truth.end(), last + 1, earlier);
-  if (from != truth.begin() && first - std::prev(from)->stamp_ns <= reach) --from;
-  if (to != truth.end() && to->stamp_ns - last <= reach) ++to;
+  if (from != truth.begin() && first - std::prev(from)->stamp_ns <= kJustBehind) --from;
+  if (to != truth.end() && to->stamp_ns - last <= kJustBehind) ++to;
   return to - from < 2 ? truth : Trajectory(from, to);
 }
 

@@ -24,23 +24,36 @@ namespace surefoot::io {
   return words;
 }
 
-/// Whether a column's name is that of a part of a rotation or position: "qw", "q_RS_w" or "w".
-[[nodiscard]] inline bool names_part(std::string_view word, char part) {
-  if (!word.ends_with(part)) return false;
-  const char before = word.size() > 1 ? word[word.size() - 2] : '_';
-  return before == 'q' || std::string_view("_./").find(before) != std::string_view::npos;
+/// Where the parts of a rotation begin among the names of columns, in this order: "qw", "q_RS_w" or
+/// "w" and the same with x, y and z. Their number if they are not there.
+[[nodiscard]] inline std::size_t find_parts(const std::vector<std::string_view>& names,
+                                            std::string_view order) {
+  const auto stem_of = [](std::string_view name) { return name.substr(0, name.size() - 1); };
+  for (std::size_t begin = 0; begin + order.size() <= names.size(); ++begin) {
+    bool all = true;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::string_view name = names[begin + i];
+      all = all && name.back() == order[i] && stem_of(name) == stem_of(names[begin]);
+    }
+    const std::string_view stem = stem_of(names[begin]);
+    const bool is_apart = stem.empty() || stem.back() == 'q' ||
+                          std::string_view("_./").find(stem.back()) != std::string_view::npos;
+    if (all && is_apart) return begin;
+  }
+  return names.size();
+}
+
+/// Of a line of columns' names; units in brackets are none.
+[[nodiscard]] inline std::vector<std::string_view> names_in(std::string_view line) {
+  std::vector<std::string_view> names = columns_of(line);
+  std::erase_if(names, [](std::string_view word) { return word.starts_with('['); });
+  return names;
 }
 
 /// Whether a line of columns' names has a quaternion's w before x y z, as EuRoC's q_RS_w has.
 [[nodiscard]] inline bool names_w_first(std::string_view line) {
-  const std::vector<std::string_view> words = columns_of(line);
-  const auto is_part = [](char part) {
-    return [part](std::string_view word) { return names_part(word, part); };
-  };
-  const auto w = std::find_if(words.begin(), words.end(), is_part('w'));
-  return std::find_if(w, words.end(), is_part('x')) != words.end() &&
-         std::find_if(w, words.end(), is_part('y')) != words.end() &&
-         std::find_if(w, words.end(), is_part('z')) != words.end();
+  const std::vector<std::string_view> names = names_in(line);
+  return find_parts(names, "wxyz") < names.size();
 }
 
 /// What the lines above the rows say of the order of a rotation's parts.
@@ -55,9 +68,9 @@ struct RotationOrder {
     const std::vector<std::string_view> words = columns_of(line);
     double ignored = 0.0;
     if (!words.empty() && parse_real(words.front(), ignored)) break;
-    order.is_told |= std::any_of(words.begin(), words.end(),
-                                 [](std::string_view word) { return names_part(word, 'w'); });
+    const std::vector<std::string_view> names = names_in(line);
     order.w_first |= names_w_first(line);
+    order.is_told |= order.w_first || find_parts(names, "xyzw") < names.size();
   }
   return order;
 }

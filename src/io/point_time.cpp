@@ -228,9 +228,10 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
 
 namespace {
 
-std::string coarseness(const PointTimeRule& rule) {
+std::string coarseness(const PointTimeRule& rule, const TimeExtents& extents) {
   constexpr double kTold = 0.02;  // of a sweep
-  if (rule.step <= kTold * rule.spread) return {};
+  const bool all_zero = extents.least == 0.0 && extents.greatest == 0.0;
+  if (all_zero || rule.step <= kTold * rule.spread) return {};
   char text[100];
   std::snprintf(text, sizeof(text), "; float32 holds these times in steps of %.3g ms%s",
                 1e3 * rule.step / facts_of(rule.unit).per_second,
@@ -246,7 +247,7 @@ std::string describe_point_time(const std::string& field, ScalarType type,
   const bool usual = duration == 0.0 || (duration >= kShortest && duration <= kNear);
   return "time field '" + field + "': " + name_of(type) + ", " + facts_of(rule.unit).name +
          text_of(rule.reference) + number(extents.least) + " .. " + number(extents.greatest) +
-         coarseness(rule) +
+         coarseness(rule, extents) +
          (usual ? "" : "; a scan of " + number(duration) + " s is unusual, 0.01 to 1 s expected");
 }
 

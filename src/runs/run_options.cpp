@@ -32,13 +32,9 @@ std::optional<Pose> known_mount(const RunOptions& options) {
   return io::dataset_named(set).T_base_lidar;
 }
 
-/// What was given, or what is known.
-std::vector<double> extrinsic_of(const RunOptions& options) {
-  if (!options.extrinsic.empty()) return options.extrinsic;
-  const std::optional<Pose> pose = known_mount(options);
-  if (!pose) return {};
-  const Eigen::Vector3d angles = roll_pitch_yaw(pose->rotation) * (180.0 / EIGEN_PI);
-  const Eigen::Vector3d& at = pose->translation;
+std::vector<double> extrinsic_of(const Pose& mount) {
+  const Eigen::Vector3d angles = roll_pitch_yaw(mount.rotation) * (180.0 / EIGEN_PI);
+  const Eigen::Vector3d& at = mount.translation;
   return {at.x(), at.y(), at.z(), angles.x(), angles.y(), angles.z()};
 }
 
@@ -58,9 +54,12 @@ std::string method_of(const RunOptions& options) {
 
 Config config_of(const RunOptions& options) {
   Config config = method_config(method_of(options));
+  // What is known gives way to what is asked for, also by a run.yaml.
+  if (const std::optional<Pose> known = known_mount(options)) {
+    set_mount(extrinsic_of(*known), config);
+  }
   if (!options.config_file.empty()) load_config_file(options.config_file, config);
-  const std::vector<double> extrinsic = extrinsic_of(options);
-  if (!extrinsic.empty()) set_mount(extrinsic, config);
+  if (!options.extrinsic.empty()) set_mount(options.extrinsic, config);
   if (!options.level.empty()) set_parameter(config, "level.mode", options.level);
   apply_settings(options.settings, config);
   validate(config);

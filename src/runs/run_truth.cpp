@@ -35,9 +35,9 @@ fs::path truth_file(const RunOptions& options) {
 
 Trajectory read_truth_poses(const fs::path& file) {
   ReferenceTrajectory read = read_reference({file, {}, {}});
-  if (read.truth.has_stamps && read.truth.has_rotations) return std::move(read.truth.poses);
-  throw io::ReadError(file.string() + ": has no " +
-                      (read.truth.has_stamps ? "rotations" : "stamps") +
+  const bool has_stamps = read.truth.has_stamps && read.format != TrajectoryFormat::kitti;
+  if (has_stamps && read.truth.has_rotations) return std::move(read.truth.poses);
+  throw io::ReadError(file.string() + ": has no " + (has_stamps ? "rotations" : "stamps") +
                       "; expected a truth with both, or surefoot eval, which can do without");
 }
 

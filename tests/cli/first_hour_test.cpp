@@ -32,6 +32,10 @@ TEST_F(FirstHour, AMisspeltCommandIsRecognised) {
   EXPECT_NE(refusal({"runn", "in"}).find("did you mean 'run'?"), std::string::npos);
   EXPECT_NE(refusal({"comapre"}).find("did you mean 'compare'?"), std::string::npos);
   EXPECT_EQ(refusal({"walk"}).find("did you mean"), std::string::npos);
+  EXPECT_NE(refusal({"run", "in", "--out", "x"}).find("did you mean '--output'?"),
+            std::string::npos);
+  EXPECT_NE(refusal({"run", "in", "--cuont", "5"}).find("did you mean '--count'?"),
+            std::string::npos);
 }
 
 TEST_F(FirstHour, HelpSpeaksOfWords) {

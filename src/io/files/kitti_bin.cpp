@@ -55,26 +55,25 @@ bool has_rings(std::span<const std::byte> file) {
   return oddities_of(table_of(file, kNuScenes)).no_ring == 0;
 }
 
-/// Whether most points, read as KITTI's, have coordinates beyond any LiDAR's or an intensity that
-/// is next to nothing: what is stored are no floats.
-bool are_no_floats(const PointTable& table) {
-  constexpr double kTooFar = 1e6, kNextToNothing = 1e-12;
-  std::vector<bool> odd(table.size, false);
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool is_intensity = i + 1 == table.columns.size();
-    for_each_value(table.columns[i], table.size, [&](std::size_t k, auto value) {
+/// Whether most points, read as KITTI's, have a y and an intensity that are next to nothing and not
+/// zero: NCLT's, whose integers have the laser's number in these places' highest bits.
+bool are_integers(const PointTable& table) {
+  constexpr double kNextToNothing = 1e-12;
+  std::vector<int> tiny(table.size, 0);
+  for (const std::size_t column : {std::size_t{1}, table.columns.size() - 1}) {
+    for_each_value(table.columns[column], table.size, [&](std::size_t k, auto value) {
       const double size = std::abs(static_cast<double>(value));
-      if (is_intensity ? size > 0.0 && size < kNextToNothing : size > kTooFar) odd[k] = true;
+      if (size > 0.0 && size < kNextToNothing) ++tiny[k];
     });
   }
-  return 2 * static_cast<std::size_t>(std::count(odd.begin(), odd.end(), true)) > table.size;
+  return 2 * static_cast<std::size_t>(std::count(tiny.begin(), tiny.end(), 2)) > table.size;
 }
 
 }  // namespace
 
 PointTable parse_kitti_bin(std::span<const std::byte> file) {
   if (has_rings(file)) return table_of(file, kNuScenes);
-  if (are_no_floats(table_of(file, kKitti))) {
+  if (are_integers(table_of(file, kKitti))) {
     throw ReadError(
         ".bin: neither KITTI's nor nuScenes' float32 values (NCLT's uint16?); convert it to PCD");
   }

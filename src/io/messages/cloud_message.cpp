@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/messages/cloud_message.hpp"
 
+#include <algorithm>
+
 #include "io/messages/livox_message.hpp"
 #include "io/messages/point_cloud2.hpp"
 #include "io/printable.hpp"
@@ -30,10 +32,16 @@ std::string why_no_scans(std::string_view topic, std::string_view frame) {
       return "points in frame '" + std::string(last) + "', a world's, are no scans as measured";
     }
   }
-  for (const std::string_view word : {"deskewed", "registered", "undistorted"}) {
-    if (topic.find(word) != std::string_view::npos) {
+  std::string_view before;  // whole words; a depth camera's are registered to its pictures
+  for (std::size_t begin = 0; begin < topic.size();) {
+    const std::size_t end = std::min(topic.find_first_of("/_", begin), topic.size());
+    const std::string_view word = topic.substr(begin, end - begin);
+    const bool registered = word == "registered" && before != "depth";
+    if (registered || word == "deskewed" || word == "undistorted") {
       return "points that are " + std::string(word) + " are no scans as measured";
     }
+    before = word;
+    begin = end + 1;
   }
   return {};
 }

@@ -136,7 +136,8 @@ void check(const Config& config) {
                       number_text(config.knots.min_points) + "), which a pole needs");
   }
   const double narrowing = config.knots.kernel_start / config.knots.kernel_end;
-  if (std::pow(config.knots.kernel_decay, config.knots.max_iterations) * narrowing >= 1.0) {
+  const int at_most = 2 * (config.knots.max_iterations - 1);  // twice where nothing moves
+  if (std::pow(config.knots.kernel_decay, at_most) * narrowing > 1.0) {
     throw ConfigError("knots.kernel_decay (" + number_text(config.knots.kernel_decay) +
                       ") does not narrow the kernel from knots.kernel_start (" +
                       number_text(config.knots.kernel_start) + " m) to knots.kernel_end (" +

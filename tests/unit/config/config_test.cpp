@@ -199,8 +199,8 @@ TEST(Config, ValidateFindsContradictions) {
   EXPECT_FALSE(valid("icp", {{"preprocess.min_range", "50"}, {"preprocess.max_range", "20"}}));
   EXPECT_FALSE(valid("surefoot", {{"knots.min_points", "500"}}));
   EXPECT_FALSE(valid("surefoot", {{"knots.kernel_decay", "0.99"}}));
-  EXPECT_FALSE(valid("surefoot", {{"knots.max_iterations", "12"}}));
-  EXPECT_TRUE(valid("surefoot", {{"knots.max_iterations", "13"}}));
+  EXPECT_FALSE(valid("surefoot", {{"knots.max_iterations", "7"}}));
+  EXPECT_TRUE(valid("surefoot", {{"knots.max_iterations", "8"}}));
   EXPECT_TRUE(valid("surefoot", {{"knots.kernel_decay", "0"}}));
   EXPECT_TRUE(valid("surefoot", {{"knots.kernel_start", "0.1"}, {"knots.max_iterations", "5"}}));
   EXPECT_FALSE(valid("paper", {{"registration.max_distance", "2"},  //

@@ -144,6 +144,9 @@ TEST(PointTimeRules, AbsoluteTimesInAFloat32AreCoarse) {
   EXPECT_FALSE(uptime(1e6, f64).first);
   EXPECT_EQ(uptime(1e6, f64).second.find("steps"), std::string::npos);
   EXPECT_EQ(uptime(100.0, f32).second.find("steps"), std::string::npos);
+  const TimeExtents zeros{0.0, 0.0, 100};
+  const PointTimeRule none = decide_point_time(zeros, f32, kEpochNs, {});
+  EXPECT_EQ(describe_point_time("time", f32, none, zeros).find("steps"), std::string::npos);
 }
 
 TEST(PointTimeRules, UnitsThatAreDefined) {

@@ -82,7 +82,12 @@ TEST(TruthTable, NamesTellWhetherWIsFirst) {
   EXPECT_EQ(w_of("t,x,y,z,qw,qx,qy,qz\n" + row), 1.0);
   EXPECT_EQ(w_of("sec,nsec,x,y,z,qw,qx,qy,qz\n1583836591,182590976,5.5,-1,0.2,1,0,0,0\n"), 1.0);
   EXPECT_EQ(w_of("t,x,y,z,qx,qy,qz,qw\n" + row), 0.0);
+  EXPECT_EQ(w_of("t,p_x,p_y,p_z,orientation.w,orientation.x,orientation.y,orientation.z\n" + row),
+            1.0);
   EXPECT_EQ(w_of("# a raw view, w unknown\n" + row), 0.0);
+  EXPECT_EQ(w_of("timestamp,x_w,y_w,z_w,qx,qy,qz,qw\n" + row), 0.0);
+  EXPECT_EQ(w_of("# T_w p_x p_y p_z q_x q_y q_z q_w\n" + row), 0.0);
+  EXPECT_EQ(w_of("# poses in frame_w, axes frame_x frame_y frame_z\n" + row), 0.0);
   EXPECT_EQ(parse_truth_table(row).what, "8 columns, rotations taken as x y z w");
 }
 

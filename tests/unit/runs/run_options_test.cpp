@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/scratch.hpp"
+
 namespace surefoot::runs {
 namespace {
 
@@ -36,6 +38,19 @@ TEST(RunOptions, ARobotsMountIsThatOfItsOwnLidarAlone) {
   EXPECT_EQ(config_of(options).level.mode, LevelMode::none);
   options.level.clear();
   options.reader.topic = "/livox/lidar";
+  EXPECT_EQ(config_of(options).level.mode, LevelMode::ground);
+  options.extrinsic = {0.0, 0.0, 0.3, 0.0, 0.0, 0.0};
+  EXPECT_EQ(mount_of(options).translation.z(), 0.3);
+}
+
+// As a run.yaml has them.
+using KnownMount = test::Scratch;
+TEST_F(KnownMount, GivesWayToWhatAFileSays) {
+  RunOptions options;
+  options.reader.robot = "go2";
+  options.config_file = write("mount.yaml", "level: {mode: mount, mount_z: 0.5}\n");
+  EXPECT_EQ(mount_of(options).translation.z(), 0.5);
+  options.config_file = write("ground.yaml", "level: {mode: ground}\n");
   EXPECT_EQ(config_of(options).level.mode, LevelMode::ground);
   options.extrinsic = {0.0, 0.0, 0.3, 0.0, 0.0, 0.0};
   EXPECT_EQ(mount_of(options).translation.z(), 0.3);

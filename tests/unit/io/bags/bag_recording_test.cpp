@@ -183,7 +183,10 @@ TEST(BagRecording, PointsOfAWorldsFrameAreNoScans) {
   EXPECT_TRUE(noted("/points", "odom"));
   EXPECT_TRUE(noted("/points", "robot/camera_init"));
   EXPECT_TRUE(noted("/utlidar/cloud_deskewed", "lidar"));
+  EXPECT_TRUE(noted("/cloud_registered", "lidar"));
   EXPECT_FALSE(noted("/points", "mapping_lidar"));
+  EXPECT_FALSE(noted("/camera/depth_registered/points", "camera"));
+  EXPECT_FALSE(noted("/unregistered_scan", "lidar"));
 }
 
 TEST(BagRecording, SkipAndMessagesThatAreBad) {
