@@ -459,6 +459,23 @@ def threads():
     return f"{markdown(['', 'before', 'now', 'now to before'], rows)}\n\n{kept_by_turns(kept)}"
 
 
+DEFAULT_TIMES = {"one thread, median [ms]": "one", "one thread, 99th percentile [ms]": "one p99",
+                 "two threads, median [ms]": "two"}
+
+
+def default_times():
+    kept, turns = measured_by_turns("default_times")
+    rows = [[name, *(with_range(turns[f"{when} {key}"]) for when in ("before", "now")),
+             with_range(ratios(turns[f"now {key}"], turns[f"before {key}"]))]
+            for name, key in DEFAULT_TIMES.items()]
+    return f"{markdown(['', 'before', 'now', 'now to before'], rows)}\n\n{kept_by_turns(kept)}"
+
+
+def default_times_ratio(key):
+    _, turns = measured_by_turns("default_times")
+    return f"{statistics.median(ratios(turns[f'now {key}'], turns[f'before {key}'])):.2f}"
+
+
 def slow_scans():
     kept = Kept("slow_scans")
     walks = {}
@@ -725,6 +742,9 @@ TABLES = {
     "reliability-bins": reliability_bins,
     "latency": latency,
     "latency-now": latency_now,
+    "default-times": default_times,
+    "default-times-median": lambda: default_times_ratio("one"),
+    "default-times-p99": lambda: default_times_ratio("one p99"),
     "threads": threads,
     "simulation-turns": simulation_turns,
     "slow-scans": slow_scans,
