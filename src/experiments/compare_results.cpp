@@ -39,12 +39,11 @@ std::string file_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The part of the truth between a run's first scan and its last, and a pose just behind either
-/// end, which these may be paired with; at either end no more than `most` [ns] is left out.
-Trajectory between_scans(const Trajectory& truth, const fs::path& run_folder,
+/// The part of the truth between a run's first scan and its last, by their stamps, and a pose just
+/// behind either end, which these may be paired with; at either end no more than `most` [ns] is
+/// left out.
+Trajectory between_scans(const Trajectory& truth, const std::vector<std::int64_t>& stamps,
                          const evaluation::AssociationOptions& association, std::int64_t most) {
-  const std::vector<std::int64_t> stamps =
-      runs::read_scans_csv(run_folder / runs::kScansFile).stamps_ns;
   if (stamps.empty() || truth.empty()) return truth;
   const auto [earliest, latest] = std::minmax_element(stamps.begin(), stamps.end());
   const std::int64_t begin = truth.front().stamp_ns, end = truth.back().stamp_ns;
@@ -66,25 +65,6 @@ constexpr std::int64_t kAll = std::int64_t{1} << 62;  // [ns]
 bool clips_truth(const CompareOptions& options) {
   if (options.cover != Cover::automatic) return options.cover == Cover::recording;
   return options.start > 0 || options.count > 0;
-}
-
-/// A truth often goes on a little before the first scan and after the last: a short recording is
-/// whole all the same.
-evaluation::RunVerdict judge_run(const Trajectory& truth, const Trajectory& estimate,
-                                 const evaluation::Evaluation& found, const CompareOptions& options,
-                                 const evaluation::EvaluationOptions& evaluation,
-                                 const fs::path& run_folder) {
-  constexpr std::int64_t kALittle = 1'000'000'000;  // [ns]
-  const auto verdict = evaluation::judge(truth, estimate, found, evaluation, options.rules);
-  const bool lacks = verdict.outcome == evaluation::Outcome::stopped ||
-                     verdict.outcome == evaluation::Outcome::partial;
-  if (!lacks || options.cover != Cover::automatic || clips_truth(options) ||
-      evaluation.association.method == evaluation::AssociationMethod::index) {
-    return verdict;
-  }
-  const Trajectory asked = between_scans(truth, run_folder, evaluation.association, kALittle);
-  return evaluation::judge(asked, estimate, evaluation::evaluate("", asked, estimate, evaluation),
-                           evaluation, options.rules);
 }
 
 /// Everything about one method on one recording.
@@ -128,20 +108,40 @@ class ResultMaker {
     try {
       const Trajectory estimate = io::read_tum(folder / runs::kTrajectoryFile);
       evaluation::EvaluationOptions how = options_.evaluation;
-      how.usual_step_ns =
-          evaluation::median_step_ns(runs::read_scans_csv(folder / runs::kScansFile).stamps_ns);
+      const std::vector<std::int64_t> stamps =
+          runs::read_scans_csv(folder / runs::kScansFile).stamps_ns;
+      how.usual_step_ns = evaluation::median_step_ns(stamps);
       const Trajectory truth =
-          clips_truth(options_) ? between_scans(truth_, folder, how.association, kAll) : truth_;
+          clips_truth(options_) ? between_scans(truth_, stamps, how.association, kAll) : truth_;
       result.evaluation = evaluation::evaluate(variant.label, truth, estimate, how);
       evaluation::EvaluationOptions from_start = how;
       from_start.alignment = evaluation::AlignmentMethod::origin;
       result.from_start = evaluation::evaluate(variant.label, truth, estimate, from_start);
-      result.verdict = judge_run(truth, estimate, *result.evaluation, options_, how, folder);
+      result.verdict = judge(truth, estimate, *result.evaluation, how, stamps);
       truth_part = truth;
       path = evaluation::aligned(estimate, result.evaluation->alignment);
     } catch (const std::exception& error) {
       result.runs.front().error = "not evaluated: " + io::printable(error.what());
     }
+  }
+
+  /// A truth often goes on a little before the first scan and after the last: a short recording is
+  /// whole all the same.
+  [[nodiscard]] evaluation::RunVerdict judge(const Trajectory& truth, const Trajectory& estimate,
+                                             const evaluation::Evaluation& found,
+                                             const evaluation::EvaluationOptions& how,
+                                             const std::vector<std::int64_t>& scan_stamps) const {
+    constexpr std::int64_t kALittle = 1'000'000'000;  // [ns]
+    const auto verdict = evaluation::judge(truth, estimate, found, how, options_.rules);
+    const bool lacks = verdict.outcome == evaluation::Outcome::stopped ||
+                       verdict.outcome == evaluation::Outcome::partial;
+    if (!lacks || options_.cover != Cover::automatic || clips_truth(options_) ||
+        how.association.method == evaluation::AssociationMethod::index) {
+      return verdict;
+    }
+    const Trajectory asked = between_scans(truth, scan_stamps, how.association, kALittle);
+    return evaluation::judge(asked, estimate, evaluation::evaluate("", asked, estimate, how), how,
+                             options_.rules);
   }
 
   const CompareOptions& options_;

@@ -179,6 +179,17 @@ double step_of(const TimeExtents& extents, ScalarType type) {
   return static_cast<double>(next) - static_cast<double>(value);
 }
 
+std::string coarseness(const PointTimeRule& rule, const TimeExtents& extents) {
+  constexpr double kTold = 0.02;  // of a sweep
+  const bool all_zero = extents.least == 0.0 && extents.greatest == 0.0;
+  if (all_zero || rule.step <= kTold * rule.spread) return {};
+  char text[100];
+  std::snprintf(text, sizeof(text), "; float32 holds these times in steps of %.3g ms%s",
+                1e3 * rule.step / facts_of(rule.unit).per_second,
+                rule.is_too_coarse() ? ", too coarse for a sweep: they are left out" : "");
+  return text;
+}
+
 }  // namespace
 
 OpenOptions with_defined_unit(OpenOptions options, const PointTable& table, const Column& time) {
@@ -225,21 +236,6 @@ PointTimeRule decide_point_time(const TimeExtents& extents, ScalarType type,
   rule.reference = *reference;
   return rule;
 }
-
-namespace {
-
-std::string coarseness(const PointTimeRule& rule, const TimeExtents& extents) {
-  constexpr double kTold = 0.02;  // of a sweep
-  const bool all_zero = extents.least == 0.0 && extents.greatest == 0.0;
-  if (all_zero || rule.step <= kTold * rule.spread) return {};
-  char text[100];
-  std::snprintf(text, sizeof(text), "; float32 holds these times in steps of %.3g ms%s",
-                1e3 * rule.step / facts_of(rule.unit).per_second,
-                rule.is_too_coarse() ? ", too coarse for a sweep: they are left out" : "");
-  return text;
-}
-
-}  // namespace
 
 std::string describe_point_time(const std::string& field, ScalarType type,
                                 const PointTimeRule& rule, const TimeExtents& extents) {

@@ -30,18 +30,15 @@ class CloudTopic final : public Recording {
   }
 
   std::optional<ScanItem> next() override {
-    const std::optional<Message> message = next_of_sensor();
-    if (!message) return std::nullopt;
+    std::optional<Heard> heard = next_of_sensor();
+    if (!heard) return std::nullopt;
     ScanItem item;
     item.name = "message " + std::to_string(next_ - 1);
-    item.logged_ns = message->logged_ns;
-    try {
-      read_scan(*message, item);
-    } catch (const ReadError& error) {
-      item.error = where() + ", " + item.name + ": " + error.what();
-    } catch (const std::bad_alloc&) {
-      item.error = where() + ", " + item.name + ": takes more memory than there is";
+    item.logged_ns = heard->message.logged_ns;
+    if (heard->cloud) {
+      heard->trouble = trouble_in([&] { make_scan(*heard->cloud, heard->message, item); });
     }
+    if (!heard->trouble.empty()) item.error = where() + ", " + item.name + ": " + heard->trouble;
     return item;
   }
 
@@ -74,24 +71,39 @@ class CloudTopic final : public Recording {
     return message;
   }
 
+  /// A message, and what is in it or why that cannot be read.
+  struct Heard {
+    Message message;
+    std::optional<CloudMessage> cloud = {};
+    std::string trouble = {};
+  };
+
+  /// Why some work on a message could not be done; empty: it was.
+  template <typename Work>
+  [[nodiscard]] static std::string trouble_in(const Work& work) {
+    try {
+      work();
+      return {};
+    } catch (const ReadError& error) {
+      return error.what();
+    } catch (const std::bad_alloc&) {
+      return "takes more memory than there is";
+    }
+  }
+
   /// The next message of the first one's sensor: of two that are mixed, no run can be made.
-  std::optional<Message> next_of_sensor() {
+  std::optional<Heard> next_of_sensor() {
     while (std::optional<Message> message = next_message()) {
       ++next_;
-      if (!is_anothers(*message)) return message;
+      Heard heard{*message};
+      heard.trouble = trouble_in([&] { heard.cloud = read(heard.message); });
+      if (!heard.cloud || !is_anothers(*heard.cloud)) return heard;
     }
     return std::nullopt;
   }
 
-  bool is_anothers(const Message& message) {
-    std::string sensor;
-    try {
-      sensor = sensor_of(read(message));
-    } catch (const ReadError&) {
-      return false;  // whoever reads it says so
-    } catch (const std::bad_alloc&) {
-      return false;
-    }
+  bool is_anothers(const CloudMessage& cloud) {
+    const std::string sensor = sensor_of(cloud);
     if (sensor == sensor_) return false;
     ++left_out_;
     if (others_.size() < kMostOthers && others_.insert(sensor).second) {
@@ -185,8 +197,7 @@ class CloudTopic final : public Recording {
     if (rule_text_ != before) parts_.notes.push_back(rule_text_);
   }
 
-  void read_scan(const Message& message, ScanItem& item) {
-    const CloudMessage cloud = read(message);
+  void make_scan(const CloudMessage& cloud, const Message& message, ScanItem& item) {
     item.layout = cloud.table.layout();
     const ScanColumns columns = find_scan_columns(cloud.table, options_);
     const std::int64_t stamp_ns = stamp_of(cloud, message);

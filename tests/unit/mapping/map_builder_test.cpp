@@ -11,6 +11,12 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
 
+DeskewedScan one_point() {
+  DeskewedScan scan;
+  scan.points = {{1.0F, 0.0F, 0.0F}};
+  return scan;
+}
+
 TEST(MapBuilder, CorrectsPointsByWhenTheyWereSeenAndDropsThoseOfNoPlace) {
   MapBuilder map(0.1);
   DeskewedScan scan;
@@ -31,8 +37,7 @@ TEST(MapBuilder, CorrectsPointsByWhenTheyWereSeenAndDropsThoseOfNoPlace) {
 
 TEST(MapBuilder, FramesThatNothingJoinsLeaveEachOthersPointsAlone) {
   MapBuilder map(0.1);
-  DeskewedScan scan;
-  scan.points = {{1.0F, 0.0F, 0.0F}};
+  const DeskewedScan scan = one_point();
   map.add(scan, Pose{}, {0, 0});
   map.add(scan, Pose{}, {kSecond, 1});
   map.add(scan, Pose{}, {2 * kSecond, 0});  // home again
@@ -43,8 +48,7 @@ TEST(MapBuilder, FramesThatNothingJoinsLeaveEachOthersPointsAlone) {
 
 TEST(MapBuilder, FramesComeTogetherWhereACorrectionJoinsThem) {
   MapBuilder map(0.1);
-  DeskewedScan scan;
-  scan.points = {{1.0F, 0.0F, 0.0F}};
+  const DeskewedScan scan = one_point();
   map.add(scan, Pose{}, {0, 0});
   map.add(scan, Pose{}, {kSecond, 1});
   const auto in_frames_of = [&](std::int64_t span_ns) {
@@ -58,8 +62,7 @@ TEST(MapBuilder, FramesComeTogetherWhereACorrectionJoinsThem) {
 
 TEST(MapBuilder, ScansAreToldFromEachOtherToTheNanosecond) {
   MapBuilder map(0.1);
-  DeskewedScan scan;
-  scan.points = {{1.0F, 0.0F, 0.0F}};
+  const DeskewedScan scan = one_point();
   constexpr std::int64_t kHour = 3600 * kSecond;
   map.add(scan, Pose{}, {kHour, 0});
   map.add(scan, Pose{}, {kHour + 1, 1});
