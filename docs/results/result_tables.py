@@ -328,6 +328,13 @@ def earlier_sets():
     return markdown(["set", "commit", "begun standing", "kiss-icp", "in motion", "kiss-icp"], rows)
 
 
+def latest_judged(ending, column):
+    """Over the latest set's recordings: scans "ok", "false ok", "lost", "degenerate"."""
+    rows = Kept(f"reporting-{LATEST_SET}{ending}-false").rows
+    at = rows[0].index(column)
+    return f"{sum(int(row[at]) for row in rows[1:]):,}"
+
+
 def changed_set():
     """One default against another on a set that neither was made on."""
     figures = {"APE": APE, "relative error": RELATIVE, "height": "Height, RMSE (m)"}
@@ -688,6 +695,14 @@ TABLES = {
     "within-below": lambda: within_scans(2),
     "within-between": lambda: within_scans(1),
     "latest-set": lambda: reporting(f"reporting-{LATEST_SET}"),
+    "latest-ok": lambda: latest_judged("", "ok"),
+    "latest-false": lambda: latest_judged("", "false ok"),
+    "latest-lost": lambda: latest_judged("", "lost"),
+    "latest-degenerate": lambda: latest_judged("", "degenerate"),
+    "latest-in-motion-ok": lambda: latest_judged("-in-motion", "ok"),
+    "latest-in-motion-false": lambda: latest_judged("-in-motion", "false ok"),
+    "latest-in-motion-lost": lambda: latest_judged("-in-motion", "lost"),
+    "latest-in-motion-degenerate": lambda: latest_judged("-in-motion", "degenerate"),
     "drawn": drawn,
     "drawn-runs": lambda: str(len(Kept("drawn").rows) - 1),
     "drawn-clean": drawn_clean,
