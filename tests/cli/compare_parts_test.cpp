@@ -117,7 +117,7 @@ TEST_F(Compare, PartOfATruthHoldsThePartnersOfItsEnds) {
   for (const double by : {0.003, -0.003}) {
     write_content(scratch_.path() / "beside.tum", later_truth(content("left/gt.tum"), by));
     ASSERT_EQ(compare({"left", "--methods", "paper", "--no-figures", "-o", "beside", "--count", "6",
-                       "--truth=beside.tum"})
+                       "--truth=beside.tum", "--max-diff", "0.005"})
                   .exit_code,
               0);
     EXPECT_EQ(result(results("beside"), "left", "paper")["evaluation"]["pairs"], 6) << by;
