@@ -113,6 +113,11 @@ double hazard_beside_rival(const Evidence& evidence) {
   return std::max(hazard(evidence), clear ? kOneOfTwo : 0.0);
 }
 
+bool sees_more_new(double at_one, double at_other) {
+  constexpr double kNew = 0.02;  // share of the points, more than what is the same
+  return at_one >= kClearlyBetter * at_other + kNew;
+}
+
 bool is_doubtful(double hazard) { return hazard > kVerdictBase / kScans; }
 
 bool has_settled(bool converged, int settling, bool slides) {

@@ -60,6 +60,10 @@ class UsualSigns {
 /// which one it is.
 inline constexpr double kClearlyBetter = 1.15;
 
+/// Whether much that a scan sees would be new at one place, and known at another: by the shares
+/// that are new.
+[[nodiscard]] bool sees_more_new(double at_one, double at_other);
+
 /// How probably this scan, by itself, went wrong.
 [[nodiscard]] double hazard(const Evidence& evidence);
 /// Likewise, once another place was looked for: that one clearly fits better is half of a proof.
