@@ -28,7 +28,8 @@ PoseEdge edge_between(const std::vector<Piece>& pieces, std::size_t from, std::s
   Twist diagonal;
   diagonal << t2, t2, t2, r2, r2, r2;
   diagonal += (way * systematic_drift(model)).cwiseAbs2();
-  const Matrix6 covariance = 0.5 * (a.covariance + b.covariance) + Matrix6(diagonal.asDiagonal());
+  const Matrix6 covariance = 0.5 * (turned(a.covariance, edge.T_from_to.rotation) + b.covariance) +
+                             Matrix6(diagonal.asDiagonal());
   edge.information = covariance.inverse();
   return edge;
 }

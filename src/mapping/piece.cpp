@@ -92,7 +92,7 @@ void PieceBuilder::begin(const PlacedScan& scan) {
 /// Of many looks every second one is let go, and as seldom they are taken from then on.
 void PieceBuilder::look(const PlacedScan& scan, const DeskewedScan& points) {
   if (looks_.size() == kMostLooks) {
-    for (std::size_t i = 0; 2 * i < kMostLooks; ++i) looks_[i] = std::move(looks_[2 * i]);
+    for (std::size_t i = 1; 2 * i < kMostLooks; ++i) looks_[i] = std::move(looks_[2 * i]);
     looks_.resize(kMostLooks / 2);
     between_looks_ns_ = 2 * (now_ns_ - begin_ns_) / std::int64_t{kMostLooks};
   }

@@ -125,6 +125,7 @@ TEST(ElevationGridTest, HoldsTheGroundAndNotTheWalls) {
   };
   EXPECT_NEAR(grid.heights[at(0.5, 0.5)], 1.6, 1e-5);
   EXPECT_NEAR(grid.variances[at(0.5, 0.5)], 0.0, 1e-5);
+  EXPECT_LT(grid.heights[at(3.97, 0.53)], 1.6 + 0.6) << "at a wall of 1.9 m";
   EXPECT_EQ(format_asc(grid, grid.heights).rfind("ncols ", 0), 0U);
 }
 

@@ -46,6 +46,14 @@ TEST(MapBuilder, FramesThatNothingJoinsLeaveEachOthersPointsAlone) {
   EXPECT_EQ(map.without_forgotten().first_seen(), (std::vector<float>{0.0F}));
 }
 
+TEST(MapBuilder, WhatWasForgottenAndIsSeenAgainIsThereAgain) {
+  MapBuilder map(0.1);
+  map.add(one_point(), Pose{}, {0, 0});
+  map.forget({1.0, {Eigen::Vector3d(1.5, 0.5, 0.5)}}, {kSecond, 0});
+  map.add(one_point(), Pose{}, {2 * kSecond, 0});
+  EXPECT_EQ(map.without_forgotten().first_seen(), std::vector<float>{2.0F});
+}
+
 TEST(MapBuilder, FramesComeTogetherWhereACorrectionJoinsThem) {
   MapBuilder map(0.1);
   const DeskewedScan scan = one_point();

@@ -119,5 +119,22 @@ TEST(Piece, OfOneWhoStandsSeesWhoGoes) {
   }
 }
 
+// When every second look is let go, the first one stays.
+TEST(Piece, OfManyScansStillKnowsItsFirst) {
+  PieceOptions options;
+  options.things = true;
+  PieceBuilder builder(options);
+  for (int i = 0; i < 65; ++i) {
+    PlacedScan scan = scan_at(0.0, 0.001);
+    scan.stamp_ns = i * std::int64_t{100'000'000};
+    DeskewedScan points;
+    points.points = {{i == 0 ? 3.0F : 7.0F, 0.0F, 0.0F}, {2.0F, 2.0F, -0.5F}};
+    EXPECT_FALSE(builder.add(scan, points).has_value());
+  }
+  const Piece piece = builder.finish().value();
+  const ThingSight sight(piece.things->packed());
+  EXPECT_EQ(sight.at(piece.T_world_piece.inverse() * Eigen::Vector3d(0.0, 3.0, 0.0)).hit, 1);
+}
+
 }  // namespace
 }  // namespace surefoot::mapping
