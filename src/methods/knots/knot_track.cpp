@@ -54,6 +54,7 @@ void KnotTrack::take_over(const KnotTrack& lost) {
   choice_ = lost.choice_;
   end_ = lost.end_;
   last_pose_ = lost.last_pose_;
+  last_end_ns_ = lost.last_end_ns_;
   velocity_ = lost.velocity_;
   errors_ = lost.errors_;
 }
@@ -71,6 +72,7 @@ void KnotTrack::begin(const ScanPart& first, const Pose& T_map_lidar) {
   walked_unseen_ = false;
   map_alone(look(first, trajectory));
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
+  last_end_ns_ = scan.end_ns;
   mount_ = mount_of(T_map_lidar);
   way_.clear();
   way_.add(carrier_of(T_map_lidar, mount_));
@@ -90,6 +92,7 @@ void KnotTrack::accept(const RegisteredScan& registered, double right, View view
   integrate(std::move(view));
   const ScanTrajectory& trajectory = registered.trajectory;
   last_pose_ = StampedPose{trajectory.mid_ns(), trajectory.at(0.5)};
+  last_end_ns_ = found.window.end_ns;
   way_.add(carrier_of(last_pose_->pose, mount_));
 }
 
@@ -233,6 +236,7 @@ Whereabouts KnotTrack::whereabouts() const {
   return {end_.prior.means[1],
           mount_,
           last_pose_->stamp_ns,
+          last_end_ns_,
           model_,
           way_,
           config().motion_prior.max_extrapolation,

@@ -120,6 +120,7 @@ class KnotTrack {
   PointChoice choice_;
   KnotEnd end_;
   std::optional<StampedPose> last_pose_;
+  std::int64_t last_end_ns_ = 0;  // of its scan
   bool walked_unseen_ = false;
   Twist velocity_ = Twist::Zero();
   UsualFit usual_;

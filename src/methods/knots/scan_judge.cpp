@@ -15,7 +15,7 @@ namespace surefoot {
 
 namespace {
 
-// What the evidence is counted from: [m], [s].
+// What the evidence is counted from: [m], and of scans that are shorter [s].
 constexpr double kKnown = 0.01, kUsualPeriod = 0.1;
 
 constexpr double kSuddenlyNew = 2.0;  // times as much as usual that the map does not have
@@ -41,7 +41,9 @@ void ScanJudge::weigh(const KnotTrack& track, const PreparedScan& scan, const Vi
                       registered.begin.prior.surprise(found.window), settled ? 0.0 : 1.0};
   Evidence& evidence = registered.estimate.evidence = usual_.compare(registered.signs);
   evidence.uncertainty = strength(registered.told.deviation / kKnown);
-  evidence.gap = strength(track.whereabouts().since(scan.mid_ns()) / kUsualPeriod);
+  // That a sweep takes its time is no gap.
+  const double period = std::max(seconds(scan.end_ns - scan.start_ns), kUsualPeriod);
+  evidence.gap = strength(track.whereabouts().since(scan.mid_ns()) / period);
   evidence.frozen = seen_again ? track.model().walking() : 0.0;
 }
 

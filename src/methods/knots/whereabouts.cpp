@@ -35,11 +35,11 @@ double Whereabouts::since(std::int64_t instant_ns) const {
 }
 
 bool Whereabouts::is_after_hole(const PreparedScan& scan) const {
-  return since(scan.start_ns) > extrapolated;
+  return seconds(scan.start_ns - trusted_end_ns) > extrapolated;
 }
 
 bool Whereabouts::is_after_short_hole(const PreparedScan& scan) const {
-  return is_after_hole(scan) && since(scan.start_ns) <= kLongStraight;
+  return is_after_hole(scan) && seconds(scan.start_ns - trusted_end_ns) <= kLongStraight;
 }
 
 bool Whereabouts::is_farther_back(const Pose& place, const PreparedScan& scan) const {

@@ -21,6 +21,7 @@ struct Whereabouts {
   const Pose& last;                 ///< where it was last taken to be
   const Eigen::Quaterniond& mount;  ///< R_lidar_carrier
   std::int64_t trusted_ns;          ///< the last trusted pose's instant
+  std::int64_t trusted_end_ns;      ///< the end of its scan
   const VelocityModel& model;
   const WalkedWay& way;
   double extrapolated;  ///< [s] after which the velocity no longer tells where it is
@@ -28,7 +29,8 @@ struct Whereabouts {
 
   /// [s] from the last trusted pose to an instant.
   [[nodiscard]] double since(std::int64_t instant_ns) const;
-  /// Whether the last trusted scan is too long ago for its velocity to tell where this one begins.
+  /// Whether the last trusted scan ended too long ago for its velocity to tell where this one
+  /// begins.
   [[nodiscard]] bool is_after_hole(const PreparedScan& scan) const;
   /// Likewise, but so short ago that it has not turned since.
   [[nodiscard]] bool is_after_short_hole(const PreparedScan& scan) const;

@@ -34,5 +34,26 @@ TEST(KnotPrediction, AScanBeginsWhereTheLastOneEnded) {
   EXPECT_EQ(begin.prior.information, walking_end().prior.information);
 }
 
+TEST(KnotPrediction, AfterALongGapItIsCarriedOnForAWhileToAPlaceThatIsKnownTheLess) {
+  const PreparedScan scan = scan_after(3.0);
+  const KnotEnd begin = beginning_of(scan, walking_end(), walking(), Config());
+  EXPECT_EQ(begin.stamp_ns, scan.start_ns);
+  EXPECT_NEAR(begin.prior.means[1].translation.x(), kEnd.translation.x() + 0.5, 1e-9);
+  EXPECT_EQ(begin.prior.information, at_rest(begin.prior.means[1], 0.0125, 3.0).information);
+}
+
+TEST(KnotPrediction, AGapIsBridgedBySegmentsAsLongAsTheScans) {
+  struct Case {
+    double gap;
+    std::size_t segments;
+  };
+  for (const Case& c : {Case{0.0, 8}, Case{0.1, 16}, Case{0.45, 24}}) {
+    const KnotWindow window =
+        predict_knots(scan_after(c.gap), walking_end(), walking(), Config().knots);
+    EXPECT_EQ(window.segments(), c.segments) << c.gap;
+    EXPECT_NEAR(window.step * static_cast<double>(c.segments), c.gap + 0.1, 1e-9) << c.gap;
+  }
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -34,7 +34,7 @@ struct Walker {
     model.begin((Twist() << 1.0, 0.0, slope, 0.0, 0.0, 0.0).finished(), last.rotation);
   }
   [[nodiscard]] Whereabouts whereabouts(bool unseen = false) const {
-    return {last, mount, kTrustedNs, model, way, 0.5, unseen};
+    return {last, mount, kTrustedNs, kTrustedNs, model, way, 0.5, unseen};
   }
 
   Pose last;
@@ -44,6 +44,17 @@ struct Walker {
 };
 
 const double kLevel = 0.0, kStairs = 0.6;
+
+// However long its sweep took.
+TEST(Whereabouts, AScanRightAfterTheLastOneIsAfterNoHole) {
+  const Walker walker(kLevel);
+  Whereabouts about = walker.whereabouts();
+  about.trusted_end_ns = after(1.0);
+  EXPECT_FALSE(about.is_after_hole(scan_after(1.0)));
+  EXPECT_FALSE(about.is_after_hole(scan_after(1.4)));
+  EXPECT_TRUE(about.is_after_short_hole(scan_after(1.6)));
+  EXPECT_FALSE(about.is_after_short_hole(scan_after(6.1)));
+}
 
 // [K30] once more.
 TEST(Whereabouts, GrowWithTheTimeUntilTheyAreLarge) {
