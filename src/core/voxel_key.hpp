@@ -25,6 +25,11 @@ using VoxelIndex = Eigen::Vector3i;
           voxel_index(point.z(), inverse_size)};
 }
 
+/// Of the voxel twice as large that holds this one: rounded down.
+[[nodiscard]] inline VoxelIndex coarser(const VoxelIndex& index) {
+  return {index.x() >> 1, index.y() >> 1, index.z() >> 1};
+}
+
 /// 21 bits a coordinate: +-1,048,576 voxels each way before keys repeat.
 [[nodiscard]] inline std::uint64_t voxel_key(const VoxelIndex& index) {
   constexpr std::uint64_t mask = (1U << 21) - 1;

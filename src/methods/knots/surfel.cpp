@@ -16,6 +16,9 @@ namespace {
 // LiDAR on a wall or floor, whose place along that surface says nothing.
 constexpr double kStanding = 0.7;
 
+// Variance of a pole's points across the rays at least, as a share of that along them.
+constexpr double kWide = 0.25;
+
 }  // namespace
 
 Eigen::Matrix3d SurfelMoments::matrix_of(const Products& p) {
@@ -66,8 +69,16 @@ void SurfelMoments::weigh(Surfel& cloud, const RaySpread& rays, double next_ring
   }
 }
 
-Surfel SurfelMoments::fit(const Eigen::Vector3d& middle, double size,
-                          const Config::Knots& config) const {
+/// Whether points about an axis spread across the rays as a pole's do. One firing on a wall, seen
+/// at a grazing angle, is an upright line as well, noisy along the rays and as thin as its beams.
+bool SurfelMoments::is_wide(const Eigen::Matrix3d& C, const Eigen::Vector3d& axis) const {
+  const Eigen::Vector3d aside = axis.cross(ray_sum_.cast<double>()).normalized();
+  const Eigen::Vector3d onward = aside.cross(axis);
+  return aside.dot(C * aside) >= kWide * onward.dot(C * onward);  // [K41]
+}
+
+Surfel SurfelMoments::fit(const Eigen::Vector3d& middle, double size, const Config::Knots& config,
+                          Poles poles) const {
   Surfel surfel;
   const Eigen::Vector3d offset = mean();
   const Eigen::Matrix3d C = matrix_of(products_) / count_ - offset * offset.transpose();
@@ -84,9 +95,9 @@ Surfel SurfelMoments::fit(const Eigen::Vector3d& middle, double size,
   // [K17]
   const bool plane = spread[1] >= broad && spread[0] <= config.flatness * spread[1] &&
                      facing >= config.edge_on * config.edge_on;
-  const bool pole = !plane && count_ >= 2 * config.min_points && spread[2] >= broad &&
-                    spread[1] <= config.slenderness * spread[2] &&
-                    std::abs(eigen.vectors(2, 2)) >= kStanding;
+  const bool pole = poles == Poles::some && !plane && count_ >= 2 * config.min_points &&
+                    spread[2] >= broad && spread[1] <= config.slenderness * spread[2] &&
+                    std::abs(eigen.vectors(2, 2)) >= kStanding && is_wide(C, eigen.vectors.col(2));
   surfel.directions = plane ? 1 : pole ? 2 : config.cloud_weight > 0.0 ? 3 : 0;
   const RaySpread rays = surfel.cloud() ? ray_spread(size, config.ring_gap) : RaySpread{};
   const double next_ring = config.ring_gap * config.ring_gap * squared_ranges_ / (3.0 * count_);

@@ -27,7 +27,10 @@ struct alignas(64) Surfel {
   [[nodiscard]] double variance(int i) const { return static_cast<double>(along[i].variance); }
   [[nodiscard]] double worth(int i) const { return static_cast<double>(along[i].worth); }
 
+  [[nodiscard]] bool pole() const { return directions == 2; }
   [[nodiscard]] bool cloud() const { return directions == 3; }
+  /// Unit, of a pole.
+  [[nodiscard]] Eigen::Vector3d axis() const { return across(0).cross(across(1)); }
 
   /// Whether a ray (of any length, from the sensor) meets a plane's back.
   [[nodiscard]] bool from_behind(const Eigen::Vector3d& ray) const {
@@ -57,9 +60,11 @@ class SurfelMoments {
   [[nodiscard]] int count() const { return count_; }
   /// Of at least one point, from the voxel's middle [m].
   [[nodiscard]] Eigen::Vector3d mean() const { return sum_.cast<double>() / count_; }
+  /// Whether what looks like a pole may be one.
+  enum class Poles { some, none };
   /// `middle` [m, map frame] of a voxel of side `size` [m].
-  [[nodiscard]] Surfel fit(const Eigen::Vector3d& middle, double size,
-                           const Config::Knots& config) const;
+  [[nodiscard]] Surfel fit(const Eigen::Vector3d& middle, double size, const Config::Knots& config,
+                           Poles poles = Poles::some) const;
 
  private:
   /// The upper triangle of a sum of v v^T, row by row.
@@ -76,6 +81,7 @@ class SurfelMoments {
     sum.zz += v.z() * v.z();
   }
   [[nodiscard]] static Eigen::Matrix3d matrix_of(const Products& p);
+  [[nodiscard]] bool is_wide(const Eigen::Matrix3d& C, const Eigen::Vector3d& axis) const;
   /// How the rays lie about their mean.
   struct RaySpread {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< unit

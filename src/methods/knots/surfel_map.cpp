@@ -18,18 +18,13 @@ constexpr double kReach = 100.0;
 // What has too few points for a surfel, and was not hit for so many scans, is no surface.
 constexpr std::uint32_t kForgotten = 30;
 
-/// Rounded down.
-VoxelIndex half(const VoxelIndex& index) {
-  return {index.x() >> 1, index.y() >> 1, index.z() >> 1};
-}
-
 }  // namespace
 
 SurfelMap::SurfelMap(const Config::Knots& config, double radius)
     : config_(config), radius_(radius) {
   double size = config.finest_voxel;
   for (int level = 0; level < config.levels; ++level, size *= 2.0) {
-    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, {}, {}, 0});
+    grids_.push_back({size, 1.0 / size, {}, {}, {}, {}, {}, {}, {}, {}, {}, 0});
   }
 }
 
@@ -68,8 +63,7 @@ void SurfelMap::find_all(std::span<const Question> questions, int finest) const 
     for (std::size_t i = 0; i < n; ++i) {
       if (answer(searches[i], level)) continue;
       searches[open] = searches[i];
-      // A voxel's index in the next grid, whose voxels are twice as large, is half its own.
-      searches[open].index = half(searches[open].index);
+      searches[open].index = coarser(searches[open].index);
       ++open;
     }
     n = open;
@@ -104,7 +98,7 @@ const Surfel* SurfelMap::find(const Eigen::Vector3d& place, const Eigen::Vector3
                               int finest) const {
   VoxelIndex index = voxel_index(place, grids_[finest].inverse_size);
   const Surfel* cloud = nullptr;
-  for (std::size_t level = finest; level < grids_.size(); ++level, index = half(index)) {
+  for (std::size_t level = finest; level < grids_.size(); ++level, index = coarser(index)) {
     const Grid& grid = grids_[level];
     const std::uint64_t key = voxel_key(index);
     const std::uint32_t front = grid.table.find_entry(key).second;
@@ -174,6 +168,7 @@ void SurfelMap::clear() {
     grid.voxels.clear();
     grid.sights.clear();
     grid.stale.clear();
+    grid.poles.clear();
     grid.passed.clear();
     grid.unused.clear();
     grid.next = 0;

@@ -123,6 +123,7 @@ class SurfelMap {
     Pages<Surfel> surfels;
     std::vector<std::uint32_t> unused_surfels;
     std::vector<std::uint32_t> stale;   // to fit anew
+    std::vector<std::uint32_t> poles;   // fitted by this scan, that may be pieces of walls
     std::vector<std::uint32_t> passed;  // those that beams went through since one last hit them
     std::vector<std::uint32_t> unused;  // sides that were dropped
     std::size_t next = 0;               // the side where the removal of what is far goes on
@@ -164,6 +165,8 @@ class SurfelMap {
                        std::vector<std::uint32_t>& taken) const;
   void add(std::size_t level, const Sweep& sweep, const std::vector<std::uint32_t>& taken);
   void fit(Grid& grid) const;
+  [[nodiscard]] bool lies_on_wall(std::size_t level, const Voxel& voxel, const Surfel& pole) const;
+  void refuse_pieces_of_walls();
   void note_hit(Sight& sight) const;
   [[nodiscard]] std::vector<std::uint32_t> may_be_passed(const Grid& grid,
                                                          const Beams& beams) const;

@@ -3,6 +3,8 @@
 //
 // A scan enters the map: its points, and what its beams say of what is there.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -22,6 +24,10 @@ constexpr std::size_t kTurn = 3, kBlock = 64;
 
 // So many points ahead, memory is asked for what the map knows of them: they lie all over it.
 constexpr std::size_t kAhead = 20;
+
+// A pole on a wall is no farther from it than so many standard deviations of the wall's points, and
+// so much askew to it at most (sine).
+constexpr double kOnWall = 2.0, kAskew = 0.2;
 
 // Scans that are counted: what fits Sight's 16 bits.
 constexpr int kMost = 60'000;
@@ -183,8 +189,51 @@ void SurfelMap::fit(Grid& grid) const {
     grid.sights[at].middle = surfel.mean.cast<float>();
     voxel.stale = false;
     voxel.fitted_at = voxel.moments.count();
+    if (surfel.pole()) grid.poles.push_back(at);
   }
   grid.stale.clear();
+}
+
+/// Whether what looks like a pole is a piece of a wall: what the voxel's sides cut off one, or what
+/// a single firing shows of it. Where it lies along the wall it tells of the voxel or of the
+/// sensor.
+bool SurfelMap::lies_on_wall(std::size_t level, const Voxel& voxel, const Surfel& pole) const {
+  constexpr std::array<std::array<int, 2>, 5> kBeside = {
+      {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  const auto is_wall = [&](const Surfel& wall) {
+    if (wall.directions != 1 || std::abs(wall.across(0).dot(pole.axis())) > kAskew) return false;
+    const double away = wall.across(0).dot(pole.mean - wall.mean);
+    const double thickness = std::min(wall.variance(0), config_.noise * config_.noise);
+    return away * away <= kOnWall * kOnWall * thickness;  // [K40]
+  };
+  VoxelIndex index = voxel.index;
+  for (; level < grids_.size(); ++level, index = coarser(index)) {
+    const Grid& grid = grids_[level];
+    for (const auto& [x, y] : kBeside) {
+      const std::uint64_t key = voxel_key(index + VoxelIndex(x, y, 0));
+      for (const std::uint64_t side : {key, key | kBack}) {
+        const std::uint32_t at = grid.table.find_entry(side).second;
+        if (at != VoxelTable::kNone && is_wall(grid.surfels[at])) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Once all grids know the scan.
+void SurfelMap::refuse_pieces_of_walls() {
+  for (std::size_t level = 0; level < grids_.size(); ++level) {
+    Grid& grid = grids_[level];
+    for (const std::uint32_t at : grid.poles) {
+      const Voxel& voxel = grid.voxels[at];
+      if (voxel.surfel == VoxelTable::kNone) continue;  // emptied since
+      Surfel& surfel = grid.surfels[voxel.surfel];
+      if (!lies_on_wall(level, voxel, surfel)) continue;
+      surfel = voxel.moments.fit(middle_of(voxel.index, grid.size), grid.size, config_,
+                                 SurfelMoments::Poles::none);
+    }
+    grid.poles.clear();
+  }
 }
 
 void SurfelMap::note_hit(Sight& sight) const {
@@ -279,6 +328,7 @@ Cubes SurfelMap::insert(const View& view, const Workers& workers) {
     if (level == finest) emptied = std::move(here);
   });
   if (divides()) empty_divided(emptied);
+  refuse_pieces_of_walls();
   Cubes cubes{grids_[finest].size, {}};
   cubes.centres.reserve(emptied.size());
   for (const VoxelIndex& voxel : emptied) cubes.centres.push_back(middle_of(voxel, cubes.side));

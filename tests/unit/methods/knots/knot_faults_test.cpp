@@ -13,26 +13,13 @@
 #include <string>
 #include <utility>
 
+#include "fault_walk.hpp"
 #include "geometry/so3.hpp"
-#include "support/synthetic_run.hpp"
 
 namespace surefoot {
 namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
-
-constexpr int kFaultScans = 45;
-constexpr int kEvent = 20;
-const Pose kFaultStart{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
-
-MotionFunction walk() {
-  return constant_velocity(kFaultStart, (Twist() << 0.5, 0, 0, 0, 0, 0).finished());
-}
-
-const std::vector<Scan>& walk_scans() {
-  static const std::vector<Scan> scans = take_scans(furnished_hall(), walk(), kFaultScans);
-  return scans;
-}
 
 /// The walk, somewhere else from scan kEvent on.
 MotionFunction carried(const Pose& by) {
@@ -52,34 +39,6 @@ void make_garbage(Scan& scan) {
 /// Left and right changed: its beams turn the other way.
 void make_mirrored(Scan& scan) {
   for (Eigen::Vector3f& point : scan.points) point.y() = -point.y();
-}
-
-/// Nothing but a level floor.
-void make_floor(Scan& scan) {
-  std::vector<Eigen::Vector3f> points;
-  std::vector<std::int32_t> times_ns;
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    const Eigen::Vector3f& p = scan.points[i];
-    if (p.z() >= -0.02F * p.norm()) continue;
-    points.emplace_back(p * (-0.45F / p.z()));
-    if (!scan.times_ns.empty()) times_ns.push_back(scan.times_ns[i]);
-  }
-  scan = {scan.stamp_ns, points, {}, times_ns, {}};
-}
-
-double distance(const Pose& a, const Pose& b) { return (a.translation - b.translation).norm(); }
-
-/// [m] of an estimate against the first of its segment that the run has.
-double end_error(const std::vector<Estimate>& all, const Estimate& last,
-                 const MotionFunction& motion) {
-  const auto first = std::find_if(all.begin(), all.end(), [&](const Estimate& e) {
-    return e.trusted() && e.segment == last.segment;
-  });
-  const auto truth = [&](const Estimate& e) {
-    return motion(1e-9 * static_cast<double>(e.stamp_ns));
-  };
-  return distance(first->T_world_lidar.inverse() * last.T_world_lidar,
-                  truth(*first).inverse() * truth(last));
 }
 
 TEST(KnotFaults, TheVerdictOnlyObserves) {
@@ -364,24 +323,6 @@ TEST(KnotFaults, WhatStaysMirroredIsASegmentOfItsOwn) {
   const auto all = add_scans(odometry, scans);
   EXPECT_EQ(all.back().segment, 1) << statuses(all);
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
-}
-
-// Its rings go with the sensor: of the way along it they tell nothing, and nothing says so but
-// that.
-TEST(KnotFaults, ABareFloorHoldsNoPlaceAndItSaysSo) {
-  std::vector<Scan> scans = walk_scans();
-  for (int i = kEvent; i < kFaultScans; ++i) make_floor(scans[static_cast<std::size_t>(i)]);
-  Odometry odometry;
-  const auto all = add_scans(odometry, scans);
-  for (int i = kEvent; i < kFaultScans; ++i) {
-    const Estimate& estimate = all[static_cast<std::size_t>(i)];
-    EXPECT_EQ(estimate.status, Status::degenerate) << i << ' ' << statuses(all);
-    const double error = end_error(all, estimate, walk());
-    EXPECT_LT(error, 3.0 * std::sqrt(estimate.covariance(0, 0))) << i;
-    if (error > 0.4) {
-      EXPECT_GT(estimate.wrong_probability, 0.5) << i;
-    }
-  }
 }
 
 TEST(KnotFaults, WhatIsNotFoundAgainBeginsASegment) {

@@ -78,6 +78,38 @@ TEST(SurfelMap, AStandingPoleHasTwoDirectionsALyingLineNone) {
   }
 }
 
+/// Upright strips, far narrower than a voxel: pieces of a wall, and a pole before it.
+TEST(SurfelMap, APieceOfAWallIsNoPole) {
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  for (const double before : {0.0, 0.35}) {
+    Random random(7);
+    const Eigen::Vector3d place(0.2, 0.2, 0.2);
+    // Of a wall across y a voxel of the finest grid shows a strip, and the next grid more.
+    Points points = cloud(random, 60, place, upright, {0.02, 0.003, 0.19});
+    const Points wall = cloud(random, 400, {1.2, 0.2 + before, 0.8}, upright, {0.38, 0.003, 0.7});
+    points.insert(points.end(), wall.begin(), wall.end());
+    const SurfelMap map = map_of(points);
+    const Surfel* const surfel = find(map, place);
+    const bool is_pole = surfel != nullptr && surfel->pole();
+    EXPECT_EQ(is_pole, before > 0.0) << before;
+  }
+}
+
+TEST(SurfelMap, OneFiringOnAWallIsNoPole) {
+  const Eigen::Vector3d sensor = kCentre + Eigen::Vector3d(6.0, 0.0, 0.5);  // looks along -x
+  struct Case {
+    double deep, wide;  // half of it [m]
+    bool is_pole;
+  };
+  for (const Case& c : {Case{0.04, 0.002, false}, Case{0.04, 0.03, true}, Case{0.01, 0.04, true}}) {
+    Random random(8);
+    const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+    const Points points = cloud(random, 60, kCentre, upright, {c.deep, c.wide, 0.19});
+    const Surfel* const surfel = find(map_of(points, knots_config(), sensor), kCentre, 0, sensor);
+    EXPECT_EQ(surfel != nullptr && surfel->pole(), c.is_pole) << c.deep << ' ' << c.wide;
+  }
+}
+
 TEST(SurfelMap, ABallAndAHandfulOfPointsAreNoSurfel) {
   Random random(3);
   Points ball;
