@@ -81,7 +81,7 @@ def read(file):
     for key in ("recordings", "options", "methods", "vary"):
         settings[key] = [str(word) for word in settings[key]]
     if command == "sweep" and not settings["vary"]:
-        raise SettingsError("sweep: nothing to vary; expected 'vary: [knots.points=1000,2000]'")
+        raise SettingsError("sweep: nothing to vary; expected 'vary: [knots.points=1000:3000:500]'")
     program = shutil.which(settings["program"])
     if not program:
         raise SettingsError("there is no such program: " + settings["program"])

@@ -8,6 +8,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -114,6 +115,26 @@ class SettingsTest(Scratch):
         (run,) = planning.make(settings, hashes)["runs"].values()
         self.assertEqual(run["recording"], str(link))
 
+    def test_each_command_takes_the_pages_example(self):
+        page = (FLEET.parent / "docs/fleet.md").read_text()
+        example = re.search(r"```yaml\n(.*?)```", page, re.DOTALL).group(1)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        for walk, form in (("walks/a", "pcd"), ("walks/b.mcap", "mcap")):
+            subprocess.run([PROGRAM, "simulate", "corridor", "--scans", "3", "-q", "--format", form,
+                            "-o", walk], check=True)
+        self.addCleanup(os.environ.update, PATH=os.environ["PATH"])
+        os.environ["PATH"] = f"{PROGRAM.parent}:{os.environ['PATH']}"
+        for command in reading.COMMANDS:
+            own = "vary: [knots.points=1000:3000:500]\n" * (command == "sweep")
+            file = self.write("fleet.yaml", own + example.replace("command: compare",
+                                                               f"command: {command}"))
+            plan = planning.make(reading.read(pathlib.Path(file)),
+                                 planning.Hashes(self.folder / "hashes.json"))
+            self.assertGreaterEqual(len(plan["runs"]), 2)
+            if command not in planning.COMPARISONS:
+                arguments = next(iter(plan["runs"].values()))["arguments"]
+                subprocess.run([PROGRAM, *arguments, "--no-report", "--overwrite"], check=True)
 
     def test_what_is_wrong_is_named_in_a_line(self):
         walk = self.write("walk.pcap", "packets")
