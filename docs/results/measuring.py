@@ -20,12 +20,25 @@ FALSE_METRES, FALSE_DEGREES = 0.2, 2.0  # of a loop
 WRONG_METRES, WRONG_DEGREES, BEFORE = 0.2, 3.0, 10  # of a pose, against that so many scans before
 
 
-def parser_of(text, *paths):
-    """A script's arguments: its paths, by their order; it adds its options."""
+def commit_here():
+    """That is checked out; none: there is no repository here, or no git."""
+    try:
+        return call("git", "-C", HERE, "rev-parse", "--short", "HEAD").strip()
+    except (OSError, subprocess.CalledProcessError):
+        return None
+
+
+def parser_of(text, *paths, compares=False):
+    """A script's arguments: its paths, by their order, and the commit that it measures; one that
+    compares commits is told of each. It adds its options."""
     parser = argparse.ArgumentParser(description=text,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     for path in paths:
         parser.add_argument(path, type=pathlib.Path)
+    if not compares:
+        here = commit_here()
+        parser.add_argument("--commit", default=here, required=here is None,
+                            help="that is measured; else the one that is checked out")
     return parser
 
 
