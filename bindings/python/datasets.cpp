@@ -64,7 +64,7 @@ void bind_datasets(py::module_& module) {
       .def("__len__", [](const io::Truth& truth) { return truth.poses.size(); });
   module.def("read_truth", &read_truth, py::arg("path"), py::arg("dataset") = "",
              py::arg("topic") = "",
-             "Reads a true trajectory: a table of 4 to 13 columns, a recording's folder with its "
+             "Reads a true trajectory: a table of 4 to 17 columns, a recording's folder with its "
              "gt.tum, or a bag's topic, as `surefoot eval` does. dataset: one of datasets(); "
              "topic: of a bag.");
 }

@@ -142,4 +142,13 @@ std::vector<std::string> reading_option_names() {
   return names;
 }
 
+void refuse_keyword(const std::string& function, const std::string& name,
+                    const std::vector<std::string>& own) {
+  std::string known;
+  for (const auto& names : {own, reading_option_names()}) {
+    for (const std::string& one : names) known += (known.empty() ? "" : ", ") + one;
+  }
+  throw py::type_error(function + "() has no option '" + name + "'; it has: " + known);
+}
+
 }  // namespace surefoot::python

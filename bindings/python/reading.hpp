@@ -20,7 +20,10 @@ namespace surefoot::python {
 /// Sets the option of that name, unless its value is None: not given. False where there is none.
 [[nodiscard]] bool set_reading_option(io::OpenOptions& options, const std::string& name,
                                       const py::handle& value);
-/// Those names.
+/// Refuses a keyword that a function does not have, naming its own, then those of reading.
+[[noreturn]] void refuse_keyword(const std::string& function, const std::string& name,
+                                 const std::vector<std::string>& own);
+/// Names of the options of reading.
 [[nodiscard]] std::vector<std::string> reading_option_names();
 
 }  // namespace surefoot::python

@@ -95,11 +95,7 @@ std::unique_ptr<ScanIterator> open(const std::filesystem::path& path, bool keep_
   for (const auto& [key, value] : options) {
     const std::string name = py::str(key);
     if (set_reading_option(reader, name, value)) continue;
-    std::string known;
-    for (const std::string& one : reading_option_names()) {
-      known += (known.empty() ? "" : ", ") + one;
-    }
-    throw py::type_error("open() has no option '" + name + "'; it has: keep_partial, " + known);
+    refuse_keyword("open", name, {"keep_partial"});
   }
   const py::gil_scoped_release release;
   return std::make_unique<ScanIterator>(path, reader, keep_partial);
@@ -156,8 +152,8 @@ Iterate it once to get its scans. Scans that cannot be read are left out with a 
       });
   module.def(
       "open", &open, py::arg("path"), py::kw_only(), py::arg("keep_partial") = false,
-      R"(Opens whatever `surefoot run` takes: a folder of PCD, PLY or KITTI .bin scans, one such
-file, a capture of packets (.pcap, .pcapng), a bag (.bag, .db3, .mcap, or its folder).
+      R"(Opens whatever `surefoot run` takes: a folder of PCD, PLY, LAS or KITTI .bin scans, one
+such file, a capture of packets (.pcap, .pcapng), a bag (.bag, .db3, .mcap, or its folder).
 
 >>> for scan in surefoot.open("walk.mcap", topic="/points"): ...
 

@@ -88,6 +88,12 @@ bool set_option(RunOptions& options, const std::string& name, const py::handle& 
   return false;
 }
 
+std::vector<std::string> run_option_names() {
+  std::vector<std::string> names = {"config", "say", "progress"};
+  for (const RunKeyword& option : kRunKeywords) names.emplace_back(option.name);
+  return names;
+}
+
 void check(const RunOptions& options) {
   const auto refuse = [](const char* what) { throw std::invalid_argument(what); };
   if (options.threads < 1 || options.threads > 1024) refuse("threads: expected 1 .. 1024");
@@ -163,9 +169,7 @@ std::filesystem::path run(const std::filesystem::path& input,
   set_config(options, config);
   for (const auto& [key, value] : keywords) {
     const std::string name = py::str(key);
-    if (!set_option(options, name, value)) {
-      throw py::type_error("run() has no option '" + name + "'");
-    }
+    if (!set_option(options, name, value)) refuse_keyword("run", name, run_option_names());
     if (is_recorded(name) && !value.is_none()) record(options, name, value);
   }
   check(options);

@@ -21,7 +21,7 @@ def main(folder: Path) -> None:
     slowest = run.scans["ms_solve"].argmax()
     print(f"longest registration: scan {slowest}, {run.scans['ms_solve'][slowest]:.1f} ms")
 
-    try:  # pip install surefoot[plot]; pandas.DataFrame(run.scans) works alike
+    try:  # needs matplotlib; pandas.DataFrame(run.scans) works alike
         import matplotlib
 
         matplotlib.use("Agg")

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Surefoot authors
 # SPDX-License-Identifier: MIT
+import re
 import signal
 import sys
 import threading
 import unittest
 
 import numpy as np
-from support import lines, needs_program, needs_simulation, program, scratch, walk
+from support import SOURCES, lines, needs_program, needs_simulation, program, scratch, walk
 
 import surefoot
 
@@ -96,7 +97,7 @@ class RunTest(unittest.TestCase):
 
     def test_options_are_checked(self):
         for options, what in (
-            ({"colour": 1}, "run\\(\\) has no option 'colour'"),
+            ({"colour": 1}, "run\\(\\) has no option 'colour'; it has: config, .*pose_rate.*, topic"),
             ({"count": "x"}, "count: got 'x'"),
             ({"count": 0}, "expected at least 1"),
             ({"map_voxel": 0.0}, "map_voxel: expected"),
@@ -108,6 +109,19 @@ class RunTest(unittest.TestCase):
         ):
             with self.assertRaisesRegex((TypeError, ValueError), what):
                 surefoot.run(self.folder, scratch("none"), **options)
+
+    @needs_program
+    def test_every_option_of_the_program_is_taken_or_named_on_the_page(self):
+        given = set(re.findall(r"^ +(?:-\w,)?--([a-z0-9-]+)", program("run", "--help"), re.MULTILINE))
+        self.assertGreater(len(given), 40)
+        with self.assertRaises(TypeError) as refused:
+            surefoot.run(self.folder, colour=1)
+        taken = str(refused.exception).split("it has: ")[1].replace("_", "-").split(", ")
+        page = (SOURCES / "docs" / "python.md").read_text()
+        (row,) = (line for line in page.splitlines() if line.startswith("| `run("))
+        named = re.findall(r"`--([a-z-]+)`", row)
+        self.assertEqual(set(named) - given, set(), "named on the page, unknown to the program")
+        self.assertEqual(given - {"help", *taken, *named}, set(), "neither taken nor named")
 
     def test_an_error_of_a_listener_arrives_when_all_is_written(self):
         def fail(*_):
