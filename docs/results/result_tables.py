@@ -290,6 +290,28 @@ def others():
     return made_by(markdown(["recording", *kept.methods], rows), kept)
 
 
+def paper_tables():
+    """A sequence of the paper's a row, as printed, and below it the latest set's recording that is
+    nearest to it: mean and RMSE of the APE."""
+    kept, ours = Kept("paper_tables"), Results(f"reporting-{LATEST_SET}")
+    nearest = {"Seq. 1": "campus-wheel", "Seq. 2": "campus-trot", "Seq. 3": "parking-trot",
+               "Seq. 4": "playground-trot"}
+    figures = "Mean (m)", APE
+    printed = {(row[1], row[3]): row[4:] for row in kept.rows[1:]}
+    what = {row[1]: f"{row[1]}, {row[2]} (Table {row[0]})" for row in kept.rows[1:]}
+    rows = []
+    for one, recording in nearest.items():
+        cells = zip(*(printed[one, figure] for figure in figures))
+        rows.append([what[one], *(" / ".join(cell) if all(cell) else "–" for cell in cells), "–"])
+        paper, kiss, surefoot = (
+            " / ".join(ours.text(recording, method, figure) for figure in figures)
+            for method in ("paper", "kiss-icp", "surefoot"))
+        rows.append([f"ours: {recording}, simulated", "–", paper, kiss, "–", "–", surefoot])
+    head = ["recording", *kept.rows[0][4:], "Surefoot"]
+    return (f"{markdown(head, rows)}\n\nKept in {link(kept)}: {kept.about['note']}. Ours: commit "
+            f"{ours.about['commit']}, {link(ours)}.")
+
+
 def named(method):
     """A method by its name where the parameters beside it are its defaults since."""
     return method.split("+")[0]
@@ -711,6 +733,7 @@ TABLES = {
     "latest-set-in-motion": lambda: reporting(f"reporting-{LATEST_SET}-in-motion"),
     "earlier-sets": earlier_sets,
     "reporting-8-others": others,
+    "paper-tables": paper_tables,
     "reporting": lambda: reporting("reporting"),
     "bend": bend,
     "hard-walks": hard_walks,
