@@ -11,6 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -45,6 +46,18 @@ void refuse_recording(const fs::path& folder, const fs::path& input) {
   }
 }
 
+/// What a run has numbered, by its name; somebody's trajectory_map_of_campus.png is none.
+bool is_numbered_run_file(const fs::directory_entry& entry) {
+  if (!entry.is_regular_file() || entry.path().extension() != ".tum") return false;
+  const std::string stem = entry.path().stem().string();
+  for (const std::string_view files : {kSegmentFiles, kMapFrameFiles}) {
+    if (!stem.starts_with(files)) continue;
+    const std::string_view number = std::string_view(stem).substr(files.size());
+    return !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
+  }
+  return false;
+}
+
 /// A file that the run would overwrite, or take for a result, but that no run has left.
 std::string foreign_file(const fs::path& folder) {
   for (const char* name : kRunFiles) {
@@ -53,7 +66,9 @@ std::string foreign_file(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const bool is_recording = io::scan_file_kind(entry.path()) || io::is_capture(entry.path()) ||
                               io::has_bag_name(entry.path());
-    if (entry.is_regular_file() && is_recording) return entry.path().filename().string();
+    if ((entry.is_regular_file() && is_recording) || is_numbered_run_file(entry)) {
+      return entry.path().filename().string();
+    }
   }
   return {};
 }
@@ -109,10 +124,7 @@ bool remove_run_files(const fs::path& folder, const std::vector<fs::path>& but) 
   bool removed = false;
   std::vector<fs::path> numbered;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(kSegmentFiles) || name.starts_with(kMapFrameFiles)) {
-      numbered.push_back(entry);
-    }
+    if (is_numbered_run_file(entry)) numbered.push_back(entry);
   }
   for (const fs::path& file : numbered) removed |= fs::remove(file);
   for (const char* name : kRunFiles) {

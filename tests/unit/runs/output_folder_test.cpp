@@ -47,6 +47,18 @@ TEST_F(OutputFolderTest, AnEarlierRunsFilesGoAndOthersStay) {
   EXPECT_TRUE(fs::exists(thesis));
 }
 
+TEST_F(OutputFolderTest, WhatOnlyBeginsLikeARunsNumberedFilesStays) {
+  write("out/scans.csv", scans_csv_header());
+  const fs::path others[] = {write("out/trajectory_map_of_campus.png", "mine"),
+                             write("out/trajectory_segment_.tum", "mine"),
+                             write("out/trajectory_segment_1b.tum", "mine"),
+                             write("out/trajectory_segment_2.tum/mine.txt", "mine")};
+  OutputFolder folder(folder_ / "out", folder_ / "in", false);
+  folder.clear();
+  EXPECT_TRUE(folder.replaced());
+  for (const fs::path& other : others) EXPECT_TRUE(fs::exists(other)) << other;
+}
+
 TEST_F(OutputFolderTest, AMapToComeBackToIsNotLost) {
   write("out/scans.csv", scans_csv_header());
   for (const char* name : {kSavedMapFile, kApartMapFile}) {
@@ -75,7 +87,8 @@ TEST_F(OutputFolderTest, AMapThatIsReadStaysWhereTheRestIsOverwritten) {
 }
 
 TEST_F(OutputFolderTest, WhatNoRunHasLeftIsRefused) {
-  for (const char* name : {"trajectory.tum", "map.ply", "scans.csv", "000000.pcd", "cloud.ply"}) {
+  for (const char* name : {"trajectory.tum", "map.ply", "scans.csv", "000000.pcd", "cloud.ply",
+                           "trajectory_segment_1.tum", "trajectory_map_12.tum"}) {
     const auto foreign = write("other/" + std::string(name), "mine");
     expect_refused("other", name);
     EXPECT_TRUE(fs::exists(foreign));
