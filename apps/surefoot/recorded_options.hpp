@@ -17,7 +17,7 @@ namespace surefoot::app {
 
 /// If `file` is a run.yaml: gives the command the options that it tells and the command line does
 /// not, and `input` the run's recording if it is empty. @returns what was taken, to be told. Throws
-/// io::ReadError, ConfigError.
+/// io::ReadError, ConfigError, also where `run` is to repeat what another command has made.
 std::string restore_options(CLI::App& command, const std::filesystem::path& file,
                             std::filesystem::path& input);
 

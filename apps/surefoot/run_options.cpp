@@ -75,9 +75,11 @@ void add_result_options(CLI::App& command, runs::RunOptions& options) {
                      "also write scans, local map, odometry, path, transforms and diagnostics as "
                      "ROS 2 messages to this MCAP file");
   command.add_option("--rosbag2", options.rosbag2, "the same to this folder, as a sqlite3 bag");
-  command.add_option("--truth", options.truth,
-                     "a trajectory with stamps and rotations, of the poses that are written: the "
-                     "picture and the report compare with it (default: the recording's gt.tum)");
+  command
+      .add_option("--truth", options.truth,
+                  "a trajectory with stamps and rotations, of the poses that are written: the "
+                  "picture and the report compare with it (default: the recording's gt.tum)")
+      ->type_name(command_line::kFileType);
   command
       .add_option("--pose-of", options.pose_of,
                   "frame whose poses are written (base needs --extrinsic)")
@@ -96,6 +98,7 @@ void add_result_options(CLI::App& command, runs::RunOptions& options) {
 
 void add_run_options(CLI::App& command, runs::RunOptions& options) {
   options.version = process::build_version();
+  options.command = command.get_name();
   add_method_options(command, options);
   add_map_options(command, options);
   add_result_options(command, options);

@@ -308,6 +308,7 @@ void OdometryRun::localize(const std::filesystem::path& map) {
 RunDescription OdometryRun::description(const RunOutput& output) const {
   RunDescription run;
   run.version = options_.version.empty() ? SUREFOOT_VERSION : options_.version;
+  run.command = options_.command;
   run.method = method_;
   run.input = options_.is_live ? options_.input.string()
                                : std::filesystem::absolute(options_.input).string();

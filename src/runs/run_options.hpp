@@ -20,7 +20,8 @@ inline constexpr const char* kDefaultMethod = "surefoot";
 
 /// What a run is asked for.
 struct RunOptions {
-  std::string version;  ///< of the program, for run.yaml; empty: the release
+  std::string version;          ///< of the program, for run.yaml; empty: the release
+  std::string command = "run";  ///< that asks, for run.yaml
   std::filesystem::path input;
   io::OpenOptions reader;
   bool is_live = false;                    ///< the input is the name of what is running, no file

@@ -35,6 +35,7 @@ std::string text_of(const YAML::Node& scalar) {
 template <typename Record, typename Visit>
 void each_entry(Record& run, Visit&& visit) {
   visit("", "surefoot", run.version);
+  visit("", "command", run.command);
   visit("", "method", run.method);
   visit("input", "path", run.input);
   visit("input", "content", run.content);

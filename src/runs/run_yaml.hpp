@@ -19,6 +19,7 @@ using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
 struct RunDescription {
   std::string version;  ///< of the program
+  std::string command;  ///< that made it: "run", "map", "reference", "live"; of old files empty
   std::string method;
   std::string input;    ///< the recording's absolute path
   std::string content;  ///< what it was found to hold

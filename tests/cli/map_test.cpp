@@ -76,6 +76,27 @@ TEST_F(MapCommand, IsMadeWithATruthOfAnotherTime) {
   EXPECT_TRUE(fs::exists(path("judged/map.surefoot")));
 }
 
+TEST_F(MapCommand, ItsRunYamlRepeatsIt) {
+  Trajectory truth = io::read_tum(path("in/gt.tum"));
+  for (StampedPose& pose : truth) pose.pose.translation *= 1.5;
+  io::write_tum(path("stretched.tum"), truth);
+  const ProcessResult first = surefoot({"map", "in", "-o", "first", "--truth", "stretched.tum",
+                                        "--loop-candidates", "1", "--no-loops", "--no-report"});
+  ASSERT_EQ(first.exit_code, 0) << first;
+  const ProcessResult again = surefoot({"map", "--config", "first/run.yaml", "-o", "again"});
+  ASSERT_EQ(again.exit_code, 0) << again;
+  for (const std::string& told :
+       {std::string("--loop-candidates=1"), std::string("--no-loops=true"),
+        "--truth=" + path("stretched.tum").string()}) {
+    EXPECT_NE(again.errors.find(told), std::string::npos) << told << again;
+  }
+  for (const char* file : {"picture.png", "loops.csv", "trajectory_optimized.tum"}) {
+    EXPECT_FALSE(file_content(path("first") / file).empty()) << file;
+    EXPECT_TRUE(file_content(path("first") / file) == file_content(path("again") / file)) << file;
+  }
+  expect_refused({"run", "--config", "map/run.yaml", "-o", "none"}, "surefoot map --config");
+}
+
 TEST_F(MapCommand, IsWrittenAsOthersReadIt) {
   const ProcessResult result =
       surefoot({"export", "map", "--pcd", "all.pcd", "--ply", "all.ply", "--las", "all.las",

@@ -42,7 +42,7 @@ class NothingLost : public testing::Test {
 TEST_F(NothingLost, TheLatestRunIsRepeatedAndItsMapContinued) {
   ASSERT_EQ(surefoot({"map", "in", "-q"}).exit_code, 0);
   const fs::path first = fs::canonical(path("results/latest"));
-  const ProcessResult again = surefoot({"run", "--config", "results/latest/run.yaml", "-q"});
+  const ProcessResult again = surefoot({"map", "--config", "results/latest/run.yaml", "-q"});
   ASSERT_EQ(again.exit_code, 0) << again;
   EXPECT_EQ(file_content(first / "trajectory.tum"),
             file_content(path("results/latest/trajectory.tum")));

@@ -87,6 +87,20 @@ TEST_F(ReferenceCommand, UsesTheScansAndParametersThatItIsToldTo) {
   EXPECT_EQ(content("again/trajectory_dense.tum"), content("out/trajectory_dense.tum"));
 }
 
+TEST_F(ReferenceCommand, IsNotRepeatedAsAnOrdinaryRun) {
+  ASSERT_EQ(surefoot({"reference", "in", "-o", "first", "-q"}).exit_code, 0);
+  expect_refused({"run", "--config", "first/run.yaml", "-o", "out"},
+                 "is of surefoot reference, which repeats it: surefoot reference --config");
+  std::string old = content("first/run.yaml");  // from before it told its command
+  const std::string line = "command: reference\n";
+  ASSERT_NE(old.find(line), std::string::npos) << old;
+  write_content(scratch_.path() / "old.yaml", old.erase(old.find(line), line.size()));
+  EXPECT_EQ(surefoot({"run", "--config", "old.yaml", "-o", "run", "-q"}).exit_code, 0);
+  // A run's becomes a reference where that is what is asked for.
+  ASSERT_EQ(surefoot({"reference", "--config", "run/run.yaml", "-o", "again", "-q"}).exit_code, 0);
+  EXPECT_EQ(content("again/trajectory.tum"), content("first/trajectory.tum"));
+}
+
 TEST_F(ReferenceCommand, RefusesWhatCannotBeOne) {
   expect_refused({"reference", "in", "-o", "out", "--method", "paper"}, "--method");
   expect_refused({"reference", "nowhere", "-o", "out"}, "nowhere");

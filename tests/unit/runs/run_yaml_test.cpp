@@ -17,6 +17,7 @@ using RunYaml = test::Scratch;
 RunDescription some_run() {
   RunDescription run;
   run.version = "1.2";
+  run.command = "map";
   run.method = "paper";
   run.input = "/recordings/a: b";
   run.content = "folder of 2 PCD files";
@@ -40,6 +41,7 @@ TEST_F(RunYaml, WhatIsWrittenIsReadBack) {
   write_run_yaml(folder_ / "run.yaml", run);
   const RunDescription read = read_run_yaml(folder_ / "run.yaml");
   EXPECT_EQ(read.version, run.version);
+  EXPECT_EQ(read.command, run.command);
   EXPECT_EQ(read.method, run.method);
   EXPECT_EQ(read.input, run.input);
   EXPECT_EQ(read.content, run.content);
