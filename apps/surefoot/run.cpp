@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "evaluation/statistics.hpp"
 #include "io/counted.hpp"
+#include "io/printable.hpp"
 #include "map_outcome.hpp"
 #include "piped_input.hpp"
 #include "process/exit_codes.hpp"
@@ -50,7 +51,7 @@ void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& opti
   if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
   if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
   print_frames(outcome);
-  fmt::print("results: {}\n", outcome.folder.string());
+  fmt::print("results: {}\n", io::printable(outcome.folder.string()));
 }
 
 #ifdef SUREFOOT_HAS_PCAP
@@ -82,7 +83,7 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
     (void)runs::config_of(options);  // it says best what is wrong with a file
     const std::string taken = restore_options(command, options.config_file, options.input);
     if (!taken.empty() && !options.quiet) {
-      fmt::print(stderr, "note: from {}: {}\n", options.config_file.string(), taken);
+      fmt::print(stderr, "note: from {}: {}\n", options.config_file.string(), io::printable(taken));
     }
   }
   if (options.input.empty()) {

@@ -38,14 +38,14 @@ void RunAccount::add(const io::ScanItem& item, const Estimate& estimate, double 
 void RunAccount::tell(const io::ScanItem& item, const Estimate& estimate) {
   const bool serious = !estimate.trusted() || estimate.status == Status::first_scan;
   if (serious && estimate.status != last_status_) {
-    listener_.say(
-        fmt::format("{}: {}: {}", item.name, to_string(estimate.status), estimate.message));
+    listener_.say(fmt::format("{}: {}: {}", io::printable(item.name), to_string(estimate.status),
+                              estimate.message));
   }
   last_status_ = estimate.status;
   if (!estimate.trusted()) return;
   if (estimate.segment < last_segment_) {
-    listener_.say(
-        fmt::format("{}: came home: it goes on in segment {}", item.name, estimate.segment));
+    listener_.say(fmt::format("{}: came home: it goes on in segment {}", io::printable(item.name),
+                              estimate.segment));
   }
   last_segment_ = estimate.segment;
 }

@@ -194,13 +194,17 @@ TEST(BadInput, NamesAreShownAsWhatATerminalDoesNotActOn) {
   const ScratchFolder scratch;
   fs::create_directories(scratch.path() / "scans");
   const std::string name = "b\x1b[31m\nverdict: fit.pcd";
-  write_content(scratch.path() / "scans" / "a.pcd", good_pcd());
+  write_content(scratch.path() / "scans" / ("a" + name), good_pcd());
   write_content(scratch.path() / "scans" / name, "junk");
+  fs::create_directories(scratch.path() / "walk\x1b[2J");
+  write_content(scratch.path() / "walk\x1b[2J" / "a.pcd", good_pcd());
   const std::string gone = "scans/none\x1b[2J";
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"info", "scans"},
                                                     {"check", "scans", "--html", "page.html"},
                                                     {"run", "scans", "-o", "out", "--no-report"},
                                                     {"convert", "scans", "a.mcap"},
+                                                    {"run", "walk\x1b[2J", "--no-report"},
+                                                    {"run", "--config", "results/latest/run.yaml"},
                                                     {"info", gone}}) {
     const ProcessResult result = run_surefoot(arguments, scratch.path());
     const std::string said = result.output + result.errors;
