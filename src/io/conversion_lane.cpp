@@ -16,10 +16,19 @@ const ScanItem* ConversionLane::item() {
   if (item_) return &*item_;
   if (ended_ || scans_ >= request_.count) return nullptr;
   recording_->skip(begun_ ? request_.stride - 1 : request_.start);
-  begun_ = true;
   item_ = recording_->next();
+  if (!begun_) leave_out_part();
+  begun_ = true;
   ended_ = !item_;
   return item_ ? &*item_ : nullptr;
+}
+
+void ConversionLane::leave_out_part() {
+  if (!item_ || item_->remark.empty()) return;
+  std::optional<ScanItem> second = recording_->next();
+  if (!second) return;
+  left_out_ = "left out: " + printable(item_->name) + ": " + item_->remark;
+  item_ = std::move(second);
 }
 
 void ConversionLane::pass() { item_.reset(); }
@@ -62,6 +71,7 @@ void ConversionLane::count() {
 std::vector<std::string> ConversionLane::losses() const {
   std::vector<std::string> lines;
   if (!sink_) return lines;
+  if (!left_out_.empty()) lines.push_back(left_out_);
   if (const std::string fields = sink_->lost(); !fields.empty()) {
     lines.push_back("lost: fields that are not written to it: " + printable(fields));
   }

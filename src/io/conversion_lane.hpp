@@ -43,10 +43,15 @@ class ConversionLane {
   [[nodiscard]] std::vector<std::string> losses() const;
 
  private:
+  /// As a run does: a scan of points does not tell any more that it is the part of a revolution
+  /// that a capture begins within, unless that is all there is.
+  void leave_out_part();
+
   std::unique_ptr<Recording> recording_;
   const ConversionRequest& request_;
   std::unique_ptr<ScanSink> sink_;
   std::optional<ScanItem> item_;
+  std::string left_out_;
   bool begun_ = false, ended_ = false;
   std::size_t scans_ = 0, points_ = 0;
   std::size_t dropped_points_ = 0, dropped_empty_ = 0;

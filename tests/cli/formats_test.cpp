@@ -136,6 +136,28 @@ TEST(Capture, PartOfARevolutionAtTheStartIsLeftOut) {
   EXPECT_NE(csv.find("\"revolution 4\""), std::string::npos) << csv;
 }
 
+TEST(Capture, ItsPointsElsewhereGiveTheSameRun) {
+  const ScratchFolder scratch;
+  std::vector<std::string> packets = vlp16_packets(5);
+  packets.erase(packets.begin(), packets.begin() + 65);
+  write_content(scratch.path() / "walk.pcap", pcap_file(packets));
+  ASSERT_EQ(run_surefoot({"run", "walk.pcap", "-o", "expected"}, scratch.path()).exit_code, 0);
+  for (const std::string name : {"walk.mcap", "walk"}) {
+    const ProcessResult converted = run_surefoot({"convert", "walk.pcap", name}, scratch.path());
+    ASSERT_EQ(converted.exit_code, 0) << converted;
+    EXPECT_NE(converted.errors.find("left out: revolution 0: partial revolution"),
+              std::string::npos)
+        << converted;
+    const ProcessResult result = run_surefoot({"run", name, "-o", name + "-out"}, scratch.path());
+    ASSERT_EQ(result.exit_code, 0) << result;
+    for (const char* file : {"trajectory.tum", "map.ply"}) {
+      EXPECT_TRUE(file_content(scratch.path() / (name + "-out") / file) ==
+                  file_content(scratch.path() / "expected" / file))
+          << name << ' ' << file << result;
+    }
+  }
+}
+
 TEST(Capture, PartOfARevolutionThatIsAllThereIsIsUsed) {
   const ScratchFolder scratch;
   std::vector<std::string> packets = vlp16_packets(1);
