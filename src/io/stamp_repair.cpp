@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::size_t kAhead = 2;       // scans that are read before one is given out
 constexpr std::size_t kIntervals = 15;  // last ones, whose median is the usual interval
+constexpr std::size_t kTold = 2;        // from so many on they tell what a gap is
 constexpr std::int64_t kUnknownInterval = 100'000'000;  // [ns] before any is known
 // A stamp off by more than so many intervals is wild, if its neighbours fit each other.
 constexpr std::int64_t kWild = 5;
@@ -137,8 +138,8 @@ class RepairedRecording : public RecordingFilter {
       if (times(2, distance(told, usual_interval_ns())) <= usual_interval_ns()) confirm(given);
       const std::int64_t step = difference(scan.stamp_ns, *last_);
       if (step < times(kWild, usual_interval_ns())) {
-        intervals_.push_back(step);
-      } else {
+        if (!last_is_part_) intervals_.push_back(step);
+      } else if (known_interval_ns_ > 0 || intervals_.size() >= kTold) {
         note_once(gap_noted_, "stamps: " + format_seconds(step) + " s without a scan before " +
                                   item.name + ", and nothing says that the clock was set: a gap");
       }
@@ -152,6 +153,7 @@ class RepairedRecording : public RecordingFilter {
     last_ = scan.stamp_ns;
     last_logged_ns_ = item.logged_ns;
     last_sweep_ = span_of(scan);
+    last_is_part_ = !item.remark.empty();
     last_points_ = scan.points;
   }
 
@@ -336,6 +338,7 @@ class RepairedRecording : public RecordingFilter {
   std::int64_t given_ns_ = 0;         // the same scan's, as read
   std::vector<Eigen::Vector3f> last_points_;
   SweepSpan last_sweep_;
+  bool last_is_part_ = false;  // of a revolution, which the next one follows early
   std::int64_t last_step_ns_ = 0;
   std::int64_t offset_ns_ = 0;
   std::int64_t last_logged_ns_ = 0;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "unit/io/stamped_recording.hpp"
 
@@ -29,6 +30,38 @@ TEST(StampRepair, LeavesWhatCanBeToTheNanosecond) {
   ASSERT_EQ(result.notes.size(), 1U);  // of the first gap
   EXPECT_NE(result.notes[0].find("40.100000000 s without a scan before scan 12"), std::string::npos)
       << result.notes[0];
+}
+
+/// A capture begins within a revolution, which the next one follows early.
+class BegunWithin : public Stamped {
+ public:
+  using Stamped::Stamped;
+  std::optional<ScanItem> next() override {
+    std::optional<ScanItem> item = Stamped::next();
+    if (item && !std::exchange(begun_, true)) item->remark = "partial revolution";
+    return item;
+  }
+
+ private:
+  bool begun_ = false;
+};
+
+TEST(StampRepair, ThePartOfARevolutionAtTheStartTellsNoInterval) {
+  std::vector<std::int64_t> stamps = regular(20);
+  stamps[0] = stamps[1] - kSecond / 100;
+  const Repaired result = repaired(std::make_unique<BegunWithin>(stamps), {});
+  EXPECT_EQ(result.stamps, stamps);
+  EXPECT_TRUE(result.notes.empty()) << result.notes.front();
+}
+
+TEST(StampRepair, AnIntervalAloneIsNoGap) {
+  std::vector<std::int64_t> stamps = regular(20);
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    stamps[i] += static_cast<std::int64_t>(i) * kSecond;  // less than one scan a second
+  }
+  const Repaired result = repaired(stamps);
+  EXPECT_EQ(result.stamps, stamps);
+  EXPECT_TRUE(result.notes.empty()) << result.notes.front();
 }
 
 TEST(StampRepair, OneWildStampIsPutWhereItBelongs) {
