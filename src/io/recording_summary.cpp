@@ -8,6 +8,7 @@
 #include <set>
 
 #include "geometry/returns.hpp"
+#include "io/repeated_scans.hpp"
 #include "surefoot/quantile.hpp"
 #include "surefoot/seconds.hpp"
 
@@ -33,6 +34,7 @@ class Summariser {
       return;
     }
     ++summary_.scans;
+    if (seen_.came_before(*item.scan)) note_oddity("scans that are sent again", item.name);
     if (!item.remark.empty()) {
       note_oddity("partial", item.name + ": " + item.remark);
     }
@@ -169,6 +171,7 @@ class Summariser {
   }
 
   RecordingSummary summary_;
+  SeenScans seen_;
   std::optional<std::int64_t> last_stamp_ns_;
   std::vector<double> points_, intervals_, durations_;
   std::vector<std::string> interval_ends_;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "io/recording_summary.hpp"
 #include "unit/io/scan_folders.hpp"
@@ -37,6 +39,24 @@ TEST(Summary, SaysWhatIsOdd) {
                            "stamp before the one before x1", "shorter than 0.01 s x1"}) {
     EXPECT_NE(oddities.find(what), std::string::npos) << what << " not in " << oddities;
   }
+}
+
+TEST(Summary, CountsScansThatAreSentAgain) {
+  const TemporaryFolder folder;
+  const std::string times = "10\n10.1\n10\n10.1\n10.2\n";
+  for (const char* name : {"0.pcd", "1.pcd", "2.pcd", "3.pcd", "4.pcd"}) {
+    folder.write(name, timed_pcd<float>({0.0F, 0.0625F}));
+  }
+  folder.write("times.txt", times);
+  OpenOptions as_it_is;
+  as_it_is.repair_stamps = false;
+  const RecordingSummary summary = summarise(*open_recording(folder.path(), as_it_is));
+  const auto found =
+      std::find_if(summary.oddities.begin(), summary.oddities.end(),
+                   [](const Oddity& oddity) { return oddity.what == "scans that are sent again"; });
+  ASSERT_NE(found, summary.oddities.end());
+  EXPECT_EQ(found->scans, 2U);
+  EXPECT_EQ(found->first, "2.pcd");
 }
 
 }  // namespace
