@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <complex>
+#include <cstdio>
 #include <numbers>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "io/recording_filter.hpp"
 #include "io/recording_summary.hpp"
 #include "io/scan_builder.hpp"
+#include "io/sweep_span.hpp"
 
 namespace surefoot::io {
 
@@ -42,6 +44,10 @@ constexpr const char* kBackward =
 constexpr int kWatched = 20, kHabit = 3;
 // Scans that are looked at before the first is given out: their stamps tell the period.
 constexpr std::size_t kLookAhead = 10;
+// Intervals that are known before it is said that sweeps last too long for them, and from which
+// share of one on they do.
+constexpr std::size_t kIntervals = 10;
+constexpr double kTooLong = 1.5;
 
 // A field whose name sounds like times, of a layout as PointTable tells it, but not one that is
 // read as such; empty: none.
@@ -130,9 +136,40 @@ class WatchedRecording : public RecordingFilter {
           "--rate does");
     }
     period_ns_ = std::llround(usual);
-    note(std::string("point times: derived from ") +
-         (options_.rows > 0 ? "the columns" : "azimuth") + ", a revolution of " +
+  }
+
+  void note_derived(const char* from) {
+    if (std::exchange(derived_noted_, true)) return;
+    note(std::string("point times: derived from ") + from + ", a revolution of " +
          std::to_string(period_ns_ / 1000) + " us");
+  }
+
+  void note_other_size(const Scan& scan) {
+    if (std::exchange(other_size_noted_, true)) return;
+    note("point times: not derived from the columns of scans that do not have all " +
+         std::to_string(options_.rows * options_.columns) + " points; the first has " +
+         std::to_string(scan.points.size()));
+  }
+
+  /// Sweeps that lie over each other: their times are of another unit, or a share of the sweep.
+  void look_at_length(const Scan& scan) {
+    if (intervals_s_.size() == kIntervals) return;
+    if (last_stamp_ns_ && scan.stamp_ns > *last_stamp_ns_) {
+      const SweepSpan span = span_of(scan);
+      intervals_s_.push_back(
+          1e-9 * (static_cast<double>(scan.stamp_ns) - static_cast<double>(*last_stamp_ns_)));
+      lengths_s_.push_back(1e-9 * (static_cast<double>(span.last_ns) - span.first_ns));
+    }
+    last_stamp_ns_ = scan.stamp_ns;
+    if (intervals_s_.size() < kIntervals) return;
+    const double usual = spread_of(intervals_s_).median, lasts = spread_of(lengths_s_).median;
+    if (lasts <= kTooLong * usual) return;
+    std::array<char, 200> text;
+    std::snprintf(text.data(), text.size(),
+                  "point times: sweeps last %.4f s, and the scans are %.4f s apart: is the unit of "
+                  "the point times wrong (--time-unit), or the rate (--rate)?",
+                  lasts, usual);
+    note(text.data());
   }
 
   void watch(Scan& scan, const std::string& layout) {
@@ -143,12 +180,16 @@ class WatchedRecording : public RecordingFilter {
     if (options_.time_direction == TimeDirection::backward) count_backward(scan);
     if (options_.rows > 0 && scan.points.size() == options_.rows * options_.columns) {
       time_columns(scan, options_.rows, {{}, 0.0, period_ns_, options_.stamp_at});
+      note_derived("the columns");
       return;
     }
     if (options_.derive_times == DeriveTimes::azimuth) {
+      note_derived("azimuth");
       derive_times(scan, {options_.spin, options_.cut_azimuth_deg, period_ns_, options_.stamp_at});
       return;
     }
+    if (options_.rows > 0 && !scan.points.empty()) note_other_size(scan);
+    look_at_length(scan);
     if (said_ || watched_ == kWatched || scan.points.empty()) return;
     ++watched_;
     const PointTimes times = point_times_of(scan);
@@ -163,7 +204,9 @@ class WatchedRecording : public RecordingFilter {
   OpenOptions options_;
   std::int64_t period_ns_ = 0;
   int watched_ = 0, odd_ = 0;  // scans; odd ones in a row
-  bool said_ = false;
+  bool said_ = false, derived_noted_ = false, other_size_noted_ = false;
+  std::optional<std::int64_t> last_stamp_ns_;
+  std::vector<double> intervals_s_, lengths_s_;  // of the first scans
 };
 
 }  // namespace

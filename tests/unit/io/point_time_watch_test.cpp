@@ -85,6 +85,44 @@ TEST(PointTimeWatch, SaysThatTimesRunBackward) {
   EXPECT_NE(notes_of(scan)[1].find("reversed"), std::string::npos);
 }
 
+TEST(PointTimeWatch, SaysThatSweepsLastLongerThanItIsToTheNext) {
+  const auto told = [](double share) {
+    Scan scan = spinning(0.0, -1.0);
+    for (std::int32_t& time : scan.times_ns) time = static_cast<std::int32_t>(time * share);
+    const auto recording =
+        watch_point_times(recording_of(std::vector<Scan>(20, scan)), OpenOptions{});
+    while (recording->next()) {
+    }
+    return test::joined(recording->notes());
+  };
+  const std::string notes = told(10.0);  // a share of the sweep, read as seconds
+  EXPECT_NE(notes.find("sweeps last 0.9989 s, and the scans are 0.1000 s apart"), std::string::npos)
+      << notes;
+  EXPECT_EQ(told(1.3).find("sweeps last"), std::string::npos);
+}
+
+TEST(PointTimeWatch, TimesAreDerivedFromTheColumnsOfWholeScansAlone) {
+  Scan scan = spinning(0.0, -1.0);
+  scan.times_ns.clear();
+  OpenOptions options;
+  options.rows = 16;
+  for (const std::size_t columns : {std::size_t{900}, std::size_t{1024}}) {
+    options.columns = columns;
+    const auto recording = watch_point_times(recording_of(std::vector<Scan>(5, scan)), options);
+    const auto first = recording->next();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->scan->times_ns.empty(), columns != 900);
+    while (recording->next()) {
+    }
+    const std::string notes = test::joined(recording->notes());
+    EXPECT_EQ(notes.find(": derived from the columns") != std::string::npos, columns == 900)
+        << notes;
+    EXPECT_EQ(notes.find("all 16384 points; the first has 14400") != std::string::npos,
+              columns != 900)
+        << notes;
+  }
+}
+
 TEST(PointTimeWatch, KnowsTheSpinOfASpinningLidarOnly) {
   EXPECT_EQ(spin_of(spinning(30.0, -1.0)), Spin::clockwise);
   EXPECT_EQ(spin_of(spinning(30.0, 1.0)), Spin::counterclockwise);
