@@ -102,6 +102,9 @@ def tell(plan):
 
 
 def main(words):
+    if words[:1] in (["-h"], ["--help"]):
+        print(USAGE)
+        return 0
     if not words or words[0].startswith("-"):
         print(USAGE, file=sys.stderr)
         return 2

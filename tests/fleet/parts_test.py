@@ -216,6 +216,16 @@ class JobsTest(Scratch):
             self.assertEqual(pathlib.Path(foreign).read_text(), "somebody's")
 
 
+class UsageTest(unittest.TestCase):
+    def test_help_is_no_mistake(self):
+        for words, code, where in ((["--help"], 0, "stdout"), (["-h"], 0, "stdout"),
+                                   ([], 2, "stderr"), (["--nonsense"], 2, "stderr")):
+            ended = subprocess.run([FLEET / "surefoot_fleet", *words], text=True,
+                                   capture_output=True)
+            self.assertEqual(ended.returncode, code, words)
+            self.assertIn("usage: surefoot_fleet SETTINGS.yaml", getattr(ended, where), words)
+
+
 class SlurmTest(Scratch):
     def status(self, scontrol, sacct=""):
         for name, script in (("scontrol", scontrol), ("sacct", sacct)):
