@@ -59,6 +59,12 @@ const std::vector<Absence>& absences() {
   return all;
 }
 
+std::vector<std::string> absence_names() {
+  std::vector<std::string> names;
+  for (const Absence& absence : absences()) names.push_back(absence.name);
+  return names;
+}
+
 /// What came of one.
 struct Outcome {
   std::optional<double> right_after;  // [s]
@@ -267,7 +273,8 @@ int main(int argc, char** argv) {
                    "storeys:333"};
   CLI::App app{"Who was carried, or saw nothing for a while: how soon it is right again"};
   app.add_option("--walk", options.walks, "SCENE:SEED[:ROBOT]")->capture_default_str();
-  app.add_option("--absence", options.absences, "Names of what happens; none: all");
+  app.add_option("--absence", options.absences, "Names of what happens; none: all")
+      ->check(CLI::IsMember(surefoot::benchmarks::absence_names()));
   app.add_option("--places", options.places, "Of each walk")->capture_default_str();
   app.add_option("--keep", options.keep, "Folder for home_again.csv");
   app.add_option("--commit", options.commit, "Named in what is kept");
