@@ -59,7 +59,9 @@ bool draw([[maybe_unused]] const SimulateArguments& arguments) {
   io::require_ending(arguments.picture, {".png"});
   io::require_ending(arguments.animation, {".png"});
   for (const std::string& file : {arguments.picture, arguments.animation}) {
-    if (!file.empty()) report::require_picture_or_nothing(file, arguments.request.overwrite);
+    if (file.empty()) continue;
+    report::require_picture_or_nothing(file, report::PictureKind::scene,
+                                       arguments.request.overwrite);
   }
   if (!arguments.picture.empty()) recordings::draw_scene(arguments.request, arguments.picture);
   if (!arguments.animation.empty()) {

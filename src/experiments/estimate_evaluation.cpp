@@ -112,7 +112,7 @@ void check_files(const EvaluationRequest& request) {
 #ifdef SUREFOOT_HAS_PICTURES
   for (const std::filesystem::path& file : request.figures) {
     (void)report::page_format_of(file);
-    report::require_picture_or_nothing(file, request.overwrite);
+    report::require_picture_or_nothing(file, report::PictureKind::figure, request.overwrite);
   }
 #endif
 }

@@ -9,6 +9,7 @@
 #include "experiments/comparison_folder.hpp"
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
+#include "report/page.hpp"
 #include "runs/report_maker.hpp"
 #include "runs/run_files.hpp"
 
@@ -24,14 +25,15 @@ fs::path page_of(const ReportRequest& request) {
                                      : fs::path(runs::kReportFile);
 }
 
-/// An earlier page may go; a map, a link or a device is somebody else's.
+/// An earlier page of this kind may go; check's, a map, a link or a device is somebody else's.
 void require_page_or_nothing(const fs::path& file) {
-  constexpr std::string_view kPage = "<!doctype html>";
+  const std::string_view page = report::page_template();
+  const std::string_view begin = page.substr(0, page.find(report::kTitlePlaceholder));
   const fs::file_status status = fs::symlink_status(file);
-  if (!fs::exists(status) || io::is_file_beginning(file, kPage)) return;
+  if (!fs::exists(status) || io::is_file_beginning(file, begin)) return;
   if (fs::is_regular_file(status) && fs::file_size(file) == 0) return;
   throw std::invalid_argument(file.string() +
-                              ": is there already and is no page; choose another name");
+                              ": is there already and is no page of report's; choose another name");
 }
 
 }  // namespace

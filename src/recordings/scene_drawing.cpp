@@ -18,7 +18,7 @@ void draw_scene(const RecordingRequest& request, const std::filesystem::path& fi
   const report::Rect page{0.0, 0.0, static_cast<double>(image.width),
                           static_cast<double>(image.height)};
   canvas.image({image.width, image.height, std::move(image.argb)}, page);
-  canvas.save(file);
+  canvas.save(file, report::PictureKind::scene);
 }
 
 }  // namespace surefoot::recordings

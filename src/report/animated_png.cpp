@@ -131,7 +131,7 @@ void AnimatedPng::save(const std::filesystem::path& path) const {
     }
   }
   append_chunk(bytes, "IEND", {});
-  write_picture(path, with_mark(std::move(bytes), PageFormat::png));
+  write_picture(path, with_mark(std::move(bytes), PageFormat::png, PictureKind::scene));
 }
 
 }  // namespace surefoot::report

@@ -257,7 +257,7 @@ Raster Canvas::raster() const {
   return raster;
 }
 
-void Canvas::save(const std::filesystem::path& path) {
+void Canvas::save(const std::filesystem::path& path, PictureKind kind) {
   std::string bytes;
   cairo_status_t status = cairo_status(page_->cairo);
   if (status == CAIRO_STATUS_SUCCESS) {
@@ -273,7 +273,7 @@ void Canvas::save(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() +
                              ": cannot draw the picture: " + cairo_status_to_string(status));
   }
-  bytes = with_mark(std::move(bytes), page_->format);
+  bytes = with_mark(std::move(bytes), page_->format, kind);
   write_picture(path, bytes);
 }
 

@@ -57,6 +57,10 @@ enum class PageFormat { png, svg, pdf };
 /// .png, .svg and .pdf.
 [[nodiscard]] PageFormat page_format_of(const std::filesystem::path& path);
 
+/// What a picture shows, by which an earlier one is known (picture_mark.hpp): a run, trajectories
+/// and methods beside each other, a simulated scene.
+enum class PictureKind { run, figure, scene };
+
 class Canvas {
  public:
   /// `scale`: dots of a PNG for each pixel; SVG and PDF have no dots.
@@ -83,7 +87,7 @@ class Canvas {
   /// What is drawn so far. Only of a page that becomes a PNG.
   [[nodiscard]] Raster raster() const;
   /// Ends the page and writes it. Throws std::runtime_error naming the path.
-  void save(const std::filesystem::path& path);
+  void save(const std::filesystem::path& path, PictureKind kind);
 
  private:
   struct Page;

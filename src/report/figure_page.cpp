@@ -143,7 +143,7 @@ void draw_figure_page(const FigurePage& page, const std::filesystem::path& path)
     const double left = kPageMargin + static_cast<double>(i % columns.count) * columns.width;
     page.draw(canvas, {left, tops[row], columns.width, tops[row + 1] - tops[row]}, i);
   }
-  canvas.save(path);
+  canvas.save(path, PictureKind::figure);
 }
 
 }  // namespace surefoot::report

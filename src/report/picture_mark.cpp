@@ -18,7 +18,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kMark = "Surefoot's picture";
+std::string_view mark_of(PictureKind kind) {
+  switch (kind) {
+    case PictureKind::run:
+      return "Surefoot's picture of a run";
+    case PictureKind::figure:
+      return "Surefoot's figure";
+    case PictureKind::scene:
+      break;
+  }
+  return "Surefoot's picture of a scene";
+}
+
 /// Behind the mark stands no more than this: a comment's end, or a checksum and PNG's last chunk.
 constexpr std::size_t kBehind = 16;
 
@@ -31,9 +42,9 @@ std::string big(std::uint32_t value) {
 }
 
 /// Length, type, data, CRC of type and data.
-std::string text_chunk() {
+std::string text_chunk(std::string_view mark) {
   using namespace std::string_literals;
-  const std::string body = "tEXtComment\0"s.append(kMark);
+  const std::string body = "tEXtComment\0"s.append(mark);
   const uLong crc =
       crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
   constexpr std::size_t kType = 4;
@@ -41,30 +52,31 @@ std::string text_chunk() {
          big(static_cast<std::uint32_t>(crc));
 }
 
-bool has_mark(const fs::path& file) {
+bool has_mark(const fs::path& file, std::string_view mark) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const auto size = static_cast<std::streamoff>(stream.tellg());
   const auto looked_at =
-      std::min<std::streamoff>(size, static_cast<std::streamoff>(kMark.size() + kBehind));
+      std::min<std::streamoff>(size, static_cast<std::streamoff>(mark.size() + kBehind));
   if (looked_at <= 0) return false;
   std::string end(static_cast<std::size_t>(looked_at), '\0');
   stream.seekg(size - looked_at).read(end.data(), looked_at);
-  return stream && end.find(kMark) != std::string::npos;
+  return stream && end.find(mark) != std::string::npos;
 }
 
 }  // namespace
 
-std::string with_mark(std::string bytes, PageFormat format) {
+std::string with_mark(std::string bytes, PageFormat format, PictureKind kind) {
+  const std::string_view mark = mark_of(kind);
   constexpr std::size_t kLastChunk = 12;  // IEND, which is empty
   switch (format) {
     case PageFormat::svg:
-      return bytes.append("<!-- ").append(kMark).append(" -->\n");
+      return bytes.append("<!-- ").append(mark).append(" -->\n");
     case PageFormat::pdf:
-      return bytes.append("%").append(kMark).append("\n");
+      return bytes.append("%").append(mark).append("\n");
     case PageFormat::png:
       break;
   }
-  return bytes.insert(bytes.size() - std::min(kLastChunk, bytes.size()), text_chunk());
+  return bytes.insert(bytes.size() - std::min(kLastChunk, bytes.size()), text_chunk(mark));
 }
 
 void write_picture(const fs::path& file, const std::string& bytes) {
@@ -82,17 +94,18 @@ void write_picture(const fs::path& file, const std::string& bytes) {
   throw std::runtime_error(file.string() + ": cannot write the picture: " + why);
 }
 
-void require_picture_or_nothing(const fs::path& file, bool overwrite) {
+void require_picture_or_nothing(const fs::path& file, PictureKind kind, bool overwrite) {
   const fs::file_status status = fs::symlink_status(file);
   if (!fs::exists(status)) return;
   if (!fs::is_regular_file(status)) {
     throw std::runtime_error(file.string() +
                              ": is there already and is no file; choose another name");
   }
-  if (overwrite || has_mark(file)) return;
-  throw std::runtime_error(file.string() +
-                           ": is there already and is no picture of ours; choose another name, or "
-                           "--overwrite");
+  if (overwrite || has_mark(file, mark_of(kind))) return;
+  throw std::runtime_error(
+      file.string() +
+      ": is there already and is no earlier picture of this kind; choose another "
+      "name, or --overwrite");
 }
 
 }  // namespace surefoot::report

@@ -170,7 +170,7 @@ void draw_ratio_figure(const RatioFigure& figure, const std::filesystem::path& p
     y += kRow;
     draw_row(canvas, axis, figure.rows[i], y - 0.5 * kRow);
   }
-  canvas.save(path);
+  canvas.save(path, PictureKind::figure);
 }
 
 }  // namespace surefoot::report

@@ -174,7 +174,7 @@ void draw_run_picture(const PictureInput& input, const std::filesystem::path& pa
   draw_map_panel(canvas, kMap, run);
   draw_path_panels(canvas, kTopView, kSideView, run);
   draw_time_panels(canvas, kTime, run);
-  canvas.save(path);
+  canvas.save(path, PictureKind::run);
 }
 
 }  // namespace surefoot::report

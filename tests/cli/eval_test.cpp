@@ -207,7 +207,7 @@ TEST_F(Eval, AFigureReplacesNothingButAPicture) {
     EXPECT_EQ(eval(arguments).exit_code, 0) << "again";
     const std::string other = file_content(scratch_.path() / name).substr(0, 300) + "mine";
     write_content(scratch_.path() / name, other);
-    expect_refused(arguments, "is no picture of ours");
+    expect_refused(arguments, "is no earlier picture of this kind");
     EXPECT_EQ(file_content(scratch_.path() / name), other);
   }
   EXPECT_EQ(eval({"truth.tum", "zigzag.tum", "--figure", "a.svg", "--overwrite"}).exit_code, 0);

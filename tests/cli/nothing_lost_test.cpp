@@ -110,6 +110,11 @@ TEST_F(NothingLost, APageIsNotWrittenOverAMap) {
   ASSERT_EQ(surefoot({"run", "in", "-o", "a", "-q"}).exit_code, 0);
   expect_refused({"report", "a", "-o", "a/map.ply"}, "is no page");
   EXPECT_EQ(file_content(path("a/map.ply")).substr(0, 3), "ply");
+  (void)surefoot({"check", "in", "--html", "check.html"});
+  const std::string check = file_content(path("check.html"));
+  EXPECT_FALSE(check.empty());
+  expect_refused({"report", "a", "-o", "check.html"}, "is no page of report's");
+  EXPECT_TRUE(file_content(path("check.html")) == check);
   EXPECT_EQ(surefoot({"report", "a", "-o", "page.html"}).exit_code, 0);
   EXPECT_EQ(surefoot({"report", "a", "-o", "page.html"}).exit_code, 0);
 }

@@ -361,13 +361,22 @@ TEST(Simulation, APictureReplacesNothingButAPicture) {
   for (const char* flag : {"--picture", "--animation"}) {
     const ProcessResult refused = draw({flag, "mine.png"});
     EXPECT_EQ(refused.exit_code, 2) << refused;
-    EXPECT_NE(refused.errors.find("is no picture of ours"), std::string::npos) << refused;
+    EXPECT_NE(refused.errors.find("is no earlier picture of this kind"), std::string::npos)
+        << refused;
     const ProcessResult lie = draw({flag, "scene.jpg"});
     EXPECT_EQ(lie.exit_code, 2) << lie;
     EXPECT_NE(lie.errors.find("scene.jpg: ends with '.jpg', expected .png"), std::string::npos)
         << lie;
   }
   EXPECT_EQ(file_content(scratch.path() / "mine.png"), "mine");
+  write_pcd_recording(scratch.path() / "in", hall_scans(3));
+  ASSERT_EQ(run_surefoot({"run", "in", "-o", "run", "-q"}, scratch.path()).exit_code, 0);
+  const std::string picture = file_content(scratch.path() / "run/picture.png");
+  EXPECT_EQ(draw({"--picture", "run/picture.png"}).exit_code, 2) << "a run's";
+  const ProcessResult figure = run_surefoot(
+      {"eval", "run/trajectory.tum", "run", "--figure", "run/picture.png"}, scratch.path());
+  EXPECT_NE(figure.errors.find("is no earlier picture of this kind"), std::string::npos) << figure;
+  EXPECT_TRUE(file_content(scratch.path() / "run/picture.png") == picture);
   EXPECT_EQ(draw({"--picture", "mine.png", "--overwrite"}).exit_code, 0);
 }
 #endif
