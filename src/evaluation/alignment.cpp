@@ -55,12 +55,17 @@ double rounding_of(const Moments& m) {
   return kRounding * kRounding * m.mean_x.norm() * m.mean_y.norm();
 }
 
+/// By the singular values of the covariance: two directions decide a rotation.
+bool decide_rotation(const Eigen::Vector3d& d, const Moments& m) {
+  return d[1] > std::max(kRankTolerance * d[0], rounding_of(m));
+}
+
 TrajectoryAlignment umeyama(const Moments& m, bool with_scale) {
   const auto [U, V, d] = svd(m.covariance_yx);
-  if (!(d[1] > std::max(kRankTolerance * d[0], rounding_of(m)))) {
+  if (!decide_rotation(d, m)) {
     throw std::runtime_error(
         "the positions lie on one line or in one place, which leaves a rotation undetermined: "
-        "align by origin or by yaw and translation");
+        "align by poses, by origin or by yaw and translation (--align poses, origin, yaw)");
   }
   Eigen::Vector3d s = Eigen::Vector3d::Ones();  // keeps a reflection out (eq. 43)
   if (U.determinant() * V.determinant() < 0.0) s[2] = -1.0;
@@ -77,11 +82,22 @@ TrajectoryAlignment yaw_translation(const Moments& m) {
   if (!(std::hypot(sine, cosine) > rounding_of(m))) {
     throw std::runtime_error(
         "the positions lie above one place, which leaves the yaw undetermined: "
-        "align by origin");
+        "align by poses or by origin (--align poses, origin)");
   }
   const Eigen::Quaterniond rotation(
       Eigen::AngleAxisd(std::atan2(sine, cosine), Eigen::Vector3d::UnitZ()));
   return {{rotation, m.mean_y - rotation * m.mean_x}, 1.0};
+}
+
+/// Mean square of what is left between the positions once they are aligned, along one axis [m^2].
+double left_over(const AssociatedTrajectories& pairs, std::size_t count,
+                 const TrajectoryAlignment& alignment) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d x = alignment.scale * pairs.estimate[i].pose.translation;
+    sum += (alignment.pose * x - pairs.reference[i].pose.translation).squaredNorm();
+  }
+  return sum / (3.0 * static_cast<double>(count));
 }
 
 }  // namespace
@@ -116,10 +132,14 @@ bool leaves_turn_open(const AssociatedTrajectories& pairs, AlignmentMethod metho
                       std::size_t poses) {
   if (method != AlignmentMethod::rigid && method != AlignmentMethod::similarity) return false;
   constexpr double kNarrow = 0.02;  // what the way spreads sideways, of what along
+  constexpr double kClear = 3.0;    // what it spreads sideways, of what is left after alignment
   const std::size_t all = pairs.estimate.size();
-  const Eigen::Vector3d spread =
-      svd(moments(pairs, poses == 0 ? all : std::min(poses, all)).covariance_yx).values;
-  return spread[1] < kNarrow * kNarrow * spread[0];
+  const std::size_t count = poses == 0 ? all : std::min(poses, all);
+  const Moments m = moments(pairs, count);
+  const Eigen::Vector3d spread = svd(m.covariance_yx).values;
+  if (!decide_rotation(spread, m) || spread[1] < kNarrow * kNarrow * spread[0]) return true;
+  const TrajectoryAlignment found = umeyama(m, method == AlignmentMethod::similarity);
+  return found.scale * spread[1] < kClear * kClear * left_over(pairs, count, found);
 }
 
 Trajectory aligned(const Trajectory& trajectory, const TrajectoryAlignment& alignment) {

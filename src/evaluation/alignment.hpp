@@ -33,8 +33,9 @@ struct TrajectoryAlignment {
 [[nodiscard]] TrajectoryAlignment find_alignment(const AssociatedTrajectories& pairs,
                                                  AlignmentMethod method, std::size_t poses = 0);
 
-/// Whether the positions hardly decide the turn about the way, as those of a nearly straight one:
-/// then what is left of noise does, and roll is any. Only where positions alone are asked.
+/// Whether the positions hardly decide a turn, as those of a nearly straight way, of a stay, or of
+/// one no wider than what is left after alignment: then noise does, and rotation errors are any. So
+/// also where they do not decide it at all. Only where positions alone are asked.
 [[nodiscard]] bool leaves_turn_open(const AssociatedTrajectories& pairs, AlignmentMethod method,
                                     std::size_t poses = 0);
 

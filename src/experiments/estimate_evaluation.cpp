@@ -166,8 +166,9 @@ void tell_open_turn(const std::string& name, const runs::ReferenceTrajectory& re
   const auto pairs = evaluation::associate(reference.truth.poses, estimate, options.association);
   if (!evaluation::leaves_turn_open(pairs, options.alignment, options.alignment_poses)) return;
   listener.note(name +
-                ": a nearly straight way; its positions hardly decide the turn about it, so that "
-                "rotation errors may be anything; --align poses takes the rotations, too");
+                ": a stay, a nearly straight way or one no wider than its errors; the positions "
+                "hardly decide a turn, so that rotation errors may be anything; --align poses "
+                "takes the rotations, too");
 }
 
 /// What one should know of an estimate before believing its figures.

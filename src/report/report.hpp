@@ -57,7 +57,8 @@ struct ErrorSeries {
 
 /// How a run compares with the truth.
 struct RunEvaluation {
-  std::string json;  ///< one object as `surefoot eval --json` prints it
+  std::string align;  ///< how the figures were aligned, as `surefoot eval --align` names it
+  std::string json;   ///< one object as `surefoot eval --json` prints it
   ErrorSeries errors;
 };
 

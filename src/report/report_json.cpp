@@ -117,7 +117,8 @@ Json scans_json(const ScanTable& scans, std::int64_t start_ns) {
 Json evaluation_json(const std::optional<RunEvaluation>& evaluation, std::int64_t start_ns) {
   if (!evaluation) return nullptr;
   const ErrorSeries& errors = evaluation->errors;
-  return {{"figures", Json::parse(evaluation->json)},
+  return {{"align", evaluation->align},
+          {"figures", Json::parse(evaluation->json)},
           {"errors",
            {{"times", times(errors.stamps_ns, start_ns)},
             {"translation_m", floats(errors.translation_m)},

@@ -14,6 +14,7 @@
 #include "evaluation/ape.hpp"
 #include "evaluation/evaluate.hpp"
 #include "evaluation/evaluation_json.hpp"
+#include "evaluation/option_names.hpp"
 #include "io/file_writer.hpp"
 #include "io/trajectory_files.hpp"
 #include "report/page.hpp"
@@ -76,18 +77,22 @@ void move_run(const Pose& T_world_map, report::ReportRun& run) {
   }
 }
 
-/// The figures are those of `surefoot eval --pair interpolate`; what is drawn is laid on the truth,
-/// less `origin`.
+/// The figures are those of `surefoot eval --pair interpolate`, by poses where the positions leave
+/// a turn open; what is drawn is laid on the truth, less `origin`.
 void evaluate_run(const Trajectory& truth, const Trajectory& measured,
                   const Eigen::Vector3d& origin, report::ReportRun& run) {
   evaluation::EvaluationOptions options;
   options.association = pairing_with(truth, measured);
+  AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);
+  if (leaves_turn_open(pairs, options.alignment)) {
+    options.alignment = evaluation::AlignmentMethod::poses;
+  }
   // Named as `surefoot eval` names it: by the file.
   const auto figures = evaluation::evaluate("trajectory", truth, measured, options);
-  AssociatedTrajectories pairs = evaluation::associate(truth, measured, options.association);
   Pose T_world_map = laid_on_truth(pairs);
   pairs.estimate = evaluation::aligned(pairs.estimate, {T_world_map});
-  run.evaluation = {evaluation::json_of(figures).dump(), error_series(pairs)};
+  run.evaluation = {std::string(name_of(evaluation::kAlignmentNames, options.alignment)),
+                    evaluation::json_of(figures).dump(), error_series(pairs)};
   T_world_map.translation -= origin;
   move_run(T_world_map, run);
   if (origin.isZero()) return;

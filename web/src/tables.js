@@ -39,6 +39,9 @@ const readable = (name) => {
   return `${kind.toUpperCase()} ${words.join(" ").replace("percent", "share")}`;
 };
 
+/** Where positions leave a turn open, orientations decide it, too. */
+const kAlignments = { se3: "SE(3) alignment", poses: "alignment by positions and orientations" };
+
 function errorTable(run) {
   const rows = Object.entries(run.figures.errors).map(([name, error]) => {
     const row = [
@@ -51,7 +54,7 @@ function errorTable(run) {
     return row;
   });
   const result = table(
-    "Absolute and relative pose errors after SE(3) alignment, as evo defines them",
+    `Absolute and relative pose errors after ${kAlignments[run.evaluation.align]}, as evo defines them`,
     ["Error", "max", "mean", "median", "min", "RMSE", "std", "SSE", "count"],
     rows,
   );

@@ -125,6 +125,8 @@ test("shows the figures of surefoot eval", async () => {
     ]),
   );
   assert.equal(shown.length, 7 * Object.keys(expected.errors).length);
+  const caption = await page.$eval("#errors caption", (element) => element.textContent);
+  assert.match(caption, /after alignment by positions and orientations/);
   for (const [error, statistic, value, text] of shown) {
     const figure = expected.errors[error][statistic];
     assert.equal(Number(value), figure, `${error} ${statistic}`);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "walks.hpp"
 
@@ -99,6 +100,27 @@ TEST(Alignment, OrientationsDecideTheTurnAboutAStraightWay) {
   EXPECT_FALSE(leaves_turn_open({winding, winding}, AlignmentMethod::rigid));
 }
 
+/// What a still robot is off its place is as wide one way as another, so that ratios tell nothing.
+TEST(Alignment, PositionsOfAStayOrNoWiderThanTheirErrorsLeaveTheTurnOpen) {
+  const auto shaken = [](Trajectory trajectory, double by) {
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+      const double s = static_cast<double>(i);
+      trajectory[i].pose.translation +=
+          by * Eigen::Vector3d(std::cos(4.0 * s), std::sin(6.0 * s), std::cos(9.0 * s));
+    }
+    return trajectory;
+  };
+  const Trajectory stay = straight_walk(100, 1e-9);
+  EXPECT_TRUE(leaves_turn_open({stay, shaken(stay, 1e-3)}, AlignmentMethod::rigid));
+  EXPECT_TRUE(leaves_turn_open({stay, stay}, AlignmentMethod::rigid)) << "no alignment at all";
+  EXPECT_FALSE(leaves_turn_open({stay, shaken(stay, 1e-3)}, AlignmentMethod::poses));
+  const Trajectory winding = winding_walk(60);  // two metres wide
+  EXPECT_FALSE(leaves_turn_open({winding, shaken(winding, 0.1)}, AlignmentMethod::rigid));
+  EXPECT_TRUE(leaves_turn_open({winding, shaken(winding, 3.0)}, AlignmentMethod::rigid));
+  EXPECT_FALSE(leaves_turn_open({moved(winding, kTilted, kScale), shaken(winding, 0.1)},
+                                AlignmentMethod::similarity));
+}
+
 TEST(Alignment, FirstPosesAloneDecideIfAskedTo) {
   const Trajectory estimate = winding_walk(60);
   Trajectory reference = moved(estimate, kTilted);
@@ -130,6 +152,11 @@ TEST(Alignment, WhatThePositionsDoNotDetermineIsAnError) {
   EXPECT_THROW((void)find_alignment({point, point}, AlignmentMethod::yaw_translation),
                std::runtime_error);
   EXPECT_NO_THROW((void)find_alignment({point, point}, AlignmentMethod::origin));
+  try {
+    (void)find_alignment({line, line}, AlignmentMethod::rigid);
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("--align poses"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

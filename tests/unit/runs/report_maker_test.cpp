@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "io/files/ply_writer.hpp"
 #include "io/trajectory_files.hpp"
@@ -124,6 +125,38 @@ TEST_F(ReportMakerTest, OfCoordinatesNearTheOriginIsShownAsTheyAre) {
   const report::Report report = maker.take({});
   EXPECT_NEAR(report.recordings.at(0).truth.at(10).pose.translation.x(), 3.0, 1e-6);
   for (const report::Fact& fact : report.runs.at(0).facts) EXPECT_NE(fact.first, "Coordinates");
+}
+
+double largest_turn_deg(const report::RunEvaluation& evaluation) {
+  return nlohmann::json::parse(evaluation.json)["errors"]["ape_rotation_angle"]["max"];
+}
+
+TEST_F(ReportMakerTest, WherePositionsLeaveATurnOpenFiguresAreAlignedByPoses) {
+  ReportMaker bend;
+  bend.add_run(run_, {}, folder_ / "utm.tum");
+  EXPECT_EQ(bend.take({}).runs.at(0).evaluation->align, "se3");
+
+  Trajectory measured = io::read_tum(run_ / kTrajectoryFile);
+  for (std::size_t i = 0; i < measured.size(); ++i) {  // a robot that stands, and millimetres
+    const double s = static_cast<double>(i);
+    truth_[i].pose = {so3_exp({0.0, 0.0, 1.0}), {5.0, 3.0 + 1e-9 * s, 0.4}};
+    measured[i].pose = Pose();
+    measured[i].pose.translation =
+        1e-3 * Eigen::Vector3d(std::cos(4 * s), std::sin(6 * s), std::cos(s));
+  }
+  io::write_tum(run_ / kTrajectoryFile, measured);
+  io::write_tum(folder_ / "stay.tum", truth_);
+  for (StampedPose& pose : truth_) pose.pose.translation.y() = 3.0;
+  io::write_tum(folder_ / "point.tum", truth_);
+  for (const char* truth : {"stay.tum", "point.tum"}) {
+    ReportMaker stay;
+    stay.add_run(run_, {}, folder_ / truth);
+    const report::Report report = stay.take({});
+    const std::optional<report::RunEvaluation>& evaluation = report.runs.at(0).evaluation;
+    ASSERT_TRUE(evaluation) << truth;
+    EXPECT_EQ(evaluation->align, "poses") << truth;
+    EXPECT_LT(largest_turn_deg(*evaluation), 0.1) << truth;
+  }
 }
 
 }  // namespace
