@@ -27,23 +27,42 @@ std::vector<DegenerateDirection> weak_directions(const NormalEquations<6>& equat
     const double share = 3.0 * eigen.values[i] / weight;
     if (share >= min_information) break;
     const Twist direction = eigen.vectors.col(i);
-    weak.push_back({direction, std::max(share, 0.0), name_direction(direction, T_map_lidar)});
+    weak.push_back({direction, std::max(share, 0.0), {}});
   }
+  name_directions(T_map_lidar, weak);
   return weak;
 }
 
-}  // namespace
+constexpr const char* kNames[] = {"forward", "lateral", "up", "roll", "pitch", "yaw"};
 
-std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
-  static constexpr const char* names[] = {"forward", "lateral", "up", "roll", "pitch", "yaw"};
+/// Sizes of a direction's parts, in axes turned by the sensor's heading.
+Twist parts_of(const Twist& direction, const Pose& T_map_lidar) {
   const double yaw = roll_pitch_yaw(T_map_lidar.rotation).z();
   const Eigen::Matrix3d to_heading =
       Eigen::AngleAxisd(-yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   Twist turned;
   turned << to_heading * direction.head<3>(), to_heading * direction.tail<3>();
+  return turned.cwiseAbs();
+}
+
+}  // namespace
+
+std::string name_direction(const Twist& direction, const Pose& T_map_lidar) {
   Eigen::Index largest = 0;
-  turned.cwiseAbs().maxCoeff(&largest);
-  return names[largest];
+  parts_of(direction, T_map_lidar).maxCoeff(&largest);
+  return kNames[largest];
+}
+
+/// Directions that are equally weak are mixed as it happens, so that several may have the same
+/// largest part.
+void name_directions(const Pose& T_map_lidar, std::vector<DegenerateDirection>& directions) {
+  Twist taken = Twist::Zero();
+  for (DegenerateDirection& direction : directions) {
+    Eigen::Index largest = 0;
+    (parts_of(direction.direction, T_map_lidar) - taken).maxCoeff(&largest);
+    taken[largest] = 2.0;  // more than any part, as directions are of length one
+    direction.name = kNames[largest];
+  }
 }
 
 Matrix6 unregistered_covariance(const Config::Health& config) {

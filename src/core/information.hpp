@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/normal_equations.hpp"
 #include "surefoot/config.hpp"
 #include "surefoot/estimate.hpp"
@@ -11,6 +14,9 @@ namespace surefoot {
 /// Name of a direction's largest part [x y z roll pitch yaw, map axes], in axes turned by the
 /// sensor's heading.
 [[nodiscard]] std::string name_direction(const Twist& direction, const Pose& T_map_lidar);
+
+/// Names several at right angles, each by its largest part that none before it is named by.
+void name_directions(const Pose& T_map_lidar, std::vector<DegenerateDirection>& directions);
 
 /// Names what a registered scan hardly constrains, weakest first, from its point-to-plane normal
 /// equations of all six degrees of freedom and the weighted sum of its points' squared distances

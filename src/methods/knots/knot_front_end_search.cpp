@@ -24,9 +24,12 @@ constexpr double kBlind = 0.1;
 constexpr int kKept = 20;  // trusted scans of a map that is worth to come back to
 
 /// How probably a registration of who is lost is wrong. `far`: it was looked for in a large region.
-double hazard_where_lost(bool far, Estimate& estimate) {
-  const auto slides = [](const DegenerateDirection& weak) {
-    return weak.name != "roll" && weak.name != "pitch";
+double hazard_where_lost(bool far, RegisteredScan& registered) {
+  Estimate& estimate = registered.estimate;
+  // By its largest part, which need not be its name where several are weak.
+  const auto slides = [&](const DegenerateDirection& weak) {
+    const std::string name = name_direction(weak.direction, registered.trajectory.at(0.5));
+    return name != "roll" && name != "pitch";
   };
   const bool any = std::any_of(estimate.degenerate.begin(), estimate.degenerate.end(), slides);
   estimate.evidence = evidence_where_lost(estimate.evidence, any, far);
@@ -50,7 +53,7 @@ Estimate KnotFrontEnd::search(const ScanPart& thinned) {
     judge_.weigh(track_, scan, view, seen_again_, *best);
     if (!confirms) best->estimate.evidence.motion = 0.0;
     const double hazard_now = best->estimate.wrong_probability =
-        hazard_where_lost(search_->far, best->estimate);
+        hazard_where_lost(search_->far, *best);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     const bool agreed = right && search_->agreed + 1 >= kAgree;
     right = right && !(agreed && has_twin(track_, thinned, *best, search_->left));
@@ -76,7 +79,7 @@ std::optional<Estimate> KnotFrontEnd::go_on(const ScanPart& thinned) {
   if (!next.estimate.trusted()) return std::nullopt;
   View view = track_.look(thinned, next.trajectory);
   judge_.weigh(track_, scan, view, seen_again_, next);
-  const double hazard_now = hazard_where_lost(false, next.estimate);
+  const double hazard_now = hazard_where_lost(false, next);
   if (is_doubtful(hazard_now / kStraightOn)) return std::nullopt;
   end_search();
   next.estimate.wrong_probability = judge_.wrong_probability_with(hazard_now);

@@ -125,10 +125,8 @@ void ScanJudge::name_weakness_of_late(RegisteredScan& registered) {
   estimate.status = Status::degenerate;
   estimate.degenerate = weak_of_late_;
   estimate.message = "of late scans hardly constrained:";
-  for (DegenerateDirection& weak : estimate.degenerate) {
-    weak.name = name_direction(weak.direction, registered.trajectory.at(0.5));
-    estimate.message += ' ' + weak.name;
-  }
+  name_directions(registered.trajectory.at(0.5), estimate.degenerate);
+  for (const DegenerateDirection& weak : estimate.degenerate) estimate.message += ' ' + weak.name;
 }
 
 }  // namespace surefoot
