@@ -72,10 +72,10 @@ const Change kPaperChanges[] = {
 };
 
 const Change kSurefootChanges[] = {
-    {kControl, "2900 points mapped", "", "knots.map_points=2900"},
-    {kControl, "2950 points mapped", "", "knots.map_points=2950"},
-    {kControl, "3050 points mapped", "", "knots.map_points=3050"},
-    {kControl, "3100 points mapped", "", "knots.map_points=3100"},
+    {kControl, "1900 points", "", "knots.points=1900"},
+    {kControl, "1950 points", "", "knots.points=1950"},
+    {kControl, "2050 points", "", "knots.points=2050"},
+    {kControl, "2100 points", "", "knots.points=2100"},
 
     {"Knots", "K = 1", "(9)-(11)", "knots.segments=1"},
     {"Knots", "K = 2", "(9)-(11)", "knots.segments=2"},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "process.hpp"
 #include "recordings.hpp"
@@ -62,6 +63,9 @@ TEST_P(Ablate, RatiosAreThoseOfTheComparison) {
   ASSERT_EQ(ablation["rows"].size(), comparison["methods"].size());
   std::vector<double> references;
   for (std::size_t m = 0; m < kReferences; ++m) references.push_back(error_in(comparison, m));
+  // A control that changes nothing says of nothing that it is within the spread.
+  std::set<double> different(references.begin(), references.end());
+  EXPECT_EQ(different.size(), kReferences);
   std::sort(references.begin(), references.end());
   for (std::size_t m = kReferences; m < ablation["rows"].size(); ++m) {
     EXPECT_EQ(ablation["rows"][m]["method"], comparison["methods"][m]["label"]);
