@@ -38,12 +38,17 @@ def files_beside(recording):
     begin = recording.name.split(".")[0]
     named = [file for file in sorted(recording.parent.glob("*.json"))
              if file.stem.startswith(begin) or recording.name.startswith(file.stem)]
-    return [file for file in (recording.parent / "gt.tum", *named) if file.is_file()]
+    truths = [recording.parent / "gt.tum"]
+    if (recording.parent / "metadata.yaml").is_file():
+        truths.append(recording.parent.parent / "gt.tum")  # beside the folder of a rosbag2
+    return [file for file in (*truths, *named) if file.is_file()]
 
 
-def stamps_above(folder):
-    """Stamps of a folder's scans that may lie in the one above, as KITTI's do."""
-    names = ("times.txt", "timestamps.txt", "stamps.txt")
+def files_above(folder):
+    """In the folder above: stamps of a folder's scans, as KITTI's are, and the truth of a rosbag2."""
+    names = ["times.txt", "timestamps.txt", "stamps.txt"]
+    if (folder / "metadata.yaml").is_file():
+        names.append("gt.tum")
     return [folder.parent / name for name in names if (folder.parent / name).is_file()]
 
 
@@ -77,7 +82,7 @@ class Hashes:
 
     def of_recording(self, path):
         recording = pathlib.Path(path)
-        beside = files_beside(recording) if recording.is_file() else stamps_above(recording)
+        beside = files_beside(recording) if recording.is_file() else files_above(recording)
         return [self.of(path), [[file.name, self.of(file)] for file in beside]]
 
     def of_option(self, word):

@@ -16,6 +16,7 @@
 #include "io/printable.hpp"
 #include "process/child_process.hpp"
 #include "process/interrupt.hpp"
+#include "runs/run_truth.hpp"
 #include "simulation/standard_suite.hpp"
 
 namespace surefoot::experiments {
@@ -32,7 +33,9 @@ fs::path absolute_path(const fs::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();  // without a final '/'
 }
 
+/// Where the truth is, or would be.
 fs::path truth_of(const fs::path& recording) {
+  if (fs::path found = runs::truth_beside(recording); !found.empty()) return found;
   return (fs::is_directory(recording) ? recording : recording.parent_path()) / kTruthName;
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "io/bags/bag_files.hpp"
 #include "io/file_kind.hpp"
 #include "io/files/folder_listing.hpp"
 #include "io/packets/metadata_file.hpp"
@@ -48,7 +49,9 @@ FilesMark mark_of(const fs::path& path) {
   FilesMark mark;
   if (fs::is_directory(path)) {
     std::map<std::string, fs::path> files;  // in an order that is the same everywhere
-    for (const fs::path& folder : io::folders_of_recording(path)) {
+    std::vector<fs::path> folders = io::folders_of_recording(path);
+    if (fs::path bag = io::bag_folder(path); bag != path) folders.push_back(std::move(bag));
+    for (const fs::path& folder : folders) {
       for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
         files.emplace(entry.path().lexically_relative(path).generic_string(), entry.path());

@@ -39,7 +39,8 @@ std::vector<std::string> folder_notes(const std::filesystem::path& path, bool as
     pass_over(bags.size(), "bag");
   }
   if (as_bag || counts.scans > 0 || counts.captures > 1) pass_over(counts.captures, "capture");
-  if (as_bag && bags.size() > 1 && !std::filesystem::exists(path / "metadata.yaml", ignored)) {
+  if (as_bag && bags.size() > 1 &&
+      !std::filesystem::exists(bag_folder(path) / "metadata.yaml", ignored)) {
     notes.push_back(counted(bags.size(), "bag") + " are read as parts of one recording, " +
                     bags.front().filename().string() + " first");
   }

@@ -19,13 +19,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kTruthName = "gt.tum";
 constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hundreds of hertz
 
 }  // namespace
 
 fs::path truth_beside(const fs::path& input) {
-  const fs::path file = input / "gt.tum";
-  return fs::is_regular_file(file) ? file : fs::path{};
+  std::error_code ignored;
+  if (!fs::exists(input, ignored)) return {};  // the name of what is running
+  const fs::path folder = fs::is_directory(input, ignored) ? input : input.parent_path();
+  if (fs::path file = folder / kTruthName; fs::is_regular_file(file, ignored)) return file;
+  if (!fs::exists(folder / "metadata.yaml", ignored)) return {};
+  const fs::path bag = fs::absolute(folder / "").lexically_normal().parent_path();
+  fs::path file = bag.parent_path() / kTruthName;
+  return fs::is_regular_file(file, ignored) ? file : fs::path{};
 }
 
 fs::path truth_file(const RunOptions& options) {

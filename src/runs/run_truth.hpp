@@ -16,7 +16,8 @@
 
 namespace surefoot::runs {
 
-/// The gt.tum of the recording, poses of the LiDAR; empty if there is none.
+/// The gt.tum of the recording, poses of the LiDAR: in its folder, beside its file, or beside the
+/// folder of a rosbag2; empty if there is none.
 [[nodiscard]] std::filesystem::path truth_beside(const std::filesystem::path& input);
 
 /// That of a run's options: the file that was given, else the recording's; empty if there is none,

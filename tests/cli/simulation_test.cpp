@@ -128,6 +128,29 @@ TEST(Simulation, BagsHoldWhatThePcdFilesHold) {
   }
 }
 
+/// As a folder and by its file or bag, beside which the truth lies.
+TEST(Simulation, EveryFormatAloneIsOpenedWithItsTruth) {
+  for (const char* format : {"pcd", "pcap", "mcap", "rosbag2"}) {
+    const ScratchFolder scratch;
+    const ProcessResult made = run_surefoot(
+        {"simulate", "campus", "--scans", "12", "--format", format, "--no-footprint", "-o", "out"},
+        scratch.path());
+    ASSERT_EQ(made.exit_code, 0) << made;
+    for (const char* input :
+         {"out", "out/recording.pcap", "out/recording.mcap", "out/rosbag2", "out/rosbag2/"}) {
+      if (!fs::exists(scratch.path() / input)) continue;
+      const ProcessResult run =
+          run_surefoot({"run", input, "-o", "run", "--no-picture", "--overwrite"}, scratch.path());
+      EXPECT_EQ(run.exit_code, 0) << format << ' ' << input << run;
+      const std::string page = scratch.path() / "run/report.html";
+      if (!fs::exists(page)) continue;  // built without the page
+      const std::string text = file_content(page);
+      EXPECT_NE(text.find("\"ape_translation\""), std::string::npos) << format << ' ' << input;
+    }
+    EXPECT_EQ(run_surefoot({"info", "out"}, scratch.path()).exit_code, 0) << format;
+  }
+}
+
 /// A scene's recording `in`, and what is run of it into `out`.
 ProcessResult run_of_simulated(const ScratchFolder& scratch, std::vector<std::string> scene,
                                std::vector<std::string> part) {

@@ -3,6 +3,8 @@
 #include "io/bags/bag_files.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "io/ascii_values.hpp"
 #include "io/bags/bag_metadata.hpp"
@@ -12,6 +14,7 @@
 #include "io/bags/sqlite_bag_reader.hpp"
 #include "io/file_kind.hpp"
 #include "io/file_reader.hpp"
+#include "io/files/folder_listing.hpp"
 #include "io/files/scan_files.hpp"
 #include "io/printable.hpp"
 #include "io/recording.hpp"
@@ -21,9 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kMetadataFile = "metadata.yaml";
+
 // What rosbag2 wrote beside its files when it closed the bag; nothing in it where it did not.
 BagMetadata metadata_in(const fs::path& folder) {
-  const fs::path file = folder / "metadata.yaml";
+  const fs::path file = folder / kMetadataFile;
   std::error_code error;
   constexpr std::uintmax_t kMostBytes = 64 << 20;
   const std::uintmax_t size = fs::file_size(file, error);
@@ -45,6 +50,39 @@ std::optional<fs::path> part_named(const fs::path& folder, const std::string& na
     if (fs::is_regular_file(file, ignored)) return file;
   }
   return std::nullopt;
+}
+
+// Those that lie there by names of bags.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    const fs::path& file = it->path();
+    const bool hidden = file.filename().string().starts_with(".");
+    if (it->is_regular_file(ignored) && !hidden && has_bag_name(file)) files.push_back(file);
+  }
+  return files;
+}
+
+// The only folder in it with rosbag2's metadata; none where there are several.
+std::optional<fs::path> only_rosbag2_in(const fs::path& folder) {
+  std::optional<fs::path> found;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (!it->is_directory(ignored) || !fs::exists(it->path() / kMetadataFile, ignored)) continue;
+    if (std::exchange(found, it->path())) return std::nullopt;
+  }
+  return found;
+}
+
+bool holds_scans(const fs::path& folder) {
+  const std::vector<fs::path> folders = folders_of_recording(folder);
+  return std::any_of(folders.begin(), folders.end(), [](const fs::path& one) {
+    const FolderCounts counts = count_folder(one);
+    return counts.scans > 0 || counts.captures > 0;
+  });
 }
 
 // The files that the metadata name, in their order; none where one of them is not there.
@@ -174,17 +212,20 @@ class BagParts final : public MessageSource {
 bool has_bag_name(const fs::path& file) { return is_bag_kind(kind_by_name(file)); }
 bool is_bag_file(const fs::path& file) { return is_bag_kind(kind_of(file)); }
 
+fs::path bag_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder / kMetadataFile, ignored)) return folder;
+  const std::optional<fs::path> below = only_rosbag2_in(folder);
+  return below && files_in(folder).empty() && !holds_scans(folder) ? *below : folder;
+}
+
 std::vector<fs::path> bag_files(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
-  std::vector<fs::path> files = named_files(path, metadata_in(path));
+  const fs::path folder = bag_folder(path);
+  std::vector<fs::path> files = named_files(folder, metadata_in(folder));
   if (!files.empty()) return files;
-  for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
-    std::error_code ignored;
-    const fs::path& file = it->path();
-    const bool hidden = file.filename().string().starts_with(".");
-    if (it->is_regular_file(ignored) && !hidden && has_bag_name(file)) files.push_back(file);
-  }
+  files = files_in(folder);
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return natural_less(a.filename().string(), b.filename().string());
   });
@@ -196,7 +237,8 @@ std::vector<fs::path> bag_files(const fs::path& path) {
   return files;
 }
 
-std::string why_no_bag_files(const fs::path& folder) {
+std::string why_no_bag_files(const fs::path& path) {
+  const fs::path folder = bag_folder(path);
   const std::vector<std::string> missing = missing_files(folder, metadata_in(folder));
   if (missing.empty()) return {};
   const std::string more =
@@ -217,8 +259,9 @@ std::unique_ptr<MessageSource> open_bag(const fs::path& path) {
   }
   std::error_code ignored;
   const bool is_folder = fs::is_directory(path, ignored);
-  const BagMetadata metadata = is_folder ? metadata_in(path) : BagMetadata{};
-  return std::make_unique<BagParts>(std::move(files), missing_files(path, metadata), metadata);
+  const fs::path folder = is_folder ? bag_folder(path) : path;
+  const BagMetadata metadata = is_folder ? metadata_in(folder) : BagMetadata{};
+  return std::make_unique<BagParts>(std::move(files), missing_files(folder, metadata), metadata);
 }
 
 }  // namespace surefoot::io

@@ -135,6 +135,24 @@ TEST(OpenRecording, OptionsThatSayNothingAboutItAreNoted) {
   EXPECT_EQ(notes_of(folder.path()).find("counts for nothing"), std::string::npos);
 }
 
+TEST(OpenRecording, AFolderOpensByTheOnlyBagInAFolderBelow) {
+  const TemporaryFolder folder;
+  folder.write("scan.bin", kitti_scan(1));
+  const auto sink = make_scan_sink(folder.path() / "in" / "bag", ScanFormat::rosbag2);
+  sink->add(*read_all(folder.path() / "scan.bin").front().scan);
+  sink->finish();
+  folder.write("in/gt.tum", "");
+  const auto opens_as_bag = [&] {
+    return open_recording(folder.path() / "in")->description().find("sqlite3") != std::string::npos;
+  };
+  EXPECT_TRUE(opens_as_bag());
+  folder.write("in/other/metadata.yaml", "rosbag2_bagfile_information:\n");
+  EXPECT_THROW((void)open_recording(folder.path() / "in"), ReadError) << "which of the two?";
+  std::filesystem::remove_all(folder.path() / "in/other");
+  folder.write("in/velodyne/0.bin", kitti_scan(1));
+  EXPECT_FALSE(opens_as_bag()) << "scans, as before there was a bag below";
+}
+
 TEST(OpenRecording, WhatLiesBesideIsNoted) {
   const TemporaryFolder folder;
   folder.write("in/a.bin", kitti_scan(1));

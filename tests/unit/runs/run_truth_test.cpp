@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "support/scratch.hpp"
+
 namespace surefoot::runs {
 namespace {
 
@@ -108,6 +110,25 @@ TEST(RunTruth, OutOfOrderIsNone) {
   Trajectory truth = walk({}, 50);
   std::swap(truth[3], truth[30]);
   EXPECT_TRUE(truth_in_map(truth, walk({}, 50)).empty());
+}
+
+class TruthBeside : public test::Scratch {};
+
+TEST_F(TruthBeside, LiesInTheFolderBesideTheFileOrBesideTheBag) {
+  const std::filesystem::path truth = write("walk/gt.tum", "");
+  (void)write("walk/walk.mcap", "");
+  (void)write("walk/bag/metadata.yaml", "");
+  (void)write("walk/bag/bag_0.db3", "");
+  (void)write("walk/other/000000.pcd", "");
+  for (const char* input :
+       {"walk", "walk/walk.mcap", "walk/bag", "walk/bag/", "walk/bag/bag_0.db3"}) {
+    std::error_code ignored;
+    EXPECT_TRUE(std::filesystem::equivalent(truth_beside(folder_ / input), truth, ignored))
+        << input;
+  }
+  EXPECT_EQ(truth_beside(folder_ / "walk/other"), "") << "no bag";
+  EXPECT_EQ(truth_beside(folder_ / "walk/of_a_topic"), "") << "no file";
+  EXPECT_EQ(truth_beside(""), "");
 }
 
 }  // namespace
