@@ -76,7 +76,7 @@ void add_verdict_options(CLI::App& command, experiments::CompareOptions& options
       "--cover", options.cover,
       "What a run has to cover: truth, recording (the truth from its first scan to its last), or "
       "auto: the truth but for a second at either end, unless --start or --count leave scans out",
-      {{"auto", Cover::automatic}, {"truth", Cover::truth}, {"recording", Cover::recording}});
+      {experiments::kCoverNames.begin(), experiments::kCoverNames.end()});
   group
       .add("--full-coverage", options.rules.full_coverage,
            "Share of it that a run must have an estimate for to be ranked")

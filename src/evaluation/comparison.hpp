@@ -68,6 +68,7 @@ struct Comparison {
   std::vector<std::string> run_arguments = {};  ///< of every run, besides recording and parameters
   EvaluationOptions options = {};
   VerdictRules rules = {};
+  std::string cover = "auto";  ///< what a run had to cover, as `--cover` names it
   std::vector<ComparedMethod> methods = {};
   std::vector<ComparedRecording> recordings = {};
 };

@@ -223,6 +223,7 @@ CompareResults collect_results(const CompareOptions& options,
   comparison.run_arguments = run_arguments(options);
   comparison.options = options.evaluation;
   comparison.rules = options.rules;
+  comparison.cover = evaluation::name_of(kCoverNames, options.cover);
   for (const MethodVariant& variant : variants) {
     comparison.methods.push_back(method_of(variant, variant_config(variant, options.settings)));
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "evaluation/evaluate.hpp"
+#include "evaluation/option_names.hpp"
 #include "evaluation/verdict.hpp"
 
 namespace surefoot::experiments {
@@ -21,6 +22,9 @@ enum class Cover {
   truth,      ///< all of it
   recording   ///< the part between the recording's first and last scan
 };
+
+inline constexpr evaluation::ChoiceNames<Cover, 3> kCoverNames = {
+    {{"auto", Cover::automatic}, {"truth", Cover::truth}, {"recording", Cover::recording}}};
 
 /// A share of a comparison's runs: every `of`-th, from the `number`-th on.
 struct ComparePart {

@@ -92,10 +92,12 @@ TEST_F(Compare, APartThatFailsSaysSo) {
 TEST_F(Compare, PartOfTheScansIsComparedWithPartOfTheTruth) {
   ASSERT_EQ(compare({"left", "--count", "6", "-o", "out", "--no-figures"}).exit_code, 0);
   EXPECT_EQ(result(results("out"), "left", "paper")["outcome"], "whole");
+  EXPECT_EQ(results("out")["rules"]["cover"], "auto");
   ASSERT_EQ(
       compare({"left", "--count", "6", "--cover", "truth", "-o", "out", "--no-figures"}).exit_code,
       0);
   EXPECT_EQ(result(results("out"), "left", "paper")["outcome_text"], "stopped at 45 %");
+  EXPECT_EQ(results("out")["rules"]["cover"], "truth");
 }
 
 /// A recording's truth, so much [s] later.
