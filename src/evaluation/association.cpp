@@ -114,6 +114,17 @@ AssociatedTrajectories by_index(const Trajectory& reference, const Trajectory& e
   return {reference, estimate};
 }
 
+std::string times_of(const Trajectory& trajectory, double offset) {
+  return std::to_string(seconds(trajectory.front().stamp_ns) + offset) + " .. " +
+         std::to_string(seconds(trajectory.back().stamp_ns) + offset) + " s";
+}
+
+std::string moved_text(const Trajectory& estimate, double offset) {
+  if (offset == 0.0) return {};
+  return ", moved by the offset of " + std::to_string(offset) + " s to " +
+         times_of(estimate, offset);
+}
+
 }  // namespace
 
 AssociatedTrajectories associate(const Trajectory& reference, const Trajectory& estimate,
@@ -139,11 +150,9 @@ AssociatedTrajectories associate(const Trajectory& reference, const Trajectory& 
       break;
   }
   if (result.estimate.empty()) {
-    throw std::runtime_error(
-        "no pose of the estimate (" + std::to_string(seconds(estimate.front().stamp_ns)) + " .. " +
-        std::to_string(seconds(estimate.back().stamp_ns)) + " s) has a partner in the reference (" +
-        std::to_string(seconds(reference.front().stamp_ns)) + " .. " +
-        std::to_string(seconds(reference.back().stamp_ns)) + " s)");
+    throw std::runtime_error("no pose of the estimate (" + times_of(estimate, 0.0) +
+                             moved_text(estimate, options.offset) +
+                             ") has a partner in the reference (" + times_of(reference, 0.0) + ")");
   }
   return result;
 }

@@ -46,6 +46,16 @@ TEST(Association, TheLimitItselfIsWithinAndOfTwoAtOneDistanceTheEarlierIsTaken) 
   EXPECT_EQ(pairs.reference[0].stamp_ns, 1'000'000'000);
 }
 
+TEST(Association, WhatAWrongOffsetMakesOfTheStampsIsTold) {
+  const Trajectory walk = at_times({10.0, 11.0});
+  const std::string moved = message_of(walk, walk, {.offset = -100.0});
+  EXPECT_NE(moved.find("by the offset of -100.000000 s to -90.000000 .. -89.000000 s"),
+            std::string::npos)
+      << moved;
+  const std::string apart = message_of(walk, at_times({20.0}), {});
+  EXPECT_EQ(apart.find("offset"), std::string::npos) << apart;
+}
+
 TEST(Association, StampsThatNoClockGivesAreRefused) {
   constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
   const Trajectory far = {{-kLast, Pose()}, {kLast, Pose()}};
