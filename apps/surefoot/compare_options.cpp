@@ -113,9 +113,8 @@ int run_comparison(const experiments::CompareOptions& options,
                    const std::vector<experiments::MethodVariant>& variants,
                    const std::function<void(const experiments::CompareResults& results)>& write) {
   if (options.list_runs) {
-    const auto runs = experiments::list_runs(options, variants);
-    fmt::print("{}", runs.value_or(""));
-    return runs ? process::kDone : process::kInterrupted;
+    fmt::print("{}", experiments::list_runs(options, variants));
+    return process::kDone;
   }
   const auto results = experiments::compare_variants(options, variants);
   if (!results) return process::kInterrupted;

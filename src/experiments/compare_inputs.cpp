@@ -71,6 +71,19 @@ std::vector<fs::path> suite_recordings(const fs::path& folder) {
   return found;
 }
 
+/// Of a set that is not made yet, those that it will hold.
+std::vector<fs::path> recordings_of(const CompareOptions& options, const std::string& suite) {
+  const fs::path folder = suite_folder(options, suite);
+  const simulation::SuiteSet* set = simulation::find_suite_set(suite);
+  if (set == nullptr || fs::exists(folder / kSuiteMark)) return suite_recordings(folder);
+  std::vector<fs::path> planned;
+  for (const simulation::SuiteEntry& entry : set->entries()) {
+    planned.push_back(absolute_path(folder / simulation::suite_folder_name(entry)));
+  }
+  std::sort(planned.begin(), planned.end());
+  return planned;
+}
+
 void check_given(const CompareOptions& options) {
   if (options.recordings.empty() && options.suites.empty()) {
     throw std::runtime_error(
@@ -143,7 +156,7 @@ std::vector<CompareInput> find_inputs(const CompareOptions& options) {
                                             : absolute_path(options.truths[i]));
   }
   for (const std::string& suite : options.suites) {
-    for (const fs::path& path : suite_recordings(suite_folder(options, suite))) {
+    for (const fs::path& path : recordings_of(options, suite)) {
       paths.push_back(path);
       truths.push_back(truth_of(path));
     }

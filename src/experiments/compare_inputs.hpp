@@ -29,7 +29,8 @@ struct CompareInput {
 /// The text with every letter replaced that not every file system takes.
 [[nodiscard]] std::string folder_name(const std::string& text);
 
-/// The recordings that were given, then the suite's in the order of their names.
+/// The recordings that were given, then the suites' in the order of their names; of a set that is
+/// not made yet, those that it will hold.
 /// Throws std::runtime_error for what does not exist, is given twice, or leaves nothing to compare.
 [[nodiscard]] std::vector<CompareInput> find_inputs(const CompareOptions& options);
 

@@ -97,29 +97,29 @@ void say(const CompareOptions& options, const std::string& text) {
   if (!options.quiet) fmt::print(stderr, "{}\n", text);
 }
 
-void say_interrupted(const CompareOptions& options, const std::string& what_is_done) {
-  say(options, fmt::format("interrupted; {} is kept in {}: the same command again goes on from "
-                           "there",
-                           what_is_done, options.output.string()));
-}
-
 /// Whatever was not done before; false if it was interrupted.
 bool work_through(const CompareOptions& options, RunQueue& queue, const std::string& what) {
   queue.skip_done(options.retry_failed);
   say(options, fmt::format("{} runs: {}; {} done before", queue.tasks(), what, queue.done()));
   if (queue.work()) return true;
-  say_interrupted(options,
-                  fmt::format("what was done, {} of {} runs,", queue.done(), queue.tasks()));
+  say(options, fmt::format("interrupted; what was done, {} of {} runs, is kept in {}: the same "
+                           "command again goes on from there",
+                           queue.done(), queue.tasks(), options.output.string()));
   return false;
 }
 
-/// Nothing if making a suite was interrupted. What a variant cannot be is told before that.
-std::optional<std::vector<CompareInput>> inputs_for(const CompareOptions& options,
-                                                    const std::vector<MethodVariant>& variants) {
+/// Throws for what a run or a variant cannot be.
+void check_requests(const CompareOptions& options, const std::vector<MethodVariant>& variants) {
   check_passed(options.passed);
   for (const MethodVariant& variant : variants) (void)variant_config(variant, options.settings);
+}
+
+/// Nothing if making a suite was interrupted.
+std::optional<std::vector<CompareInput>> inputs_for(const CompareOptions& options) {
   if (make_suites(options)) return find_inputs(options);
-  say_interrupted(options, "nothing of an unfinished suite");
+  say(options, fmt::format("interrupted; what there is of an unfinished suite stays in {}: the "
+                           "same command makes it from the beginning",
+                           options.output.string()));
   return std::nullopt;
 }
 
@@ -136,16 +136,16 @@ ComparePart parse_part(const std::string& text) {
   throw std::invalid_argument(fmt::format("--part: '{}'; expected NUMBER/OF, such as 3/8", text));
 }
 
-std::optional<std::string> list_runs(const CompareOptions& options,
-                                     const std::vector<MethodVariant>& variants) {
-  const auto inputs = inputs_for(options, variants);
-  if (!inputs) return std::nullopt;
-  return runs_text(plan_runs(inputs->size(), variants.size(), options.repeats), *inputs, variants);
+std::string list_runs(const CompareOptions& options, const std::vector<MethodVariant>& variants) {
+  check_requests(options, variants);
+  const std::vector<CompareInput> inputs = find_inputs(options);
+  return runs_text(plan_runs(inputs.size(), variants.size(), options.repeats), inputs, variants);
 }
 
 std::optional<CompareResults> compare_variants(const CompareOptions& options,
                                                const std::vector<MethodVariant>& variants) {
-  auto inputs = inputs_for(options, variants);
+  check_requests(options, variants);
+  auto inputs = inputs_for(options);
   if (!inputs) return std::nullopt;
   const std::string build = build_fingerprint();
   const std::vector<PlannedRun> runs =

@@ -22,10 +22,10 @@ namespace surefoot::experiments {
 [[nodiscard]] std::optional<CompareResults> compare_variants(
     const CompareOptions& options, const std::vector<MethodVariant>& variants);
 
-/// The runs that compare_variants() would do, a line of JSON each. Nothing if it was interrupted.
-/// Throws as that does, but reads no truth.
-[[nodiscard]] std::optional<std::string> list_runs(const CompareOptions& options,
-                                                   const std::vector<MethodVariant>& variants);
+/// The runs that compare_variants() would do, a line of JSON each. Throws as that does, but makes
+/// no suite and reads no truth.
+[[nodiscard]] std::string list_runs(const CompareOptions& options,
+                                    const std::vector<MethodVariant>& variants);
 
 /// process::kDone, or kSomeFailed if a run failed or repeats differ.
 [[nodiscard]] int exit_code_of(const CompareResults& results);

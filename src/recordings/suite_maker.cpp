@@ -56,7 +56,7 @@ class SuiteMaker {
     request.seed = simulation::suite_seed(set_, entry);
     if (!set_.own_layouts) request.layout = simulation::kFirstLayout;
     request.overwrite = request_.overwrite;
-    const std::string name = fmt::format("{}-{}", request.scene, request.robot);
+    const std::string name = simulation::suite_folder_name(wanted);
     const auto begin = std::chrono::steady_clock::now();
     const std::uint64_t done = make_recording(request, request_.folder / name,
                                               [this](std::uint64_t) { return !stopped(); });

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace surefoot::simulation {
@@ -62,6 +63,11 @@ inline constexpr std::array<SuiteSet, 20> kSuiteSets = {
      {"reporting-11", 6600, true}, {"reporting-12", 6700, true}, {"reporting-13", 6800, true},
      {"reporting-14", 6900, true}, {"reporting-15", 7000, true}, {"reporting-16", 7100, true},
      {"reporting-17", 7200, true}, {"reporting-18", 7300, true}}};
+
+/// The folder of an entry's recording in that of the set.
+[[nodiscard]] inline std::string suite_folder_name(const SuiteEntry& entry) {
+  return std::string(entry.scene) + '-' + entry.robot;
+}
 
 /// nullptr if there is no such set.
 [[nodiscard]] constexpr const SuiteSet* find_suite_set(std::string_view name) {

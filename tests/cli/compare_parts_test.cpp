@@ -89,6 +89,14 @@ TEST_F(Compare, APartThatFailsSaysSo) {
   EXPECT_TRUE(fs::exists(scratch_.path() / "out/runs/left/icp/1/trajectory.tum"));
 }
 
+TEST_F(Compare, TheRunsOfASetAreListedWithoutMakingIt) {
+  const ProcessResult listed =
+      compare({"--suite", "reporting", "--list-runs", "--methods", "icp", "-o", "out"});
+  EXPECT_EQ(listed.exit_code, 0) << listed;
+  EXPECT_NE(listed.output.find("campus-trot/icp/1"), std::string::npos) << listed;
+  EXPECT_FALSE(fs::exists(scratch_.path() / "out"));
+}
+
 TEST_F(Compare, PartOfTheScansIsComparedWithPartOfTheTruth) {
   ASSERT_EQ(compare({"left", "--count", "6", "-o", "out", "--no-figures"}).exit_code, 0);
   EXPECT_EQ(result(results("out"), "left", "paper")["outcome"], "whole");

@@ -3,6 +3,7 @@
 #include "experiments/compare_inputs.hpp"
 
 #include "experiments/compare_results.hpp"
+#include "simulation/standard_suite.hpp"
 #include "support/scratch.hpp"
 
 namespace surefoot::experiments {
@@ -69,6 +70,22 @@ TEST_F(CompareInputs, ASuiteIsEveryFolderWithATruth) {
   ASSERT_EQ(inputs.size(), 2U);
   EXPECT_EQ(inputs[0].name, "a");
   EXPECT_EQ(inputs[1].name, "b");
+}
+
+TEST_F(CompareInputs, OfASetThatIsNotMadeYetTheNamesAreKnown) {
+  CompareOptions options;
+  options.output = folder_ / "out";
+  options.suites = {"reporting"};
+  const std::vector<CompareInput> planned = find_inputs(options);
+  ASSERT_EQ(planned.size(), simulation::find_suite_set("reporting")->entries().size());
+  EXPECT_EQ(planned[0].name, "campus-handheld");
+  EXPECT_FALSE(fs::exists(options.output));
+  const fs::path folder = planned[0].path.parent_path().lexically_relative(folder_);
+  write((folder / "complete").string(), "");
+  write((folder / "campus-handheld/gt.tum").string(), "");
+  const std::vector<CompareInput> made = find_inputs(options);
+  ASSERT_EQ(made.size(), 1U) << "what is there goes before the table";
+  EXPECT_EQ(made[0].path, planned[0].path);
 }
 
 TEST_F(CompareInputs, SeveralSuitesKeepTheirRecordingsApart) {
