@@ -9,19 +9,13 @@
 
 #include "simulation/mesh_scene.hpp"
 #include "support.hpp"
+#include "support/scratch.hpp"
 
 namespace surefoot::simulation::test {
 namespace {
 
-class MeshFileTest : public ::testing::Test {
+class MeshFileTest : public surefoot::test::Scratch {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& content) {
-    std::ofstream(folder_ / name, std::ios::binary) << content;
-    return folder_ / name;
-  }
   void expect_refused(const std::string& name, const std::string& content,
                       const std::string& reason) {
     try {
@@ -32,9 +26,6 @@ class MeshFileTest : public ::testing::Test {
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
     }
   }
-
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(MeshFileTest, ReadsObjWithEveryKindOfCorner) {

@@ -9,6 +9,7 @@
 #include "simulation/capture_writer.hpp"
 #include "simulation/vlp16_encoder.hpp"
 #include "support.hpp"
+#include "support/scratch.hpp"
 
 namespace surefoot::simulation::test {
 namespace {
@@ -29,9 +30,8 @@ std::map<Key, Eigen::Vector3d> by_firing(const Scan& scan, double rounding_ns) {
   return points;
 }
 
-std::filesystem::path capture(Scanner& scanner, std::vector<SimulatedScan>& scans) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / "surefoot_packets_test.pcap";
+void capture(Scanner& scanner, const std::filesystem::path& file,
+             std::vector<SimulatedScan>& scans) {
   CaptureWriter writer(file, vlp16::kUdpPort);
   Vlp16Encoder encoder(scanner.options().start_ns, scanner.options().dual_return);
   for (std::uint64_t index = 0; index < kScans; ++index) {
@@ -42,10 +42,11 @@ std::filesystem::path capture(Scanner& scanner, std::vector<SimulatedScan>& scan
   }
   if (const auto packet = encoder.finish()) writer.write(packet->sent_ns, packet->payload);
   writer.finish();
-  return file;
 }
 
-TEST(PacketsTest, TheReaderDecodesThePointsThatWereSimulated) {
+using PacketsTest = surefoot::test::Scratch;
+
+TEST_F(PacketsTest, TheReaderDecodesThePointsThatWereSimulated) {
   const Scene scene = room();
   RayCaster rays(scene);
   // Time 0 on a whole number of firings and of microseconds (lcm of 2304 ns and 1 us: 288 us).
@@ -54,7 +55,8 @@ TEST(PacketsTest, TheReaderDecodesThePointsThatWereSimulated) {
   Scanner scanner(rays, lidar_model("vlp16"),
                   make_motion(scene, rays, gait_model("trot"), 1.0, 7, kMount), options);
   std::vector<SimulatedScan> scans;
-  const std::filesystem::path file = capture(scanner, scans);
+  const std::filesystem::path file = folder_ / "walk.pcap";
+  capture(scanner, file, scans);
 
   const auto recording = io::open_recording(file, {});
   std::map<Key, Eigen::Vector3d> decoded;
@@ -83,10 +85,9 @@ TEST(PacketsTest, TheReaderDecodesThePointsThatWereSimulated) {
   EXPECT_GT(simulated, 90'000U);
   EXPECT_EQ(matched, simulated);
   EXPECT_EQ(decoded.size(), simulated);
-  std::filesystem::remove(file);
 }
 
-TEST(PacketsTest, TheLastPacketIsWholeThoughTheRecordingEndsWithinIt) {
+TEST_F(PacketsTest, TheLastPacketIsWholeThoughTheRecordingEndsWithinIt) {
   SimulatedScan scan;
   scan.end_sequence = 3;
   RawReturn value;
@@ -114,7 +115,7 @@ TEST(PacketsTest, TheLastPacketIsWholeThoughTheRecordingEndsWithinIt) {
   EXPECT_FALSE(encoder.finish().has_value());
 }
 
-TEST(PacketsTest, BytesAreWhereTheManualPutsThem) {
+TEST_F(PacketsTest, BytesAreWhereTheManualPutsThem) {
   SimulatedScan scan;
   scan.first_sequence = 0;
   scan.end_sequence = 25;
@@ -142,7 +143,7 @@ TEST(PacketsTest, BytesAreWhereTheManualPutsThem) {
   EXPECT_EQ(byte(1205), 0x22U);
 }
 
-TEST(PacketsTest, DualPacketsHoldTheLastThenTheOtherReturn) {
+TEST_F(PacketsTest, DualPacketsHoldTheLastThenTheOtherReturn) {
   SimulatedScan scan;
   scan.end_sequence = 13;
   RawReturn near;

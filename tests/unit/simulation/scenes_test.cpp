@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 #include "simulation/standard_suite.hpp"
 #include "support.hpp"
@@ -25,6 +28,17 @@ TEST(SceneLayouts, TwoShareNoRouteAndThingsMoveNone) {
     const Scene other = entry.build({3, 5});
     EXPECT_NE(one.route, other.route) << entry.name;
     EXPECT_EQ(one.route, entry.build({2, 6}).route) << entry.name;
+  }
+}
+
+/// But for the city, of which a picture of this size shows little.
+TEST(SceneCatalogue, EverySceneHasAPictureOnThePage) {
+  std::ifstream file(SUREFOOT_SIMULATION_PAGE);
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  for (const SceneEntry& entry : scene_catalogue()) {
+    const std::string name(entry.name);
+    const std::string row = "| " + name + " | ![" + name + "](images/scenes/" + name + ".png) |";
+    EXPECT_EQ(page.find(row) != std::string::npos, name != "city") << name;
   }
 }
 
