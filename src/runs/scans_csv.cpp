@@ -62,8 +62,9 @@ void add_stage(std::size_t place, std::vector<Column>& columns) {
   add("iterations", [](const StageReport& stage) { return std::to_string(stage.iterations); });
   add("matches", [](const StageReport& stage) { return std::to_string(stage.matches); });
   add("residual_m", [](const StageReport& stage) { return fmt::format("{:.6f}", stage.residual); });
-  add("observability",
-      [](const StageReport& stage) { return fmt::format("{:.6f}", stage.observability); });
+  add("observability", [](const StageReport& stage) {  // which no other stage has
+    return stage.name == "vertical" ? fmt::format("{:.6f}", stage.observability) : std::string();
+  });
 }
 
 void add_sigmas(std::vector<Column>& columns) {

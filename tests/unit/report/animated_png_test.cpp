@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/scratch.hpp"
+
 namespace surefoot::report::test {
 namespace {
 
@@ -71,7 +73,9 @@ void play(const std::string& place, const std::string& pixels, std::vector<std::
   }
 }
 
-TEST(AnimatedPngTest, PlaysTheFramesThatWereAdded) {
+using AnimatedPngTest = surefoot::test::Scratch;
+
+TEST_F(AnimatedPngTest, PlaysTheFramesThatWereAdded) {
   std::vector<Raster> frames(4, {kWidth, kHeight, std::vector<std::uint32_t>(35, kWhite)});
   frames[1].argb[9] = 0xff102030;   // one pixel
   frames[1].argb[33] = 0xff000000;  // and one far from it
@@ -80,10 +84,9 @@ TEST(AnimatedPngTest, PlaysTheFramesThatWereAdded) {
   AnimatedPng animation(kWidth, kHeight);
   for (const Raster& frame : frames) animation.add(frame, 40);
   EXPECT_EQ(animation.frame_count(), 4U);
-  const auto path = std::filesystem::temp_directory_path() / "surefoot_animated_png_test.png";
+  const auto path = folder_ / "film.png";
   animation.save(path);
   const std::vector<Chunk> chunks = chunks_of(path);
-  std::filesystem::remove(path);
 
   ASSERT_EQ(chunks.size(), 4U + 2U * 4U);
   EXPECT_EQ(chunks[0].type, "IHDR");
@@ -111,7 +114,7 @@ TEST(AnimatedPngTest, PlaysTheFramesThatWereAdded) {
   }
 }
 
-TEST(AnimatedPngTest, RefusesAFrameOfAnotherSizeAndAPlaceThatCannotBeWritten) {
+TEST_F(AnimatedPngTest, RefusesAFrameOfAnotherSizeAndAPlaceThatCannotBeWritten) {
   AnimatedPng animation(kWidth, kHeight);
   EXPECT_THROW(animation.add({kHeight, kWidth, std::vector<std::uint32_t>(35)}, 40),
                std::invalid_argument);
@@ -128,25 +131,22 @@ TEST(AnimatedPngTest, RefusesAFrameOfAnotherSizeAndAPlaceThatCannotBeWritten) {
   }
 }
 
-TEST(AnimatedPngTest, WhatIsThereStaysUntilTheNewOneIsWhole) {
+TEST_F(AnimatedPngTest, WhatIsThereStaysUntilTheNewOneIsWhole) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(testing::TempDir()) / "surefoot_animated_png";
-  fs::create_directory(folder);
   const auto content = [](const fs::path& path) {
     std::ifstream file(path);
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   AnimatedPng animation(kWidth, kHeight);
   animation.add({kWidth, kHeight, std::vector<std::uint32_t>(35, kWhite)}, 40);
-  const fs::path path = folder / "film.png";
+  const fs::path path = folder_ / "film.png";
   std::ofstream(path) << "old";
-  fs::create_hard_link(path, folder / "old.png");  // a rename leaves what it leads to
-  std::ofstream(folder / "film.png.part") << "somebody's";
+  fs::create_hard_link(path, folder_ / "old.png");  // a rename leaves what it leads to
+  std::ofstream(folder_ / "film.png.part") << "somebody's";
   animation.save(path);
   EXPECT_EQ(content(path).substr(0, 4), "\x89PNG");
-  EXPECT_EQ(content(folder / "old.png"), "old");
-  EXPECT_EQ(content(folder / "film.png.part"), "somebody's");
-  fs::remove_all(folder);
+  EXPECT_EQ(content(folder_ / "old.png"), "old");
+  EXPECT_EQ(content(folder_ / "film.png.part"), "somebody's");
 }
 
 }  // namespace

@@ -188,7 +188,7 @@ Scene slope_with_pillars() {
 TEST(KnotRuns, ABlindedSensorIsToldAndItsMapStaysClean) {
   const auto motion = straight_walk(0.5);
   std::vector<Scan> scans = take_scans(furnished_hall(), motion, kScans);
-  for (const int blinded : {1, 3, 8}) {  // the map begins anew after ten
+  for (const int blinded : {1, 3, 8}) {
     Odometry odometry;
     std::vector<Estimate> seeing;
     for (int i = 0; i < kScans; ++i) {
