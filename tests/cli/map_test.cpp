@@ -83,7 +83,7 @@ TEST_F(MapCommand, ItsRunYamlRepeatsIt) {
   const ProcessResult first = surefoot({"map", "in", "-o", "first", "--truth", "stretched.tum",
                                         "--loop-candidates", "1", "--no-loops", "--no-report"});
   ASSERT_EQ(first.exit_code, 0) << first;
-  const ProcessResult again = surefoot({"map", "--config", "first/run.yaml", "-o", "again"});
+  const ProcessResult again = surefoot({"map", "--config", "first/run.yaml", "-o", "repeated"});
   ASSERT_EQ(again.exit_code, 0) << again;
   for (const std::string& told :
        {std::string("--loop-candidates=1"), std::string("--no-loops=true"),
@@ -92,7 +92,8 @@ TEST_F(MapCommand, ItsRunYamlRepeatsIt) {
   }
   for (const char* file : {"picture.png", "loops.csv", "trajectory_optimized.tum"}) {
     EXPECT_FALSE(file_content(path("first") / file).empty()) << file;
-    EXPECT_TRUE(file_content(path("first") / file) == file_content(path("again") / file)) << file;
+    EXPECT_TRUE(file_content(path("first") / file) == file_content(path("repeated") / file))
+        << file;
   }
   expect_refused({"run", "--config", "map/run.yaml", "-o", "none"}, "surefoot map --config");
 }

@@ -105,7 +105,8 @@ TEST(SurfelMap, OneFiringOnAWallIsNoPole) {
     Random random(8);
     const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
     const Points points = cloud(random, 60, kCentre, upright, {c.deep, c.wide, 0.19});
-    const Surfel* const surfel = find(map_of(points, knots_config(), sensor), kCentre, 0, sensor);
+    const SurfelMap map = map_of(points, knots_config(), sensor);
+    const Surfel* const surfel = find(map, kCentre, 0, sensor);
     EXPECT_EQ(surfel != nullptr && surfel->pole(), c.is_pole) << c.deep << ' ' << c.wide;
   }
 }
