@@ -162,7 +162,6 @@ class Check {
     const Trajectory& path = motion.trials.trials[motion.trials.preferred].trajectory;
     if (path.size() < kLeastScans) return;
     Trajectory reference;
-    std::error_code ignored;
     if (!options_.truth.empty()) {
       reference = truth_;
       motion.reference = options_.truth.filename().string();
@@ -171,10 +170,12 @@ class Check {
           options_.input, path.front().stamp_ns - kMarginNs, path.back().stamp_ns + kMarginNs);
       reference = std::move(gyroscope.turning);
       motion.reference = gyroscope.topic;
-    } else if (std::filesystem::exists(options_.input / "gt.tum", ignored)) {
+    }
+    const std::filesystem::path beside = runs::truth_beside(options_.input);
+    if (motion.reference.empty() && !beside.empty()) {
       try {
-        reference = runs::read_truth_poses(options_.input / "gt.tum");
-        motion.reference = "gt.tum";
+        reference = runs::read_truth_poses(beside);
+        motion.reference = runs::kTruthFile;
       } catch (const io::ReadError& error) {
         result_.findings.push_back({false, "a truth that cannot be read", error.what(), 0, ""});
       }

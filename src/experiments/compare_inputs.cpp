@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kTruthName = "gt.tum";
 constexpr const char* kSuiteMark = "complete";  // written when every recording of the suite is
 
 fs::path absolute_path(const fs::path& path) {
@@ -36,7 +35,7 @@ fs::path absolute_path(const fs::path& path) {
 /// Where the truth is, or would be.
 fs::path truth_of(const fs::path& recording) {
   if (fs::path found = runs::truth_beside(recording); !found.empty()) return found;
-  return (fs::is_directory(recording) ? recording : recording.parent_path()) / kTruthName;
+  return (fs::is_directory(recording) ? recording : recording.parent_path()) / runs::kTruthFile;
 }
 
 bool is_set_name(const std::string& suite) { return simulation::find_suite_set(suite) != nullptr; }
@@ -59,13 +58,13 @@ std::vector<fs::path> suite_recordings(const fs::path& folder) {
   }
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_directory() && fs::exists(entry.path() / kTruthName)) {
+    if (entry.is_directory() && fs::exists(entry.path() / runs::kTruthFile)) {
       found.push_back(absolute_path(entry.path()));
     }
   }
   if (found.empty()) {
     throw std::runtime_error(
-        fmt::format("--suite {}: no folder in it has a {}", folder.string(), kTruthName));
+        fmt::format("--suite {}: no folder in it has a {}", folder.string(), runs::kTruthFile));
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -39,8 +39,7 @@ std::vector<std::string> folder_notes(const std::filesystem::path& path, bool as
     pass_over(bags.size(), "bag");
   }
   if (as_bag || counts.scans > 0 || counts.captures > 1) pass_over(counts.captures, "capture");
-  if (as_bag && bags.size() > 1 &&
-      !std::filesystem::exists(bag_folder(path) / "metadata.yaml", ignored)) {
+  if (as_bag && bags.size() > 1 && !is_rosbag2_folder(bag_folder(path))) {
     notes.push_back(counted(bags.size(), "bag") + " are read as parts of one recording, " +
                     bags.front().filename().string() + " first");
   }
@@ -171,8 +170,7 @@ bool is_bag_input(const std::filesystem::path& path, const OpenOptions& options)
   std::error_code ignored;
   if (!std::filesystem::is_directory(path, ignored)) return is_bag_file(path);
   if (bag_files(path).empty()) return false;
-  const bool is_rosbag2 = std::filesystem::exists(path / "metadata.yaml", ignored);
-  return (is_rosbag2 && options.format.empty()) || !holds_scan_files(path);
+  return (is_rosbag2_folder(path) && options.format.empty()) || !holds_scan_files(path);
 }
 
 std::unique_ptr<Recording> open_recording(const std::filesystem::path& path,

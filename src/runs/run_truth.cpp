@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/bags/bag_files.hpp"
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
 #include "runs/trajectory_inputs.hpp"
@@ -19,7 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kTruthName = "gt.tum";
 constexpr std::size_t kTruthPoses = 8000;  // drawn at most; truth comes at hundreds of hertz
 
 }  // namespace
@@ -28,10 +28,10 @@ fs::path truth_beside(const fs::path& input) {
   std::error_code ignored;
   if (!fs::exists(input, ignored)) return {};  // the name of what is running
   const fs::path folder = fs::is_directory(input, ignored) ? input : input.parent_path();
-  if (fs::path file = folder / kTruthName; fs::is_regular_file(file, ignored)) return file;
-  if (!fs::exists(folder / "metadata.yaml", ignored)) return {};
+  if (fs::path file = folder / kTruthFile; fs::is_regular_file(file, ignored)) return file;
+  if (!io::is_rosbag2_folder(folder)) return {};
   const fs::path bag = fs::absolute(folder / "").lexically_normal().parent_path();
-  fs::path file = bag.parent_path() / kTruthName;
+  fs::path file = bag.parent_path() / kTruthFile;
   return fs::is_regular_file(file, ignored) ? file : fs::path{};
 }
 

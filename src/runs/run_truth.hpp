@@ -16,6 +16,9 @@
 
 namespace surefoot::runs {
 
+/// A recording's truth, where it has one.
+inline constexpr const char* kTruthFile = "gt.tum";
+
 /// The gt.tum of the recording, poses of the LiDAR: in its folder, beside its file, or beside the
 /// folder of a rosbag2; empty if there is none.
 [[nodiscard]] std::filesystem::path truth_beside(const std::filesystem::path& input);

@@ -17,13 +17,12 @@
 #include "io/stamps.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
+#include "runs/run_truth.hpp"
 
 namespace surefoot::runs {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kTruthFile = "gt.tum";
 
 /// A recording's truth would be a perfect estimate of itself.
 void refuse_recording(const fs::path& path) {

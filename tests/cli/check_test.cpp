@@ -66,6 +66,17 @@ TEST(Check, ASoundRecordingIsFit) {
   EXPECT_NE(text.output.find("verdict      fit for a run\n"), std::string::npos) << text;
 }
 
+TEST(Check, ATruthMayLieBesideABagThatHasNoGyroscope) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", trot_scans());
+  std::filesystem::create_directory(scratch.path() / "bag");
+  const ProcessResult made = run_surefoot({"convert", "in", "bag/walk.mcap"}, scratch.path());
+  ASSERT_EQ(made.exit_code, 0) << made;
+  write_truth(scratch.path() / "bag" / "gt.tum", 0.0);
+  const nlohmann::json json = check_json({"bag/walk.mcap"}, 0, scratch);
+  EXPECT_EQ(json["motion"]["stamps"]["compared_with"], "gt.tum");
+}
+
 TEST(Check, ATruthThatCannotBeReadIsRefusedWhateverIsAskedOfIt) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", hall_scans(2));

@@ -71,7 +71,7 @@ std::optional<fs::path> only_rosbag2_in(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     std::error_code ignored;
-    if (!it->is_directory(ignored) || !fs::exists(it->path() / kMetadataFile, ignored)) continue;
+    if (!it->is_directory(ignored) || !is_rosbag2_folder(it->path())) continue;
     if (std::exchange(found, it->path())) return std::nullopt;
   }
   return found;
@@ -212,9 +212,13 @@ class BagParts final : public MessageSource {
 bool has_bag_name(const fs::path& file) { return is_bag_kind(kind_by_name(file)); }
 bool is_bag_file(const fs::path& file) { return is_bag_kind(kind_of(file)); }
 
-fs::path bag_folder(const fs::path& folder) {
+bool is_rosbag2_folder(const fs::path& folder) {
   std::error_code ignored;
-  if (fs::exists(folder / kMetadataFile, ignored)) return folder;
+  return fs::exists(folder / kMetadataFile, ignored);
+}
+
+fs::path bag_folder(const fs::path& folder) {
+  if (is_rosbag2_folder(folder)) return folder;
   const std::optional<fs::path> below = only_rosbag2_in(folder);
   return below && files_in(folder).empty() && !holds_scans(folder) ? *below : folder;
 }

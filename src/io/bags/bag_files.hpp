@@ -15,6 +15,9 @@ namespace surefoot::io {
 /// Whether it is one, by its content or else its name.
 [[nodiscard]] bool is_bag_file(const std::filesystem::path& file);
 
+/// Whether rosbag2 made a folder: its metadata lie there.
+[[nodiscard]] bool is_rosbag2_folder(const std::filesystem::path& folder);
+
 /// Where a folder's bag lies: in itself, or, where it holds nothing that can be read, in the only
 /// folder in it that rosbag2 made, as `surefoot simulate` leaves one beside its truth.
 [[nodiscard]] std::filesystem::path bag_folder(const std::filesystem::path& folder);
