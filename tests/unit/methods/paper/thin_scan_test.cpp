@@ -11,23 +11,14 @@
 #include <utility>
 
 #include "core/downsample.hpp"
-#include "support/random.hpp"
+#include "support/random_cloud.hpp"
 
 namespace surefoot {
 namespace {
 
 using test::Random;
-
-std::vector<Eigen::Vector3f> random_cloud(std::uint64_t seed, int count, double half = 4.0) {
-  Random random(seed);
-  std::vector<Eigen::Vector3f> cloud;
-  for (int i = 0; i < count; ++i) cloud.emplace_back(random.vector(half).cast<float>());
-  return cloud;
-}
-
-void shuffle(std::vector<Eigen::Vector3f>& cloud, Random& random) {
-  for (std::size_t i = cloud.size(); i > 1; --i) std::swap(cloud[i - 1], cloud[random.below(i)]);
-}
+using test::random_cloud;
+using test::shuffle;
 
 PaperParameters::Downsample cubes(double map_voxel, double source_voxel, int min_points) {
   PaperParameters::Downsample config;
