@@ -32,8 +32,10 @@ h1 {{ font-size: 1.4rem; }} h2 {{ font-size: 1.05rem; margin: 1.6rem 0 .3rem; }}
 .verdict {{ font-size: 1.2rem; font-weight: 600; }}
 .bad {{ color: var(--bad); }} .good {{ color: var(--good); }}
 table {{ border-collapse: collapse; }} td, th {{ padding: .2rem .8rem .2rem 0; text-align: left;
-vertical-align: top; border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }}
-svg {{ width: 100%; height: auto; display: block; }}
+vertical-align: top; border-bottom: 1px solid var(--line); }}
+td:last-child {{ min-width: 5rem; overflow-wrap: anywhere; }}
+svg {{ width: 100%; display: block; overflow: visible; }}
+svg.chart {{ width: calc(100% - 80px); margin-left: 70px; }}
 svg text {{ font: 12px system-ui, sans-serif; fill: currentColor; }}
 svg line {{ stroke: var(--line); }} svg circle {{ fill: var(--dot); }}
 svg circle.odd {{ fill: var(--bad); }} svg rect {{ fill: var(--dot); }}
@@ -44,8 +46,8 @@ svg rect.best {{ fill: var(--good); }}
 // Scans that are drawn at most: one of each bin's most unusual ones would do as well, a page of a
 // hundred megabytes would not.
 constexpr std::size_t kMostDots = 2000;
-constexpr double kWidth = 900.0, kHeight = 130.0, kLeft = 70.0, kRight = 10.0;
-constexpr double kTop = 8.0, kBottom = 22.0;
+// [px]; across, shares of the page's width, so that text is as large on a telephone.
+constexpr double kHeight = 130.0, kTop = 8.0, kBottom = 22.0;
 
 struct Dot {
   double at = 0.0;  // number of the scan
@@ -85,26 +87,26 @@ std::string chart_of(const Chart& chart, std::size_t scans) {
       dots.begin(), dots.end(), [](const Dot& a, const Dot& b) { return a.value < b.value; });
   const double least = std::min(0.0, low->value);
   const double greatest = high->value > least ? high->value : least + 1.0;
-  const auto x = [&](double at) {
-    return kLeft + (kWidth - kLeft - kRight) * at / std::max(1.0, double(scans) - 1.0);
-  };
+  const auto x = [&](double at) { return 100.0 * at / std::max(1.0, double(scans) - 1.0); };
   const auto y = [&](double value) {
     return kHeight - kBottom - (kHeight - kTop - kBottom) * (value - least) / (greatest - least);
   };
-  std::string svg = fmt::format("<h2>{}</h2>\n<svg viewBox=\"0 0 {} {}\" role=\"img\">\n",
-                                chart.title, kWidth, kHeight);
+  std::string svg = fmt::format(
+      "<h2>{0}</h2>\n<svg class=\"chart\" height=\"{1}\" role=\"img\" aria-label=\"{0}\">\n",
+      chart.title, kHeight);
   for (const double value : {least, greatest}) {
     svg += fmt::format(
-        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/><text x=\"{3}\" y=\"{4:.1f}\" "
-        "text-anchor=\"end\">{5}{6}</text>\n",
-        kLeft, kWidth - kRight, y(value), kLeft - 6, y(value) + 4, short_number(value), chart.unit);
+        "<line x2=\"100%\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/><text x=\"-6\" y=\"{1:.1f}\" "
+        "text-anchor=\"end\">{2}{3}</text>\n",
+        y(value), y(value) + 4, short_number(value), chart.unit);
   }
-  svg += fmt::format(
-      "<text x=\"{}\" y=\"{}\">scan 0</text><text x=\"{}\" y=\"{}\" "
-      "text-anchor=\"end\">{}</text>\n",
-      kLeft, kHeight - 4, kWidth - kRight, kHeight - 4, scans - 1);
+  svg += fmt::format("<text y=\"{}\">scan 0</text>\n", kHeight - 4);
+  if (scans > 1) {
+    svg += fmt::format("<text x=\"100%\" y=\"{}\" text-anchor=\"end\">{}</text>\n", kHeight - 4,
+                       scans - 1);
+  }
   for (const Dot& dot : dots) {
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}/>", x(dot.at), y(dot.value),
+    svg += fmt::format("<circle cx=\"{:.2f}%\" cy=\"{:.1f}\" r=\"{}\"{}/>", x(dot.at), y(dot.value),
                        dot.odd ? 3 : 1.6, dot.odd ? " class=\"odd\"" : "");
   }
   return svg + "\n</svg>\n";
@@ -175,21 +177,18 @@ std::string trials(const MotionCheck& motion) {
   double greatest = 0.0;
   for (const TimeTrial& trial : all) greatest = std::max(greatest, trial.middle_blur);
   if (!(greatest > 0.0)) return {};
-  constexpr double kBar = 26.0, kNames = 260.0;
-  std::string svg = fmt::format(
-      "<h2>How blurred the map is, by how the point times are read</h2>\n<svg viewBox=\"0 0 {} "
-      "{}\" "
-      "role=\"img\">\n",
-      kWidth, kBar * double(all.size()) + 4);
+  constexpr double kRow = 40.0;
+  const char* title = "How blurred the map is, by how the point times are read";
+  std::string svg =
+      fmt::format("<h2>{0}</h2>\n<svg height=\"{1}\" role=\"img\" aria-label=\"{0}\">\n", title,
+                  kRow * double(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const double top = kBar * double(i);
-    const double width = (kWidth - kNames - 90) * all[i].middle_blur / greatest;
+    const double top = kRow * double(i);
     svg += fmt::format(
-        "<text x=\"0\" y=\"{0:.0f}\">{1}</text><rect x=\"{2}\" y=\"{3}\" width=\"{4:.1f}\" "
-        "height=\"{5}\"{6}/><text x=\"{7:.1f}\" y=\"{0:.0f}\">{8:.1f} mm</text>\n",
-        top + 17, name_of(all[i].reading), kNames, top + 4, width, kBar - 8,
-        motion.trials.decided && i == motion.trials.preferred ? " class=\"best\"" : "",
-        kNames + width + 6, 1e3 * all[i].middle_blur);
+        "<text y=\"{}\">{}: {:.1f} mm</text><rect y=\"{}\" width=\"{:.1f}%\" height=\"14\"{}/>\n",
+        top + 14, name_of(all[i].reading), 1e3 * all[i].middle_blur, top + 19,
+        100.0 * all[i].middle_blur / greatest,
+        motion.trials.decided && i == motion.trials.preferred ? " class=\"best\"" : "");
   }
   return svg + "</svg>\n";
 }
@@ -207,6 +206,15 @@ std::string findings_table(const std::vector<Finding>& findings) {
   return html + "</table>\n";
 }
 
+std::string numbers(const Figures& figures) {
+  std::string text = fmt::format("{} scan{}", figures.scans, figures.scans == 1 ? "" : "s");
+  if (figures.rate_hz() > 0.0) text += fmt::format(" at {:.2f} Hz", figures.rate_hz());
+  text +=
+      fmt::format(", {:.0f} points{}", figures.points.median, figures.scans == 1 ? "" : " each");
+  if (!figures.rings.empty()) text += fmt::format(", {} rings", figures.rings.size());
+  return text;
+}
+
 std::string list(const std::vector<std::string>& sentences) {
   if (sentences.empty()) return {};
   std::string html = "<ul>\n";
@@ -222,9 +230,7 @@ std::string to_html(const RecordingCheck& check, const std::string& name) {
   std::string html = std::string(kMark) + fmt::format(kHead, title);
   html += fmt::format("<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n", title,
                       check.suffers() ? "bad" : "good", html_text(check.verdict()));
-  html += fmt::format("<p>{}: {} scans at {:.2f} Hz, {:.0f} points each, {} rings.</p>\n",
-                      html_text(check.description), figures.scans, figures.rate_hz(),
-                      figures.points.median, figures.rings.size());
+  html += "<p>" + html_text(check.description) + ": " + numbers(figures) + ".</p>\n";
   html += findings_table(check.findings);
   html += "<h2>Times</h2>\n" + list(check.time_sentences) + list(check.motion_sentences) +
           list(check.notes);

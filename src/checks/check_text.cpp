@@ -66,11 +66,15 @@ std::string packets_text(const io::CaptureCounts& counts) {
 }
 
 void add_figures(Rows& rows, const Figures& figures) {
-  rows.add("scans", fmt::format("{} at {:.2f} Hz, {} s", figures.scans, figures.rate_hz(),
-                                format_seconds(figures.last_stamp_ns - figures.first_stamp_ns)));
-  rows.add("intervals",
-           fmt::format("{:.4f} to {:.4f} s, usually {:.4f} s", figures.interval_s.least,
-                       figures.interval_s.greatest, figures.usual_interval_s));
+  if (figures.scans < 2) {
+    rows.add("scans", std::to_string(figures.scans));
+  } else {
+    rows.add("scans", fmt::format("{} at {:.2f} Hz, {} s", figures.scans, figures.rate_hz(),
+                                  format_seconds(figures.last_stamp_ns - figures.first_stamp_ns)));
+    rows.add("intervals",
+             fmt::format("{:.4f} to {:.4f} s, usually {:.4f} s", figures.interval_s.least,
+                         figures.interval_s.greatest, figures.usual_interval_s));
+  }
   rows.add("points",
            fmt::format("{:.0f} to {:.0f} a scan, usually {:.0f}; {:.1f} % NaN, {:.1f} % zero",
                        figures.points.least, figures.points.greatest, figures.points.median,

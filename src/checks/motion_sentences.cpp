@@ -38,6 +38,12 @@ std::string all_trials(const TimeTrials& trials) {
   return sentence;
 }
 
+/// Of scans that no map takes there is no blur, and none to compare.
+bool nothing_compared(const TimeTrials& trials) {
+  return std::all_of(trials.trials.begin(), trials.trials.end(),
+                     [](const TimeTrial& trial) { return trial.worse + trial.better == 0; });
+}
+
 /// A finding about times that the trials have settled.
 void settle_untimed(const TimeTrials& trials, std::vector<Finding>& findings) {
   for (Finding& finding : findings) {
@@ -158,13 +164,15 @@ void conclude(const MotionCheck& motion, const io::OpenOptions& reader, const Fi
   sentences.push_back(stretch_sentence(motion));
   if (motion.moved && motion.moved->stood_still()) {
     sentences.emplace_back("who stands still tells nothing of times: neither points' nor stamps'");
-  } else if (trials.trials.size() > 1) {
+  } else if (trials.trials.size() > 1 && !nothing_compared(trials)) {
     sentences.push_back(all_trials(trials));
     sentences.push_back(trials.decided
                             ? std::string("the data prefer them ") +
                                   name_of(trials.trials[trials.preferred].reading)
                             : std::string("the motion does not tell which is right: too little of "
                                           "it, or too few scans"));
+  } else if (trials.trials.size() > 1) {
+    sentences.emplace_back("the motion tells nothing of times: no scan could be compared");
   }
   settle_untimed(trials, findings);
   add_contradiction(trials, reader, findings);

@@ -36,7 +36,13 @@ surefoot(said report looped --output looped.html --map-points 10000)
 surefoot(evaluation eval walk/gt.tum run/trajectory.tum --pair interpolate --align poses --json)
 file(WRITE ${folder}/evaluation.json "${evaluation}")
 file(RENAME ${folder}/walk/gt.tum ${folder}/truth.tum)
+# A recording that a run would suffer of: check ends with 1.
+file(COPY ${folder}/walk/ DESTINATION ${folder}/damaged)
+file(WRITE ${folder}/damaged/000007.pcd "no scan")
+execute_process(COMMAND ${program} check damaged --html check.html --quiet
+                WORKING_DIRECTORY ${folder} OUTPUT_QUIET)
 surefoot(said run walk --quiet --no-map --count 20 --output bare)
-if(NOT EXISTS ${folder}/run/report.html OR NOT EXISTS ${folder}/bare/report.html)
-  message(FATAL_ERROR "surefoot run has left no report.html")
+if(NOT EXISTS ${folder}/run/report.html OR NOT EXISTS ${folder}/bare/report.html
+   OR NOT EXISTS ${folder}/check.html)
+  message(FATAL_ERROR "surefoot has left no page")
 endif()
