@@ -93,8 +93,7 @@ std::vector<Pixel> to_pixels(const Trajectory& trajectory, const ParallelView& v
 }
 
 void draw_scale_bar(Canvas& canvas, const Rect& rect, const ParallelView& view) {
-  // One tick of a range a quarter of the panel wide is a round length of that order.
-  const double metres = nice_ticks({0.0, 0.25 * rect.width / view.pixels_per_metre}, 1).step;
+  const double metres = round_step(0.25 * rect.width / view.pixels_per_metre);
   const double pixels = metres * view.pixels_per_metre;
   const Pixel left(rect.x + 8.0, rect.bottom() - 12.0);
   const std::array<Pixel, 4> bar = {left + Pixel(0.0, -8.0), left, left + Pixel(pixels, 0.0),
@@ -124,7 +123,7 @@ void draw_color_bar(Canvas& canvas, const Rect& rect, const Range& heights) {
     canvas.line(mark, {{0.45, 0.48, 0.53}, 1.5});
     canvas.text(tick_label(value, ticks.step), at + Pixel(12.0, 7.0), {.size = 19.0});
   }
-  canvas.text("height z [m]", {rect.right() + 8.0, rect.y - 14.0},
+  canvas.text("z [m]", {rect.right() + 8.0, rect.y - 14.0},
               {.size = 20.0, .anchor = Anchor::right});
 }
 

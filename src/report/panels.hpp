@@ -55,7 +55,8 @@ void draw_time_panels(Canvas& canvas, const Rect& rect, const DrawnRun& run);
 /// From the pose before the i-th to that [m]; nothing from one segment's frame to another's.
 [[nodiscard]] Eigen::Vector3d step_to(std::size_t i, const DrawnRun& run);
 
-/// A line a segment: how they lie to each other is not known. A pixel for each of the run's poses.
+/// A line a segment, a dot where it is a single pose: how they lie to each other is not known. A
+/// pixel for each of the run's poses.
 void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::vector<int>& segments,
                    const Stroke& stroke);
 

@@ -11,7 +11,9 @@ namespace surefoot::report {
 
 namespace {
 
-constexpr double kShortestWay = 2.0;  // [m] a shorter path is not blown up beyond this
+constexpr double kShortestWay = 2.0;    // [m] a shorter path is not blown up beyond this
+constexpr double kStay = 1.0;           // [m] a shorter one is that of somebody who stands,
+constexpr double kSurroundings = 10.0;  // [m] of whom so much is seen from above
 // A level floor must look level: its centimetres are not stretched to a hill.
 constexpr double kLeastHeight = 1.0;  // [m]
 const Stroke kAfterLoops{style::kLoop, 2.5, LineStyle::dashed};
@@ -172,7 +174,11 @@ void draw_segments(Canvas& canvas, const std::vector<Pixel>& path, const std::ve
                    const Stroke& stroke) {
   for (std::size_t first = 0, i = 1; i <= path.size(); ++i) {
     if (i < path.size() && segments[i] == segments[first]) continue;
-    canvas.line(std::span(path).subspan(first, i - first), stroke);
+    if (i == first + 1) {
+      canvas.circle(path[first], 0.5 * stroke.width, stroke.color, stroke);
+    } else {
+      canvas.line(std::span(path).subspan(first, i - first), stroke);
+    }
     first = i;
   }
 }
@@ -190,9 +196,10 @@ void draw_path(Canvas& canvas, const std::vector<Pixel>& path, const std::vector
 }
 
 void draw_path_panels(Canvas& canvas, const Rect& top, const Rect& side, const DrawnRun& run) {
-  const Range x = padded(range_of(coordinates(run, 0)), 0.12, kShortestWay);
-  const Range y = padded(range_of(coordinates(run, 1)), 0.12, kShortestWay);
-  const PlotArea area = equal_aspect(top, x, y);
+  const Range x = range_of(coordinates(run, 0)), y = range_of(coordinates(run, 1));
+  const bool stands = std::max(x.width(), y.width()) < kStay;
+  const double least = stands ? kSurroundings : kShortestWay;
+  const PlotArea area = equal_aspect(top, padded(x, 0.12, least), padded(y, 0.12, least));
   const AxisLabels labels{.x = "x [m]", .y = "y [m]"};
   draw_grid(canvas, area, labels);
   canvas.clip(top);

@@ -52,19 +52,24 @@ Range padded(const Range& range, double share, double min_width) {
   return {range.center() - half, range.center() + half};
 }
 
-Ticks nice_ticks(const Range& range, int count) {
-  const double raw = range.width() / std::max(count, 1);
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+double round_step(double at_least) {
+  const double power = std::pow(10.0, std::floor(std::log10(at_least)));
   double step = 10.0 * power;
   for (const double factor : {5.0, 2.0, 1.0}) {
-    if (factor * power >= raw) step = factor * power;
+    if (factor * power >= at_least) step = factor * power;
   }
+  return step;
+}
+
+Ticks nice_ticks(const Range& range, int count) {
+  const double step = round_step(range.width() / std::max(count, 1));
   Ticks ticks{step, {}};
   const double last = std::floor(range.high / step + 1e-9);
   for (double i = std::ceil(range.low / step - 1e-9); i <= last; i += 1.0) {
     ticks.values.push_back(i * step);
   }
-  return ticks;
+  // A single number tells nobody how large the range is.
+  return ticks.values.size() < 2 && count < 8 ? nice_ticks(range, 2 * count) : ticks;
 }
 
 std::string tick_label(double value, double step) {

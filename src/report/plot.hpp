@@ -36,12 +36,14 @@ inline constexpr Stroke kFrame{{0.45, 0.48, 0.53}, 1.5};
 /// The range made wider by `share` of its width at both ends, and at least `min_width` wide.
 [[nodiscard]] Range padded(const Range& range, double share, double min_width);
 
-/// Multiples of 1, 2 or 5 times a power of ten within the range.
+/// The least of 1, 2 and 5 times a power of ten that is not below.
+[[nodiscard]] double round_step(double at_least);
+/// Multiples of such a one within the range.
 struct Ticks {
   double step = 1.0;
   std::vector<double> values;
 };
-/// About `count` ticks; the range must be finite and wider than zero.
+/// About `count` ticks, but not a single one; the range must be finite and wider than zero.
 [[nodiscard]] Ticks nice_ticks(const Range& range, int count);
 /// The tick's number with as many decimals as the step needs.
 [[nodiscard]] std::string tick_label(double value, double step);

@@ -61,7 +61,8 @@ std::string with_thousands(std::size_t number) {
 std::string summary(const DrawnRun& run) {
   const auto lost =
       static_cast<std::size_t>(std::count(run.untrusted.begin(), run.untrusted.end(), true));
-  std::string text = with_thousands(run.path.size() - lost) + " poses";
+  const std::size_t trusted = run.path.size() - lost;
+  std::string text = with_thousands(trusted) + (trusted == 1 ? " pose" : " poses");
   if (lost > 0) text += "  \u00b7  " + with_thousands(lost) + " not trusted";
   if (!run.path.empty()) {
     const double seconds =

@@ -44,8 +44,8 @@ std::vector<std::string> lines_of(const std::map<int, SegmentSpan>& segments) {
   std::vector<std::string> lines;
   if (segments.size() < 2) return lines;
   for (const auto& [number, span] : segments) {
-    lines.push_back(fmt::format("segment {}: {} poses from {} to {} s", number, span.poses,
-                                io::format_seconds(span.first_ns),
+    lines.push_back(fmt::format("segment {}: {} pose{} from {} to {} s", number, span.poses,
+                                span.poses == 1 ? "" : "s", io::format_seconds(span.first_ns),
                                 io::format_seconds(span.last_ns)));
   }
   return lines;

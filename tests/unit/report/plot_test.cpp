@@ -20,7 +20,7 @@ TEST(Plot, NiceTicksAreRoundAndInsideAndNotTooMany) {
       const Range range{center - 0.5 * width, center + 0.5 * width};
       const Ticks ticks = nice_ticks(range, 6);
       EXPECT_LE(ticks.values.size(), 7U);
-      EXPECT_GE(ticks.values.size(), 1U);
+      EXPECT_GE(ticks.values.size(), 2U);
       const double mantissa = ticks.step / std::pow(10.0, std::floor(std::log10(ticks.step)));
       EXPECT_TRUE(std::abs(mantissa - 1.0) < 1e-6 || std::abs(mantissa - 2.0) < 1e-6 ||
                   std::abs(mantissa - 5.0) < 1e-6)
@@ -39,6 +39,12 @@ TEST(Plot, NiceTicksOfAKnownRange) {
   ASSERT_EQ(ticks.values.size(), 3U);
   EXPECT_DOUBLE_EQ(ticks.values[0], 0.0);
   EXPECT_DOUBLE_EQ(ticks.values[2], 1.0);
+}
+
+TEST(Plot, ASingleTickIsNone) {
+  const Ticks ticks = nice_ticks({-4.3, 4.4}, 3);
+  EXPECT_DOUBLE_EQ(ticks.step, 2.0);
+  EXPECT_EQ(ticks.values.size(), 5U);
 }
 
 TEST(Plot, TickLabelsHaveTheDecimalsOfTheStep) {

@@ -203,6 +203,27 @@ TEST_F(RunPicture, NoLineJoinsSegments) {
   EXPECT_EQ(between(segments), 0);
 }
 
+TEST_F(RunPicture, ASegmentOfASinglePoseIsADot) {
+  std::vector<int> segments;
+  for (int i = 0; i < 20; ++i) segments.push_back(i);
+  draw_run_picture({.title = "", .trajectory = walk(20), .segments = segments},
+                   folder_ / "run.png");
+  const Image image(folder_ / "run.png");
+  for (const Area& panel : kPanels) EXPECT_GT(image.count(panel, kPathColor), 50) << panel.name;
+}
+
+TEST_F(RunPicture, OfWhoStandsTheSurroundingsAreSeen) {
+  std::vector<Eigen::Vector3f> circle;
+  for (int i = 0; i < 360; ++i) {
+    const auto angle = 0.0175F * static_cast<float>(i);
+    circle.emplace_back(4.0F * std::cos(angle), 4.0F * std::sin(angle), 0.0F);
+  }
+  const Trajectory stay(5, walk(1).front());
+  draw_run_picture({.title = "", .trajectory = stay}, folder_ / "without.png");
+  draw_run_picture({.title = "", .trajectory = stay, .map_points = circle}, folder_ / "with.png");
+  EXPECT_GT(Image(folder_ / "with.png").colors(kTop), Image(folder_ / "without.png").colors(kTop));
+}
+
 TEST_F(RunPicture, ReferenceIsABandUnderThePath) {
   Trajectory reference = walk(100);
   for (StampedPose& stamped : reference) {
