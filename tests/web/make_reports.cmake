@@ -17,6 +17,7 @@ surefoot(said map walk --quiet --no-report --no-picture --output map)
 surefoot(said export map --tiles tiles --tiles-at 48.1 11.6 520 30)
 surefoot(said run walk --quiet --output run)
 surefoot(said run walk --quiet --output other --method paper)
+surefoot(said run walk --quiet --no-picture --count 1 --output single)
 # Few points, as the browser draws without a graphics card.
 surefoot(said report run --output report.html --map-points 40000)
 surefoot(said report run other --output comparison.html --map-points 10000)

@@ -4,7 +4,7 @@
 // One chart: uPlot with this page's axes, shading, legend and cursor.
 import uPlot from "uplot";
 
-import { peaksOf, valueRange } from "./chart_range.js";
+import { loneValues, peaksOf, timeRange, valueRange } from "./chart_range.js";
 import { interpolate, nearestIndex } from "./data.js";
 import { el } from "./dom.js";
 import { decimalsOf, fixed, quantile, significant } from "./numbers.js";
@@ -40,7 +40,8 @@ function shade(plot, spans, axis) {
 }
 
 function seriesOf({ label, stroke, width, fill, dash, dots = false, gaps = dots }) {
-  const points = { show: dots, size: 4, width: 0, fill: stroke };
+  const lone = (plot, series) => (dots ? null : loneValues(plot.data[series], gaps));
+  const points = { show: dots, filter: lone, size: 4, width: 0, fill: stroke };
   return { label, stroke, width, fill, dash, points, spanGaps: !gaps };
 }
 
@@ -124,10 +125,10 @@ export class ChartPanel {
       width: Math.max(this.holder.clientWidth, 200),
       height: kHeight,
       legend: { show: false },
-      padding: [8, 10, 0, 0],
+      padding: [8, 16, 0, 0],
       cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: {
-        x: { time: false, range: (plot, low, high) => context.store.get("range") ?? [low, high] },
+        x: { time: false, range: (plot, low, high) => context.store.get("range") ?? timeRange(low, high) },
         y: { range: (plot, low, high) => valueRange(spec, peaks, low, high) },
       },
       axes: [
@@ -186,7 +187,7 @@ export class ChartPanel {
   showRange() {
     if (!this.plot) return;
     const xs = this.plot.data[0];
-    const [min, max] = this.context.store.get("range") ?? [xs[0], xs.at(-1)];
+    const [min, max] = this.context.store.get("range") ?? timeRange(xs[0], xs.at(-1));
     this.plot.setScale("x", { min, max });
   }
 

@@ -32,7 +32,9 @@ function keyFigures(run) {
     const ape = errors.ape_translation;
     figures.push(
       ["APE, RMSE", `${significant(ape.rmse, 3)} m`, `at most ${significant(ape.max, 3)} m`],
-      ["End drift", `${significant(drift.percent, 3)} %`, `${significant(drift.total_m, 3)} m`],
+      drift.percent > 0
+        ? ["End drift", `${significant(drift.percent, 3)} %`, `${significant(drift.total_m, 3)} m`]
+        : ["End drift", `${significant(drift.total_m, 3)} m`, "without a way"],
     );
   }
   return figures.map(([label, value, below]) =>

@@ -12,6 +12,8 @@ import { ends } from "./path_lines.js";
 import { color, runColor } from "./theme.js";
 
 const kMargin = { left: 52, right: 14, top: 12, bottom: 40 }; // [px]
+const kStay = 1; // [m] a shorter way is that of somebody who stands,
+const kSurroundings = 10; // [m] of whom so much is seen from above
 const kReach = 30; // [px] from the pointer to a path that it takes hold of
 
 const strided = (values, offset) => values.filter((_, i) => i % 3 === offset);
@@ -99,9 +101,12 @@ export class PlanView {
       this.width - kMargin.left - kMargin.right,
       this.height - kMargin.top - kMargin.bottom,
     ];
+    const [h, v] = [0, 1].map((axis) => rangeOf(all.map((place) => place[axis])));
+    const stands = equal && Math.max(h[1] - h[0], v[1] - v[0]) < kStay;
+    const least = stands ? kSurroundings : 4;
     // A level floor must look level: its centimetres are not stretched to a hill.
-    this.h = widened(rangeOf(all.map(([h]) => h)), equal ? 0.08 : 0.02, 4);
-    this.v = widened(rangeOf(all.map(([, v]) => v)), equal ? 0.08 : 0.2, equal ? 4 : 1.5);
+    this.h = widened(h, equal ? 0.08 : 0.02, least);
+    this.v = widened(v, equal ? 0.08 : 0.2, equal ? least : 1.5);
     if (equal) {
       const scale = Math.min(
         inner[0] / (this.h[1] - this.h[0]),

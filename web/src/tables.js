@@ -137,18 +137,22 @@ function comparisonTable(runs) {
 }
 
 function givenTable({ title, columns, rows }) {
-  return table(
+  const isWords = columns.map((_, i) => rows.every((cells) => !/^[-−–\d]/.test(cells[i].text)));
+  const result = table(
     title,
     columns,
     rows.map((cells) =>
       cells.map(({ text, place }, i) => {
         if (i === 0) return rowHead(text);
-        const cell = el("td.number", {}, text);
+        const cell = el(isWords[i] ? "td.words" : "td.number", {}, text);
         if (place) cell.dataset.place = place;
         return cell;
       }),
     ),
   );
+  const heads = result.querySelectorAll("thead th");
+  isWords.forEach((is, i) => heads[i].classList.toggle("words", is));
+  return result;
 }
 
 function eventTable(run, store) {

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { peaksOf, valueRange } from "../src/chart_range.js";
+import { loneValues, peaksOf, timeRange, valueRange } from "../src/chart_range.js";
 import { brokenLine, interpolate, isBreak, pathLengths } from "../src/data.js";
 import { axisLabel, decimalsOf, duration, fixed, niceStep, quantile } from "../src/numbers.js";
 
@@ -30,6 +30,21 @@ test("no way leads to a segment that begins with a scan that was rejected", () =
 test("a value beside a missing one is there at its own time", () => {
   assert.equal(interpolate([0, 1, 2], [NaN, 5, NaN], 1), 5);
   assert.equal(interpolate([0, 1, 2], [1, 5, 7], 1.5), 6);
+});
+
+test("values that no line leads to are told", () => {
+  const [nothing, others] = [null, undefined];
+  assert.deepEqual(loneValues([1, nothing, 2, 3, nothing, 4], true), [0, 5]);
+  assert.deepEqual(loneValues([1, others, 2, nothing, others, 3, others], true), [5]);
+  assert.deepEqual(loneValues([nothing, 1, nothing, 2], false), []); // a line leads over the gap
+  assert.deepEqual(loneValues([nothing, 1, others], false), [1]);
+});
+
+test("a single instant has a range", () => {
+  assert.deepEqual(timeRange(2, 2), [1.5, 2.5]);
+  assert.deepEqual(timeRange(2, 3), [2, 3]);
+  const [low, high] = valueRange({}, null, 0.47, 0.47);
+  assert.ok(high - low > 0.04);
 });
 
 test("durations have no 60 seconds", () => {

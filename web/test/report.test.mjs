@@ -5,7 +5,8 @@
 // and map; SUREFOOT_TEST_EVALUATION, what `surefoot eval --json` says of that run;
 // SUREFOOT_TEST_COMPARISON, the page of two runs of one recording; SUREFOOT_TEST_BARE, the page of
 // a run without map and truth; SUREFOOT_TEST_LOOPED, the page of a run with a loop and a refused
-// one; SUREFOOT_TEST_BROWSER, a Chromium.
+// one; SUREFOOT_TEST_SINGLE, the page of a run of a single scan, with truth; SUREFOOT_TEST_BROWSER, a
+// Chromium.
 import assert from "node:assert/strict";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -287,18 +288,38 @@ test("says once that there is no WebGL", async () => {
   assert.equal(await plain.$eval(".side-by-side", (section) => section.hidden), true);
 });
 
-test("leaves the keyboard where it chooses the recording", async () => {
+/** The page of two runs with other data. */
+async function openChanged(change) {
   const folder = await mkdtemp(join(tmpdir(), "surefoot_report_"));
   const text = await readFile(process.env.SUREFOOT_TEST_COMPARISON, "utf8");
-  const two = text.replace(/(id="report-data">)([^<]*)/, (_, tag, data) => {
-    const { recordings, runs, ...more } = JSON.parse(data);
+  const changed = text.replace(
+    /(id="report-data">)([^<]*)/,
+    (_, tag, data) => tag + JSON.stringify(change(JSON.parse(data))),
+  );
+  await writeFile(join(folder, "changed.html"), changed);
+  const opened = await open(browser, join(folder, "changed.html"));
+  await rm(folder, { recursive: true });
+  return opened;
+}
+
+test("fits a telephone where runs have long names", async () => {
+  const name = `paper${"+vertical.distance_decay=0.05".repeat(4)}`;
+  const { page: named } = await openChanged(({ runs, ...more }) => ({
+    ...more,
+    runs: runs.map((run, i) => (i === 1 ? { ...run, name } : run)),
+  }));
+  await named.setViewport({ width: 390, height: 800 });
+  await settle(named);
+  const width = await named.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 390, `${width} px wide`);
+});
+
+test("leaves the keyboard where it chooses the recording", async () => {
+  const { page: chosen } = await openChanged(({ recordings, runs, ...more }) => {
     const apart = runs.map((run, i) => ({ ...run, recording: i }));
     const named = ["one", "another"].map((name) => ({ ...recordings[0], name }));
-    return tag + JSON.stringify({ ...more, recordings: named, runs: apart });
+    return { ...more, recordings: named, runs: apart };
   });
-  await writeFile(join(folder, "two.html"), two);
-  const { page: chosen } = await open(browser, join(folder, "two.html"));
-  await rm(folder, { recursive: true });
   await chosen.focus(".chosen select");
   for (const [key, run] of [
     ["ArrowDown", 1],
@@ -315,6 +336,26 @@ test("does without map and truth", async () => {
   assert.equal(await opened.page.$("#errors"), null);
   const switches = await opened.page.$$eval(".controls label", (all) => all.map((l) => l.textContent));
   assert.ok(!switches.includes("Truth"), switches.join());
+  assertQuiet(opened.complaints, opened.requests);
+});
+
+test("shows a single scan as a dot, in its surroundings", async () => {
+  const opened = await open(browser, process.env.SUREFOOT_TEST_SINGLE);
+  const [red, green, blue] = [0xcf, 0x2f, 0x5b]; // the run's colour
+  const dot = await opened.page.$eval(
+    ".chart:not([hidden]) canvas",
+    (canvas, color) => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) count += color.every((c, k) => data[i + k] === c);
+      return count;
+    },
+    [red, green, blue],
+  );
+  assert.ok(dot > 4, `${dot} pixels`);
+  assert.ok((await colorsOf(opened.page, ".top canvas")).distinct > 20);
+  const figures = await opened.page.$eval(".figures", ({ textContent }) => textContent);
+  assert.match(figures, /End drift0 mwithout a way/);
   assertQuiet(opened.complaints, opened.requests);
 });
 

@@ -78,6 +78,25 @@ test("draws the tiles, from afar and from nearby", async () => {
   assert.deepEqual(complaints, []);
 });
 
+test("shows the whole map on a telephone", async () => {
+  const telephone = await browser.newPage();
+  await telephone.setViewport({ width: 390, height: 800 });
+  await telephone.goto(`http://127.0.0.1:${server.address().port}/`);
+  await telephone.waitForSelector("html[data-ready]");
+  const places = await telephone.evaluate(() => {
+    const { camera, tiles } = window.surefootTiles;
+    const [x, y, z, ...half] = tiles.root.boundingVolume.box;
+    const corners = [];
+    for (const i of [-1, 1])
+      for (const j of [-1, 1])
+        for (const k of [-1, 1])
+          corners.push([x + i * half[0], y + j * half[4], z + k * half[8]]);
+    return corners.map((corner) => camera.position.clone().set(...corner).project(camera).toArray());
+  });
+  for (const [across, up] of places) assert.ok(Math.abs(across) < 1 && Math.abs(up) < 1, `${across} ${up}`);
+  await telephone.close();
+});
+
 test("draws again when the browser gives its graphics back", async () => {
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
   await settle(page);

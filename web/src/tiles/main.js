@@ -7,6 +7,7 @@ import { TilesRenderer } from "3d-tiles-renderer/three";
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { grouped } from "../numbers.js";
 import { Store } from "../store.js";
 import { color, followTheme } from "../theme.js";
 
@@ -84,8 +85,9 @@ class TilesView {
     group.updateMatrixWorld(true);
     const [x, y, z, ...half] = root.boundingVolume.box;
     const size = 2 * Math.hypot(half[0], half[4], half[8]);
+    const away = size / Math.min(0.7 * this.camera.aspect, 1); // a telephone shows less across
     this.controls.target.set(x, y, z);
-    this.camera.position.set(x - 0.35 * size, y - 0.6 * size, z + 0.5 * size);
+    this.camera.position.set(x - 0.35 * away, y - 0.6 * away, z + 0.5 * away);
     this.camera.near = size / 2000;
     this.camera.far = size * 10;
     this.camera.updateProjectionMatrix();
@@ -114,7 +116,7 @@ class TilesView {
 
   #tell() {
     const { downloading, parsing, visible } = this.tiles.stats;
-    const points = this.renderer.info.render.points.toLocaleString("en");
+    const points = grouped(this.renderer.info.render.points);
     const loading = downloading + parsing > 0;
     if (this.tiles.root && !this.failed) {
       this.state.textContent = `${points} points in ${visible} tiles${loading ? ", loading …" : ""}`;
