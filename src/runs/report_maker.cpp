@@ -141,11 +141,14 @@ void ReportMaker::add_run(const fs::path& folder, const std::string& name, const
   if (taken) run.name += fmt::format(" ({})", name_of(folder));
 
   fs::path truth_file = truth.empty() ? truth_ : truth;
-  if (truth_file.empty() && read.poses_of_lidar) truth_file = truth_beside(read.input);
+  const bool named = !truth_file.empty();  // what somebody names must do
+  if (!named && read.poses_of_lidar) truth_file = truth_beside(read.input);
   if (!truth_file.empty()) {
-    const Trajectory poses = read_truth_poses(truth_file);
     run.facts.emplace_back("Truth", truth_file.string());
+    Trajectory poses;
+    if (named) poses = read_truth_poses(truth_file);
     try {
+      if (!named) poses = read_truth_poses(truth_file);
       Recording& recording = recordings_[run.recording];
       const Eigen::Vector3d origin = recording.origin.value_or(origin_near(poses));
       evaluate_run(poses, read.measured, origin, run);

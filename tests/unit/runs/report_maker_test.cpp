@@ -100,6 +100,21 @@ TEST_F(ReportMakerTest, ShowsTheTruthOverAllRunsOfARecording) {
   EXPECT_EQ(report.recordings.at(0).truth.size(), truth_.size());
 }
 
+/// A broken gt.tum beside a recording takes no page from its run; one that is named does.
+TEST_F(ReportMakerTest, ATruthThatCannotBeReadIsSaidWhereNobodyNamedIt) {
+  write("in/gt.tum", "no truth");
+  write("run/run.yaml", "input: {path: " + (folder_ / "in").string() + "}\n");
+  ReportMaker maker;
+  maker.add_run(run_);
+  ASSERT_EQ(maker.problems().size(), 1U);
+  EXPECT_NE(maker.problems().front().find("gt.tum"), std::string::npos) << maker.problems().front();
+  const report::Report report = maker.take({});
+  EXPECT_EQ(report.runs.at(0).scans.size(), 40U);
+  EXPECT_FALSE(report.runs.at(0).notes.empty());
+  ReportMaker named(folder_ / "in/gt.tum");
+  EXPECT_THROW(named.add_run(run_), io::ReadError);
+}
+
 TEST_F(ReportMakerTest, OfAClockThatWasSetBackHasTimesThatAscend) {
   std::string scans = scans_csv_header();
   for (std::size_t i = 0; i < 40; ++i) {
