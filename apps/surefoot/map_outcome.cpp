@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "io/counted.hpp"
@@ -45,8 +46,9 @@ void print_localization(const runs::LocalizationOutcome& outcome) {
 std::string place_in_map(const Pose& begin) {
   const Eigen::Vector3d& t = begin.translation;
   const double yaw = roll_pitch_yaw(begin.rotation).z() * 180.0 / std::numbers::pi;
-  return fmt::format("it begins at {:.1f}, {:.1f}, {:.1f} m, heading {:.0f} deg", t.x(), t.y(),
-                     t.z(), yaw);
+  const auto tenths = [](double value) { return std::round(10.0 * value) / 10.0 + 0.0; };  // no -0
+  return fmt::format("it begins at {:.1f}, {:.1f}, {:.1f} m, heading {:.0f} deg", tenths(t.x()),
+                     tenths(t.y()), tenths(t.z()), std::round(yaw) + 0.0);
 }
 
 bool say_if_apart(const runs::RunOutcome& outcome) {

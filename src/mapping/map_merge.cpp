@@ -209,9 +209,10 @@ void fill_joint(const SavedMap& first, const SavedMap& second, const PoseGraph& 
 }  // namespace
 
 std::optional<Pose> MapJoin::begin() const {
-  const auto found = std::find_if(placed.begin(), placed.end(),
-                                  [](const std::optional<Pose>& pose) { return pose.has_value(); });
-  return found != placed.end() ? *found : std::nullopt;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (placed[i]) return *placed[i] * pieces[first + i].T_world_piece.inverse();
+  }
+  return std::nullopt;
 }
 
 std::size_t MapJoin::held() const {

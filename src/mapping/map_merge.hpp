@@ -35,7 +35,8 @@ struct MapJoin {
 
   /// So many pieces of the second map are placed.
   [[nodiscard]] std::size_t held() const;
-  /// T_first_piece of the earliest piece that is placed; none where they could not be joined.
+  /// Where the second map begins, T_first_second, by the earliest piece that is placed; none where
+  /// they could not be joined.
   [[nodiscard]] std::optional<Pose> begin() const;
 };
 
