@@ -19,6 +19,7 @@
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "reader_options.hpp"
+#include "runs/input_checks.hpp"
 
 namespace surefoot::app {
 namespace {
@@ -36,6 +37,7 @@ struct CheckCommand {
 int execute(const CheckCommand& command) {
   checks::require_page_or_nothing(command.html);
   io::require_ending(command.html, {".html", ".htm"});
+  runs::refuse_run_folder(command.check.input);
   take_piped_recording(command.check.input, command.quiet || command.json);
   take_piped_text(command.check.truth);
   const process::InterruptGuard interrupt;

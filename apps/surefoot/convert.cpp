@@ -18,6 +18,7 @@
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "reader_options.hpp"
+#include "runs/input_checks.hpp"
 
 namespace surefoot::app {
 
@@ -29,6 +30,7 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options) {
+  runs::refuse_run_folder(options.request.input);
   take_piped_recording(options.request.input, options.quiet);
   const process::InterruptGuard interrupt;
   process::Progress progress("scans", options.quiet);

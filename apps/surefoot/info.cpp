@@ -20,6 +20,7 @@
 #include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 #include "reader_options.hpp"
+#include "runs/input_checks.hpp"
 #include "runs/length_unit.hpp"
 
 namespace surefoot::app {
@@ -48,6 +49,7 @@ bool has_a_choice(const InfoOptions& options, const std::vector<io::TopicSurvey>
 
 int tell(InfoOptions& options) {
   options.reader.repair_stamps = false;  // what is odd is told, not mended
+  runs::refuse_run_folder(options.input);
   take_piped_recording(options.input, options.json);
   const std::vector<io::TopicSurvey> topics = topics_of(options);
   if (has_a_choice(options, topics)) {

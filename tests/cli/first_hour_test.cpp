@@ -98,6 +98,18 @@ TEST_F(FirstHour, WhatTheSystemRefusesIsSaidPlainly) {
   }
 }
 
+TEST_F(FirstHour, ARunsFolderIsNoRecording) {
+  write_pcd_recording(path("in"), hall_scans(3));
+  ASSERT_EQ(run({"run", "in", "-o", "out"}).exit_code, 0);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", "out", "-o", "again"},
+        {"info", "out"},
+        {"check", "out"},
+        {"convert", "out", "out.mcap"}}) {
+    EXPECT_NE(refusal(arguments).find("is the folder of a run"), std::string::npos) << arguments[0];
+  }
+}
+
 TEST_F(FirstHour, EvalTakesARunsFolder) {
   write_pcd_recording(path("in"), hall_scans(3));
   ASSERT_EQ(run({"run", "in", "-o", "out/one"}).exit_code, 0);
