@@ -101,7 +101,8 @@ function places(values) {
   return values.map((value) => (value === ordered[0] ? 1 : value === ordered[1] ? 2 : 0));
 }
 
-/** Runs of one recording beside each other; a run that covers too little is not ranked. */
+/** Runs of one recording beside each other; a run that covers too little is not ranked. Figures that
+ * no run has are left out: those of errors where there is no truth. */
 function comparisonTable(runs) {
   const error = (name, key) => (run) => run.figures?.errors[name]?.[key] ?? NaN;
   const time = (share) => (run) => quantile(run.scans.columns.ms_total ?? [], share);
@@ -114,7 +115,8 @@ function comparisonTable(runs) {
     ["end drift [%]", (run) => run.figures?.end_drift.percent ?? NaN],
     ["median [ms]", time(0.5)],
     ["p99 [ms]", time(0.99)],
-  ];
+  ].filter(([, value]) => runs.some((run) => Number.isFinite(value(run))));
+  const compared = runs.some((run) => run.figures);
   const whole = (run) => !run.figures || run.figures.coverage >= 0.95;
   const ranks = columns.map(([, value]) =>
     places(runs.map((run) => (whole(run) ? value(run) : NaN))),
@@ -124,14 +126,14 @@ function comparisonTable(runs) {
     const untrusted = run.scans.status.filter((_, i) => gradeOf(run, i) === "untrusted").length;
     return [
       rowHead(run.name),
-      el("td.number", {}, covered),
+      ...(compared ? [el("td.number", {}, covered)] : []),
       ...columns.map(([, value], c) => number(value(run), significant(value(run), 3), ranks[c][r])),
       number(untrusted, grouped(untrusted)),
     ];
   });
   return table(
     "Runs of this recording; best bold, second underlined",
-    ["Run", "covered", ...columns.map(([label]) => label), "untrusted"],
+    ["Run", ...(compared ? ["covered"] : []), ...columns.map(([label]) => label), "untrusted"],
     rows,
   );
 }

@@ -314,6 +314,17 @@ test("fits a telephone where runs have long names", async () => {
   assert.ok(width <= 390, `${width} px wide`);
 });
 
+test("compares times alone where there is no truth", async () => {
+  const { page: untold } = await openChanged(({ runs, ...more }) => ({
+    ...more,
+    runs: runs.map(({ evaluation, ...run }) => run),
+  }));
+  const heads = await untold.$$eval(".tables .table:first-child thead th", (all) =>
+    all.map(({ textContent }) => textContent),
+  );
+  assert.deepEqual(heads, ["Run", "median [ms]", "p99 [ms]", "untrusted"]);
+});
+
 test("leaves the keyboard where it chooses the recording", async () => {
   const { page: chosen } = await openChanged(({ recordings, runs, ...more }) => {
     const apart = runs.map((run, i) => ({ ...run, recording: i }));
