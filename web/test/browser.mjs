@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A report in a headless Chromium that draws without a graphics card.
+import assert from "node:assert/strict";
+
 import puppeteer from "puppeteer-core";
 
 const kPatience = 90_000; // [ms] a busy machine starts a browser slowly
@@ -40,6 +42,16 @@ export async function open(browser, file, { theme = "light", width = 1100, heigh
   await page.waitForSelector("html[data-ready]");
   await settle(page);
   return { page, complaints, requests };
+}
+
+/** No complaint, and nothing asked of the network: the file itself is all. */
+export function assertQuiet(said, asked) {
+  assert.deepEqual(said, []);
+  assert.deepEqual(
+    asked.filter((url) => !/^(file|data):/.test(url)),
+    [],
+  );
+  assert.equal(asked.filter((url) => url.startsWith("file:")).length, 1);
 }
 
 /** Lets the frames be drawn that are due. */
