@@ -59,8 +59,8 @@ RunVerdict judge(const Trajectory& reference, const Trajectory& estimate,
     throw std::invalid_argument("judge: a trajectory has no poses");
   }
   if (evaluation.coverage < rules.full_coverage) {
-    const bool stamped = options.association.method != AssociationMethod::index;
-    const double end = stamped ? reach(reference, estimate, options.association.offset) : 1.0;
+    // What is paired by number covers all.
+    const double end = reach(reference, estimate, options.association.offset);
     if (end < rules.full_coverage) {
       return {Outcome::stopped, fmt::format("stopped at {} %", whole_percent(end))};
     }

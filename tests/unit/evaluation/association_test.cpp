@@ -81,6 +81,15 @@ TEST(Association, OffsetIsAddedToTheEstimateInBothDirections) {
             11'000'000'000);
   EXPECT_EQ(associate(at_times({11.0}), at_times({0.0, 1.0, 2.0}), options).estimate[0].stamp_ns,
             1'000'000'000);
+  const AssociationOptions between{
+      .method = AssociationMethod::interpolate, .max_gap = 1.0, .offset = 10.0};
+  const auto pairs = associate(at_times({10.0, 11.0, 12.0}), at_times({1.5}), between);
+  EXPECT_NEAR(pairs.reference[0].pose.translation.x(), 11.5, 1e-12);
+}
+
+TEST(Association, ALimitLongerThanAllTimesIsNone) {
+  const AssociationOptions options{.max_difference = 1e300};
+  EXPECT_EQ(associate(at_times({1.0}), at_times({1000.0}), options).estimate.size(), 1U);
 }
 
 TEST(Association, InterpolatesTheReferenceBetweenItsNeighbours) {

@@ -52,6 +52,10 @@ TEST(PoseError, YawIsFreeOfTiltAndTiltOfYaw) {
     const double between = std::acos((reference.rotation * Eigen::Vector3d::UnitZ())
                                          .dot(tilted.rotation * Eigen::Vector3d::UnitZ()));
     EXPECT_LE(between / kDegree, 7.0 + 1e-9);
+    // A quaternion and its negative are one turn.
+    const Pose again{Eigen::Quaterniond(-turned.rotation.coeffs()), {0.0, 0.0, 0.0}};
+    EXPECT_NEAR(split_error(reference, again).yaw, 20.0, 1e-9);
+    EXPECT_NEAR(split_error(reference, again).tilt, 0.0, 1e-6);
   }
 }
 

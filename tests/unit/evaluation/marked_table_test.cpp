@@ -91,6 +91,9 @@ TEST(MarkedTable, CsvHasALineForEachCell) {
   rank_rows(table);
   EXPECT_EQ(to_csv(table),
             "T,hall,error,m0,12.345678901234567,12,1\nT,hall,error,m1,,\"a, \"\"b\"\"\",\n");
+  Table two = table_of({value(12), value(3)});
+  rank_rows(two);
+  EXPECT_EQ(to_csv(two), "T,hall,error,m0,12,12,2\nT,hall,error,m1,3,3,1\n");
 }
 
 }  // namespace

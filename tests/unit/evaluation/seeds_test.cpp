@@ -57,6 +57,14 @@ TEST(Seeds, MedianAndEndsOfEachMethod) {
   EXPECT_EQ(scenes[1].ape[2].lost, 2);
 }
 
+TEST(Seeds, OneSeedAloneHasNoSpread) {
+  Comparison comparison = three_methods();
+  comparison.recordings.pop_back();  // of the forest's two
+  const std::vector<SeededScene> scenes = seeded_scenes(comparison);
+  ASSERT_EQ(scenes.size(), 1U);
+  EXPECT_EQ(scenes[0].name, "campus-trot");
+}
+
 TEST(Seeds, AFigureThatNoWholeRunHasIsNotLost) {
   Comparison comparison = three_methods();
   for (ComparedRecording& recording : comparison.recordings) {

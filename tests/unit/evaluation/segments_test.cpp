@@ -46,6 +46,8 @@ TEST(Segments, LengthsFitTheRun) {
   EXPECT_DOUBLE_EQ(segment_lengths_for(3700.0).back(), 800.0);
   EXPECT_DOUBLE_EQ(segment_lengths_for(150.0).back(), 80.0);
   EXPECT_DOUBLE_EQ(segment_lengths_for(5.0).front(), 1.0);
+  EXPECT_DOUBLE_EQ(segment_lengths_for(200.0).front(), 100.0);
+  EXPECT_DOUBLE_EQ(segment_lengths_for(20.0).front(), 10.0);
 }
 
 TEST(Segments, OfARunTooShortForAnyAndOfImpossibleLengths) {

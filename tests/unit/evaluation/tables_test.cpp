@@ -95,6 +95,25 @@ TEST(Tables, LatexMarksTheBestTwoButNeverARunThatStoppedEarly) {
   EXPECT_TRUE(contains(latex, "stopped (49 \\% covered) & 0.001")) << latex;
 }
 
+TEST(Tables, LatexRanksADriftByItsSize) {
+  const auto sinking = [](const std::string& name, double end) {
+    const Trajectory walk = test::winding_walk(100);
+    Trajectory estimate = walk;
+    estimate.back().pose.translation.z() += end;
+    return evaluate(name, walk, estimate, {.alignment = AlignmentMethod::none});
+  };
+  const std::string latex = to_latex({sinking("low", -0.5), sinking("near", 0.1)});
+  EXPECT_TRUE(contains(latex, "\\underline{-0.500}")) << latex;
+  EXPECT_FALSE(contains(latex, "\\textbf{-0.500}")) << latex;
+}
+
+TEST(Tables, TextLeavesOutSegmentsOfWhichThereAreNone) {
+  Evaluation evaluation = too_high("walk", 0.5);
+  evaluation.segments.by_length = {{.length = 2.0, .count = 1}, {.length = 500.0}};
+  EXPECT_TRUE(contains(to_text({evaluation}), "segments of 2 m:"));
+  EXPECT_FALSE(contains(to_text({evaluation}), "segments of 500 m:"));
+}
+
 TEST(Tables, LatexHasEveryKindOfError) {
   const std::string latex = to_latex({too_high("low", 0.1), too_high("high", 0.3)});
   for (const char* head :

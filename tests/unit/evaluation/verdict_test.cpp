@@ -36,6 +36,17 @@ TEST(Verdict, TheEstimatesClockIsShifted) {
   EvaluationOptions options;
   options.association.offset = 20.0;
   EXPECT_EQ(verdict_of(walk, late, options).outcome, Outcome::whole);
+  late.resize(165);
+  EXPECT_EQ(verdict_of(walk, late, options).text, "stopped at 41 %");
+}
+
+TEST(Verdict, WhatCoversAsMuchAsIsAskedForIsWhole) {
+  const Trajectory walk = test::winding_walk(401);
+  const Trajectory half(walk.begin(), walk.begin() + 201);
+  const Evaluation evaluation = evaluate("e", walk, half, {});
+  ASSERT_EQ(evaluation.coverage, 0.5);
+  EXPECT_EQ(judge(walk, half, evaluation, {}, {.full_coverage = 0.5}).outcome, Outcome::whole);
+  EXPECT_EQ(judge(walk, half, evaluation, {}, {.full_coverage = 0.51}).outcome, Outcome::stopped);
 }
 
 TEST(Verdict, HolesAreToldAsCoverage) {
