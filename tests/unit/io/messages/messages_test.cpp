@@ -120,6 +120,28 @@ TEST(PointCloud2, CoordinatesOfAByteOrThatShareBytesAreRefused) {
   }
 }
 
+/// The field's offset in the message: of the name, with its size before.
+std::size_t field_at(const std::string& message, const std::string& name) {
+  return message.find(word(static_cast<std::uint32_t>(name.size())) + name) + 4 + name.size();
+}
+
+// Drivers write 0 where they mean 1, or a count that a point has no room for.
+TEST(PointCloud2, AFieldHasOneValueUnlessThereIsRoomForAll) {
+  for (const std::uint32_t count : {0U, 9U}) {
+    std::string cloud = ros1_cloud();
+    cloud.replace(field_at(cloud, "ring") + 5, 4, word(count));
+    EXPECT_EQ(read(Encoding::ros1, cloud).table.columns.back().count, 1U);
+    expect_two_points(read(Encoding::ros1, cloud));
+  }
+}
+
+TEST(PointCloud2, AFieldThatLeavesItsPointIsRefused) {
+  std::string cloud = ros1_cloud();
+  cloud.replace(field_at(cloud, "ring"), 4, word(17));
+  EXPECT_EQ(test::message_of<ReadError>([&] { (void)read(Encoding::ros1, cloud); }),
+            "field 'ring' at byte 17 of points of 18 bytes");
+}
+
 TEST(PointCloud2, BigEndianPointsAreRefused) {
   const std::string cdr = cdr_cloud(1);
   const std::string message = test::message_of<ReadError>([&] { (void)read(Encoding::cdr, cdr); });
@@ -375,6 +397,18 @@ TEST(PointCloud2Writer, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(back.intensities, scan.intensities);
   EXPECT_EQ(back.times_ns, scan.times_ns);
   EXPECT_EQ(back.rings, scan.rings);
+}
+
+TEST(PointCloud2Writer, TellsTheLengthOfItsRowAndWhetherEachPointIsOne) {
+  Scan scan;
+  scan.points.assign(3, Eigen::Vector3f::Ones());
+  const auto ros1 = [&] { return format_point_cloud2(scan, "f", MessageWriter::Flavour::ros1); };
+  const std::string dense = ros1();
+  constexpr std::size_t kRow = 3 * 12;
+  EXPECT_EQ(dense.substr(dense.size() - 1 - kRow - 12, 12), word(12) + word(kRow) + word(kRow));
+  EXPECT_EQ(dense.back(), '\1');
+  scan.points[1].y() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(ros1().back(), '\0');
 }
 
 }  // namespace
