@@ -123,7 +123,7 @@ OccupancyGrid draw_occupancy(const std::vector<Piece>& pieces, const GridOptions
   const auto range2 = static_cast<float>(options.range * options.range);
   for (const Piece& piece : pieces) {
     const Submap seen = make_submap(piece);
-    const double ground = seen.points.empty() ? -options.standing : seen.ground;
+    const double ground = seen.ground;
     for (std::size_t i = 0; i < seen.points.size(); ++i) {
       const Eigen::Vector3f beam = seen.points[i] - seen.eyes[i];
       if (beam.squaredNorm() > range2) continue;

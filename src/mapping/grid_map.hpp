@@ -28,11 +28,10 @@ struct OccupancyGrid {
 };
 
 struct GridOptions {
-  double cell = 0.1;       ///< [m]
-  double low = 0.2;        ///< above the ground under the robot: what is lower is stepped over [m]
-  double high = 1.2;       ///< what is higher is passed under [m]
-  double range = 20.0;     ///< beams tell nothing beyond [m]
-  double standing = 0.45;  ///< of the LiDAR above the ground where none is seen [m]
+  double cell = 0.1;    ///< [m]
+  double low = 0.2;     ///< above the ground under the robot: what is lower is stepped over [m]
+  double high = 1.2;    ///< what is higher is passed under [m]
+  double range = 20.0;  ///< beams tell nothing beyond [m]
 };
 
 /// Throws std::invalid_argument if the map would have more than 400 million cells, or has no

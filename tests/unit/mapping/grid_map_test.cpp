@@ -63,6 +63,46 @@ TEST(OccupancyGridTest, AWallThatIsLookedOverStays) {
   EXPECT_EQ(cell_at(grid, 3.03, 0.53), OccupancyGrid::kOccupied);
   EXPECT_EQ(cell_at(grid, 2.03, 0.03), OccupancyGrid::kFree);
   EXPECT_EQ(cell_at(grid, 0.23, 0.03), OccupancyGrid::kUnknown) << "looked over, too";
+  EXPECT_EQ(cell_at(grid, 18.93, 0.03), OccupancyGrid::kUnknown) << "a floor and a ceiling";
+}
+
+/// A beam at a robot's height to each of these places (x, y), so often; and a floor behind the
+/// LiDAR, from which it is seen how high that stands.
+Piece beams_to(const std::vector<std::pair<Eigen::Vector2f, int>>& ends) {
+  Piece piece;
+  piece.eyes = {{0.05F, 0.05F, 0.0F}};
+  for (const auto& [end, times] : ends) {
+    for (int i = 0; i < times; ++i) piece.points.emplace_back(end.x(), end.y(), 0.0F);
+  }
+  const auto floor = static_cast<int>(piece.points.size()) / 4 + 20;
+  for (int i = 0; i < floor; ++i) piece.points.emplace_back(-3.0F, 0.05F, -0.4F);
+  piece.seen_from.assign(piece.points.size(), 0);
+  return piece;
+}
+
+// Two beams are counted twice in a cell at most, twenty once at least.
+TEST(OccupancyGridTest, WhatIsGoneThroughFarMoreOftenThanHitHasMovedAway) {
+  const auto where_hit = [](int through) {
+    return cell_at(draw_occupancy({beams_to({{{3.05F, 0.05F}, 1}, {{6.05F, 0.05F}, through}})}, {}),
+                   3.05, 0.05);
+  };
+  EXPECT_EQ(where_hit(2), OccupancyGrid::kOccupied);
+  EXPECT_EQ(where_hit(20), OccupancyGrid::kFree);
+}
+
+TEST(OccupancyGridTest, NothingIsFreeStraightBeforeWhereABeamEndsNorAlongOneThatIsTooLong) {
+  const OccupancyGrid grid =
+      draw_occupancy({beams_to({{{3.05F, 0.05F}, 1}, {{0.05F, 25.05F}, 1}})}, {});
+  EXPECT_EQ(cell_at(grid, 2.65, 0.05), OccupancyGrid::kFree);
+  EXPECT_EQ(cell_at(grid, 2.95, 0.05), OccupancyGrid::kUnknown);
+  EXPECT_EQ(grid.at(static_cast<int>((0.05 - grid.low.x()) / grid.cell), grid.height - 1),
+            OccupancyGrid::kUnknown);
+}
+
+// A robot that stands before a wall for an hour.
+TEST(OccupancyGridTest, HoweverOftenAWallIsSeenItStays) {
+  const OccupancyGrid grid = draw_occupancy({beams_to({{{3.05F, 0.05F}, 1 << 16}})}, {});
+  EXPECT_EQ(cell_at(grid, 3.05, 0.05), OccupancyGrid::kOccupied);
 }
 
 TEST(OccupancyGridTest, ImageAndYamlAreThoseOfMapServer) {
@@ -127,6 +167,20 @@ TEST(ElevationGridTest, HoldsTheGroundAndNotTheWalls) {
   EXPECT_NEAR(grid.variances[at(0.5, 0.5)], 0.0, 1e-5);
   EXPECT_LT(grid.heights[at(3.97, 0.53)], 1.6 + 0.6) << "at a wall of 1.9 m";
   EXPECT_EQ(format_asc(grid, grid.heights).rfind("ncols ", 0), 0U);
+}
+
+// From far away a floor is seen at a few degrees, and tilted as the pose is.
+TEST(ElevationGridTest, WhatIsSeenFromFarAwaySaysNothingOfTheGround) {
+  Piece near = room(), far = room();
+  far.T_world_piece.translation.x() = 20.0;
+  near.points.emplace_back(20.55F, 0.55F, 0.0F);
+  near.seen_from.push_back(0);
+  const ElevationGrid grid = draw_elevation({near, far});
+  const auto row = static_cast<std::size_t>((0.55 - grid.low.y()) / grid.cell);
+  const auto column = static_cast<std::size_t>((20.55 - grid.low.x()) / grid.cell);
+  const std::size_t at = row * static_cast<std::size_t>(grid.width) + column;
+  EXPECT_NEAR(grid.heights[at], -0.4, 1e-5);
+  EXPECT_NEAR(grid.variances[at], 0.0, 1e-5);
 }
 
 }  // namespace

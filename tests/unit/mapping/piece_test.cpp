@@ -53,6 +53,44 @@ TEST(Piece, ThatIsBentEndsASubmap) {
   EXPECT_NEAR(make_submap(pieces, 1).covariance(3, 3), 1e-6, 1e-9);
   EXPECT_LT(make_submap(pieces, 1).points.size(), make_submap(pieces_with(0.005), 1).points.size());
   EXPECT_NEAR(make_submap(pieces, 0).covariance(3, 3), 0.05 * 0.05, 1e-9) << "its own stays";
+  std::vector<Piece> bent_last = pieces_with(0.001);
+  bent_last.back().covariance(3, 3) = 0.05 * 0.05;
+  EXPECT_NEAR(make_submap(bent_last, bent_last.size() - 2).covariance(3, 3), 1e-6, 1e-9);
+}
+
+/// How far the odometry's new frame lies from the one before is not known.
+TEST(Piece, WhereTheOdometryBeganAnewASubmapEnds) {
+  std::vector<Piece> pieces = pieces_with(0.001);
+  ASSERT_EQ(pieces.size(), 3U);
+  const auto points = [&](std::size_t i) { return make_submap(pieces, i).points.size(); };
+  const std::size_t all = points(1), two = points(0);
+  ASSERT_GT(all, two);
+  pieces[1].restarted = true;
+  EXPECT_EQ(points(0), make_submap(pieces[0]).points.size());
+  EXPECT_LT(points(1), all);
+  pieces[1].restarted = false;
+  pieces[2].restarted = true;
+  EXPECT_EQ(points(0), two);
+  EXPECT_EQ(points(1), two);
+  EXPECT_EQ(points(2), make_submap(pieces[2]).points.size());
+}
+
+TEST(Piece, LeavesOutWhatIsFarAwayAndAddsWhatIsSeenInATurn) {
+  PieceOptions options;
+  options.always = 1;
+  PieceBuilder builder(options);
+  PlacedScan scan = scan_at(0.0, 0.001);
+  DeskewedScan points;
+  points.points = {{5.0F, 0.0F, 0.0F}, {60.0F, 0.0F, 0.0F}};
+  const auto seen = [&] {
+    (void)builder.add(scan, points);
+    return builder.unfinished()->points.size();
+  };
+  EXPECT_EQ(seen(), 1U);
+  scan.T_world_lidar.rotation = so3_exp({0.0, 0.0, 0.5 * std::numbers::pi + 0.2});
+  EXPECT_EQ(seen(), 1U) << "hardly another look";
+  scan.T_world_lidar.rotation = so3_exp({0.0, 0.0, 0.5 * std::numbers::pi + 0.3});
+  EXPECT_EQ(seen(), 2U);
 }
 
 /// Put away, it is the same but for the last millimetres.

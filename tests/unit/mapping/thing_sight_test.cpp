@@ -55,6 +55,23 @@ TEST(ThingSight, CountsTheMomentsOfBothKinds) {
   EXPECT_EQ(sight.at({3.0, 0.0, 1.5}).through, 0) << "nobody looked";
 }
 
+/// What a beam ends at is hit; a cube that it reaches just before was not looked through.
+TEST(ThingSight, AsksNoBeamFartherThanItTells) {
+  const auto sight = [](const Eigen::Vector3f& end) {
+    return ThingSight(seen_in({look_at(0, {end})}, floor_and_hill()));
+  };
+  const ThingSight wall = sight({7.0F, 0.0F, 1.0F});
+  EXPECT_EQ(wall.at({6.2, 0.0, 1.0}).through, 1);
+  EXPECT_EQ(wall.at({6.55, 0.0, 1.0}).through, 0);
+  const ThingSight far = sight({74.0F, 0.0F, 1.0F});
+  EXPECT_EQ(far.at({69.0, 0.0, 1.0}).through, 1);
+  EXPECT_EQ(far.at({72.0, 0.0, 1.0}).through, 0);
+  EXPECT_EQ(far.at({74.0, 0.0, 1.0}).hit, 0);
+  EXPECT_EQ(sight({69.0F, 0.0F, 1.0F}).at({69.0, 0.0, 1.0}).hit, 1);
+  EXPECT_EQ(sight({5.0F, 0.0F, 2.7F}).at({5.0, 0.0, 2.7}).hit, 1);
+  EXPECT_EQ(sight({3.0F, 0.0F, 2.9F}).at({3.0, 0.0, 2.9}).hit, 0) << "where nobody walks";
+}
+
 /// Within one moment a hit counts, however many beams went through.
 TEST(ThingSight, WhatWasHitIsNotSeenThroughInThatMoment) {
   const Eigen::Vector3f thing(3.0F, 0.0F, 1.0F), behind(7.0F, 0.0F, 1.0F);
