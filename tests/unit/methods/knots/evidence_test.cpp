@@ -54,6 +54,23 @@ TEST(Evidence, WhatLiesBehindTellsNothing) {
   EXPECT_DOUBLE_EQ(share, 1.0);
 }
 
+// Five scans are between two that are asked, and two are: who was let in and walks at the sensor's
+// side is seen against what was there half a second ago, but not for ever.
+TEST(Evidence, AViewIsHeldAgainstTwoOfWhichOneIsHalfASecondOld) {
+  const View far = inside({0, 0, 0}, {0, 0, 0}, 8.0), near = inside({0, 0, 0}, {0, 0, 0}, 3.0);
+  LastViews last;
+  last.add(far);
+  const auto add = [&](int times) {
+    for (int i = 0; i < times; ++i) last.add(near);
+    return last.contradiction(near);
+  };
+  EXPECT_GT(add(4), 0.9) << "held against the first alone";
+  EXPECT_NEAR(add(1), 0.33, 0.25) << "and against the fifth";
+  EXPECT_GT(last.contradiction(near), 0.1);
+  EXPECT_GT(add(4), 0.1) << "still against both";
+  EXPECT_EQ(add(1), 0.0) << "the first is forgotten";
+}
+
 TEST(Evidence, IsTheLogarithmOfTheRatioToTheUsual) {
   UsualSigns usual;
   const Signs calm{0.1, 0.2, 0.05, 2.0};

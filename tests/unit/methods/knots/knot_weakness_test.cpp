@@ -65,15 +65,49 @@ TEST(KnotWeakness, ATunnelHoldsNoPlaceAlongItAndItSaysSo) {
   }
 }
 
-TEST(KnotWeakness, OneWallOnALevelFloorHoldsNoPlaceAlongIt) {
+/// A floor and one wall, along x.
+Scene yard_with_a_wall() {
   Scene yard;
   yard.add(box_between({-400.0, -200.0, -1.0}, {400.0, 200.0, 0.0}));
   yard.add(box_between({-400.0, 3.0, 0.0}, {400.0, 4.0, 4.0}));
+  return yard;
+}
+
+TEST(KnotWeakness, OneWallOnALevelFloorHoldsNoPlaceAlongIt) {
   const Pose start{Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.5}};
   const MotionFunction motion =
       constant_velocity(start, (Twist() << 0.5, 0, 0, 0, 0, 0).finished());
   Odometry odometry;
-  expect_open_ahead(add_scans(odometry, take_scans(yard, motion, 30, scanner_of(0.2))), motion);
+  expect_open_ahead(
+      add_scans(odometry, take_scans(yard_with_a_wall(), motion, 30, scanner_of(0.2))), motion);
+}
+
+TEST(KnotWeakness, ADirectionThatIsNotHeldIsToldInTheWorldsAxes) {
+  const auto scans = take_scans(yard_with_a_wall(), standing(kFaultStart), 3, scanner_of(0.4));
+  for (const double yaw : {0.0, 0.5, 2.0}) {
+    Odometry odometry({}, 1, {so3_exp({0.0, 0.0, yaw}), {7.0, 8.0, 9.0}});
+    const Estimate last = add_scans(odometry, scans).back();
+    ASSERT_EQ(last.degenerate.size(), 1U) << last.message;
+    const Twist& open = last.degenerate[0].direction;
+    const Eigen::Vector3d along(std::cos(yaw), std::sin(yaw), 0.0);
+    EXPECT_GT(std::abs(open.head<3>().dot(along)), 0.99 * open.norm()) << open.transpose();
+  }
+}
+
+// What was never held may have moved since the map began, not since 1970.
+TEST(KnotWeakness, WhatIsNotHeldFromTheFirstScanOnDriftsFromThere) {
+  Scanner scanner = scanner_of(0.4);
+  const auto last = [&] {
+    Odometry odometry;
+    return add_scans(odometry, take_scans(yard_with_a_wall(), standing(kFaultStart), 3, scanner))
+        .back();
+  };
+  const Estimate from_zero = last();
+  scanner.epoch_ns = 1'700'000'000'000'000'000;
+  const Estimate today = last();
+  EXPECT_EQ(today.status, Status::degenerate);
+  EXPECT_NEAR(today.covariance(0, 0), from_zero.covariance(0, 0), 1e-9);
+  EXPECT_LT(std::sqrt(today.covariance(0, 0)), 1.0);
 }
 
 TEST(KnotWeakness, WhoSeesMoreAgainIsOkAgain) {

@@ -98,8 +98,61 @@ TEST(Reference, LeavesOutWhatTheOdometryCouldNotUse) {
   const BothAnswers both = both_of(scans);
   ASSERT_EQ(both.online[20].status, Status::rejected);
   EXPECT_EQ(both.reference[20].status, Status::rejected);
+  EXPECT_EQ(both.reference[20].T_world_lidar.translation,
+            both.reference[19].T_world_lidar.translation);
+  EXPECT_EQ(both.reference[20].twist, both.reference[19].twist);
   EXPECT_EQ(both.reference[21].status, both.online[21].status);
   EXPECT_TRUE(both.reference[21].trusted());
+}
+
+/// A hall twice as long and half as wide from scan `from` on.
+void see_another_hall(std::vector<Scan>& scans, std::size_t from) {
+  for (std::size_t i = from; i < scans.size(); ++i) {
+    for (Eigen::Vector3f& p : scans[i].points) {
+      p = Eigen::Vector3f(2.5F * p.x(), 0.4F * p.y(), p.z());
+    }
+  }
+}
+
+TEST(Reference, WhatWasLostIsCarriedAlongAndANewSegmentHasAMapOfItsOwn) {
+  constexpr std::size_t kElsewhere = 10;
+  std::vector<Scan> scans = trot_through_the_hall();
+  scans.resize(24);
+  see_another_hall(scans, kElsewhere);
+  Config config;
+  config.knots.search_scans = 4;
+  Reference reference(config);
+  std::vector<Estimate> online;
+  for (const Scan& scan : scans) online.push_back(reference.add_scan(scan));
+  ASSERT_EQ(online.back().segment, 1) << statuses(online);
+  ASSERT_FALSE(online[kElsewhere].trusted()) << statuses(online);
+  EXPECT_TRUE(reference.refine());
+
+  Odometry replay = reference.replay();
+  Odometry again(config);
+  std::vector<Estimate> answers;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const std::size_t before = replay.local_map().size();
+    answers.push_back(replay.add_scan(scans[i]));
+    (void)again.add_scan(scans[i]);
+    const Estimate &now = answers.back(), &then = online[i];
+    EXPECT_EQ(now.status, then.status) << i;
+    EXPECT_EQ(now.segment, then.segment) << i;
+    if (now.trusted() || i < kElsewhere) continue;
+    EXPECT_EQ(replay.local_map().size(), before) << "what is not trusted is not mapped";
+    EXPECT_TRUE(replay.emptied_cubes().centres.empty());
+    const Pose moved = answers[kElsewhere - 1].T_world_lidar *
+                       online[kElsewhere - 1].T_world_lidar.inverse() * then.T_world_lidar;
+    EXPECT_LT((now.T_world_lidar.translation - moved.translation).norm(), 1e-9) << i;
+    EXPECT_GT((now.T_world_lidar.translation - then.T_world_lidar.translation).norm(), 1e-6) << i;
+  }
+  // The first hall is not in the map of the second.
+  const auto width = [](const std::vector<Eigen::Vector3d>& points) {
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
+    return high->y() - low->y();
+  };
+  EXPECT_NEAR(width(replay.local_map()), width(again.local_map()), 0.5);
 }
 
 // Ten scans are refused, the rest is followed; the reference knows all that the odometry knew, and

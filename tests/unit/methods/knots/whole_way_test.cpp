@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,48 @@ PreparedScan scan_of_corners(Random& random, std::int64_t number) {
     scan.taus.push_back(static_cast<float>(i) / (kPoints - 1));
   }
   return scan;
+}
+
+/// The pose sways within the scan, as a trot does.
+Estimate swaying_from(const PreparedScan& scan, double x) {
+  std::vector<Pose> boundaries;
+  for (int k = 0; k <= 12; ++k) {
+    boundaries.push_back({from_roll_pitch_yaw({0.0, 0.02 * std::sin(0.5 * k), 0.0}),
+                          {x + 0.01 * k, 0.02 * std::sin(0.5 * k), 0.0}});
+  }
+  Estimate estimate;
+  estimate.trajectory = ScanTrajectory(boundaries, scan.start_ns, scan.end_ns);
+  return estimate;
+}
+
+double apart(const ScanTrajectory& a, const ScanTrajectory& b, double at) {
+  return (a.at(at).translation - b.at(at).translation).norm();
+}
+
+// What the sensor did in a gap nobody knows: a few knots across it would leave none for the scan.
+TEST(WholeWay, AScanAfterAGapMovesByItselfOneWithoutGoesOn) {
+  const Session session{Config{}, Workers(1)};
+  for (const double gap_s : {0.0, 2.0}) {
+    WholeWay way(session);
+    std::vector<Estimate> told;
+    for (int number = 0; number < 2; ++number) {
+      PreparedScan scan;
+      scan.start_ns = number * (100'000'000 + std::llround(1e9 * gap_s));
+      scan.end_ns = scan.start_ns + 100'000'000;
+      told.push_back(swaying_from(scan, 0.3 * number));
+      ASSERT_TRUE(way.add(std::move(scan), told.back()));
+    }
+    const ScanTrajectory second = way.trajectory(1);
+    for (const double at : {0.25, 0.5, 0.75, 1.0}) {
+      EXPECT_LT(apart(second, told[1].trajectory, at), 0.003) << gap_s << ' ' << at;
+    }
+    const double begins_apart = apart(second, told[1].trajectory, 0.0);
+    if (gap_s > 0.0) {
+      EXPECT_LT(begins_apart, 0.003);
+    } else {
+      EXPECT_NEAR(begins_apart, 0.3 - 0.12, 0.02) << "where the first one ended";
+    }
+  }
 }
 
 std::vector<Pose> middles_of(const WholeWay& way) {
