@@ -49,7 +49,7 @@ void SweepCutter::add(const Firings& packet, std::int64_t stamp_ns, std::int64_t
         firing.azimuth_deg - cut_deg_ + (firing.azimuth_deg < cut_deg_ ? 360.0 : 0.0);
     if (starts_sweep(firing, past_cut_deg, at_ns)) {
       current_.shares_packet = &firing != &packet.firings.front();
-      end();
+      finish();
       begin(at_ns, firing.frame);
     }
     last_past_cut_deg_ = past_cut_deg;
@@ -128,11 +128,6 @@ bool SweepCutter::is_whole(const Sweep& sweep) const {
 }
 
 void SweepCutter::finish() {
-  current_.shares_packet = false;
-  end();
-}
-
-void SweepCutter::end() {
   current_.whole = is_whole(current_);
   // A few firings that met nothing fill a recording's last packet; they are no scan.
   if (begun_ && (current_.whole || !current_.scan.points.empty())) {

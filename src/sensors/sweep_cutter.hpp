@@ -43,7 +43,6 @@ class SweepCutter {
 
  private:
   void begin(std::int64_t stamp_ns, std::uint32_t frame);
-  void end();
   [[nodiscard]] bool starts_sweep(const Firing& firing, double past_cut_deg,
                                   std::int64_t stamp_ns) const;
   [[nodiscard]] bool is_whole(const Sweep& sweep) const;

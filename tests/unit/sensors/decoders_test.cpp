@@ -107,9 +107,20 @@ TEST(Hesai, ACalibrationFileReplacesTheAngles) {
   }
   const Eigen::Vector3f at = decode(packet, layout.name, options).points.at(0).position;
   EXPECT_NEAR(std::asin(at.z() / at.norm()) / kDegree, 14.0, 1e-4);
-  options.calibration += "17,0,0\n";
+  const std::string good = options.calibration;
   std::string reason;
-  EXPECT_THROW((void)find_decoder(bytes_of(packet), "", options, reason), CalibrationError);
+  const auto expect_refused = [&](const std::string& calibration) {
+    options.calibration = calibration;
+    EXPECT_THROW((void)find_decoder(bytes_of(packet), "", options, reason), CalibrationError)
+        << calibration;
+  };
+  expect_refused(good + "17,0,0\n");
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  expect_refused(replaced("\n3,27,", "\n3,95,"));  // no elevation: no laser 3
+  expect_refused(replaced("\n3,27,", "\n5,27,"));
 }
 
 struct OusterCase {
@@ -167,6 +178,67 @@ TEST(Ouster, MetadataWithoutTheLidarsPlaceOnTheSensor) {
   ASSERT_EQ(assumed.points.size(), 1U);
   const Eigen::Vector3f higher = assumed.points[0].position - given.points[0].position;
   EXPECT_LT((higher - Eigen::Vector3f(0.0F, 0.0F, 0.00018F)).norm(), 2e-6F);
+}
+
+/// An OS1's metadata whose key this is the first that stands there instead.
+Eigen::Vector3d ouster_point(const std::string& key, const std::string& value) {
+  auto packet = test::ouster_packet(12, true, 700, 0, 5'000'000'000);
+  test::put(packet, test::ouster_pixel(12, true, 0, 7), std::uint16_t{10'000});  // 1 deg, +1 deg
+  DecoderOptions options;
+  options.metadata = test::ouster_json("LEGACY");
+  const std::string origin = "\"lidar_origin_to_beam_origin_mm\": 15.8";
+  options.metadata.replace(options.metadata.find(origin), origin.size(),
+                           '"' + key + "\": " + value);
+  return decode(packet, "OS-1-16", options).points.at(0).position.cast<double>();
+}
+
+/// In front of the lidar, which looks backwards and stands 36 mm up; [m] of the beams' origin.
+Eigen::Vector3d ouster_point_at(double along, double out, double up) {
+  const double flat = along * std::cos(kDegree);
+  return {-(flat * std::cos(-kDegree) + out), -flat * std::sin(-kDegree),
+          along * std::sin(kDegree) + up + 0.036};
+}
+
+// As the maker's SDK has it: a range counts from the lidar's origin, whose distance to the beams'
+// is taken off.
+TEST(Ouster, WhereItsBeamsBegin) {
+  const Eigen::Vector3d told = ouster_point("lidar_origin_to_beam_origin_mm", "27.67");
+  EXPECT_LT((told - ouster_point_at(10.0 - 0.02767, 0.02767, 0.0)).norm(), 2e-6);
+  const Eigen::Vector3d untold = ouster_point("nothing", "0");
+  EXPECT_LT((untold - ouster_point_at(10.0 - 0.012163, 0.012163, 0.0)).norm(), 2e-6);
+  const Eigen::Vector3d higher =
+      ouster_point("beam_to_lidar_transform", "[1, 0, 0, 15, 0, 1, 0, 0, 0, 0, 1, 20, 0, 0, 0, 1]");
+  EXPECT_LT((higher - ouster_point_at(10.0 - 0.025, 0.015, 0.020)).norm(), 2e-6);
+}
+
+TEST(Ouster, AColumnThatSaysThatItIsNoneIsLeftOut) {
+  const auto columns = [](bool legacy, std::size_t at, const std::string& bytes) {
+    auto packet = test::ouster_packet(12, legacy, 700, 0, 5'000'000'000);
+    test::put_bytes(packet, at, bytes);
+    DecoderOptions options;
+    options.metadata = test::ouster_json(legacy ? "LEGACY" : "RNG19_RFL8_SIG16_NIR16");
+    return decode(packet, "OS-1-16", options).firings.size();
+  };
+  const std::size_t third = test::ouster_pixel(12, true, 3, 0) - 16;
+  EXPECT_EQ(columns(true, third, test::little(5'003'000'000ULL)), 16U);
+  EXPECT_EQ(columns(true, third, test::little(4'999'999'999ULL)), 15U) << "before the first";
+  EXPECT_EQ(columns(true, third, test::little(5'300'000'000ULL)), 15U) << "long after it";
+  EXPECT_EQ(columns(true, third + 8, test::little(std::uint16_t{64})), 15U) << "no such column";
+  EXPECT_EQ(columns(true, third + 16 + 16 * 12, test::little(1U)), 15U) << "neither valid nor not";
+  const std::size_t status = test::ouster_pixel(12, false, 3, 0) - 2;
+  EXPECT_EQ(columns(false, status, test::little(std::uint16_t{0})), 15U);
+}
+
+// Four packets a turn, whose number has 16 bits; of a window nobody knows how many are sent.
+TEST(Ouster, PacketsAreNumberedWhereAllColumnsAreSent) {
+  const auto packet = test::ouster_packet(12, false, 700, 32, 5'000'000'000);
+  DecoderOptions options;
+  options.metadata = test::ouster_json("RNG19_RFL8_SIG16_NIR16");
+  const Firings all = decode(packet, "OS-1-16", options);
+  EXPECT_EQ(all.number, 700U * 4 + 2);
+  EXPECT_EQ(all.numbers, 65'536U * 4);
+  options.metadata.replace(options.metadata.find("[0, 63]"), 7, "[0, 47]");
+  EXPECT_EQ(decode(packet, "OS-1-16", options).numbers, 0U);
 }
 
 TEST(Ouster, TheStrongerOfTwoReturns) {

@@ -71,6 +71,31 @@ TEST(VelodyneCalibration, BeamsOfOneOriginHaveNoHeightsOfTheFileEither) {
   EXPECT_NEAR(point.z(), 9.5 * std::sin(0.2), 1e-5);
 }
 
+// Files of an HDL-64E have them; some leave out the flag.
+TEST(VelodyneCalibration, CorrectionsAtTwoPointsCountUnlessTheFileSaysNo) {
+  const std::string two = ", dist_correction: 0.5, dist_correction_x: 0.4, dist_correction_y: 0.3";
+  const auto with = [&](const std::string& flag) {
+    const DecoderOptions options = calibrated(sixteen_ids(), two + flag);
+    return decode(vlp16_packet(), "VLP-16", options).points.at(0).position;
+  };
+  const Eigen::Vector3f yes = with(", two_pt_correction_available: true");
+  EXPECT_EQ(with(""), yes);
+  EXPECT_NE(with(", two_pt_correction_available: false"), yes);
+}
+
+TEST(VelodyneCalibration, ADistanceUnitThatIsNoneOfVelodynesIsLeftOut) {
+  const auto range = [&](const std::string& unit) {
+    DecoderOptions options = calibrated(sixteen_ids(), "");
+    options.calibration += "distance_resolution: " + unit + "\n";
+    options.beam_origins = false;
+    return decode(vlp16_packet(), "VLP-16", options).points.at(0).position.norm();
+  };
+  EXPECT_NEAR(range("0.002"), 9.5, 1e-4);
+  EXPECT_NEAR(range("0.004"), 19.0, 1e-4);
+  EXPECT_NEAR(range("2.0"), 9.5, 1e-4);
+  EXPECT_NEAR(range("0.0"), 9.5, 1e-4);
+}
+
 TEST(VelodyneCalibration, EveryLaserIsNamedOnce) {
   std::string reason;
   const auto error_with = [&](std::size_t which, const std::string& id) {

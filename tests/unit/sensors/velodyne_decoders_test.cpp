@@ -208,6 +208,9 @@ TEST(Hdl64, ACalibrationFileAndTimesBeforeTheStamp) {
   EXPECT_NEAR(point.x(), flat * std::cos(azimuth) + 0.02 * std::sin(azimuth), 1e-5);
   EXPECT_NEAR(point.y(), -(flat * std::sin(azimuth) - 0.02 * std::cos(azimuth)), 1e-5);
   EXPECT_NEAR(point.z(), 10.0 * std::sin(0.2) + 0.1 * std::cos(0.2), 1e-5);
+  options.beam_origins = false;  // where its beams begin is what its file says
+  EXPECT_EQ(decode(packet, "HDL-64E-S3", options).points.at(0).position,
+            firings.points[0].position);
 }
 
 // VeloView: with two returns lasers are 7.2 us apart and the last one fires 3.5 us before the
