@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 
@@ -53,6 +54,21 @@ TEST(CommandQueue, WhoWaitsIsToldOfTheEnd) {
   EXPECT_FALSE(answer.done);
   EXPECT_EQ(answer.text, "the run has ended");
   EXPECT_EQ(queue.ask("reset").text, "the run has ended");
+}
+
+// Who asked was told so.
+TEST(CommandQueue, WhatWasNotDoneBeforeTheEndIsNotDoneAfterIt) {
+  CommandQueue queue;
+  std::thread other([&] { (void)queue.ask("reset"); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  queue.close();
+  other.join();
+  int done = 0;
+  queue.work([&](const std::string&) {
+    ++done;
+    return CommandAnswer{};
+  });
+  EXPECT_EQ(done, 0);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
+constexpr std::uint64_t kLost = 7;  // by every stream
+
 /// What a test knows of its stream while LiveRecording's thread reads it.
 struct Seen {
   std::atomic<int> allowed = 1'000;  ///< scans that may have come
@@ -44,8 +46,8 @@ class Scans final : public ScanStream {
     ++given_;
     LiveScan scan;
     scan.item.name = "scan " + std::to_string(given_);
-    if (given_ == unreadable_) {
-      scan.item.error = "it is not one";
+    if (given_ == unreadable_ || given_ == also_unreadable_) {
+      scan.item.error = given_ == unreadable_ ? "it is not one" : "nor is this";
     } else {
       scan.item.scan.emplace();
       scan.item.scan->stamp_ns = given_;
@@ -53,12 +55,17 @@ class Scans final : public ScanStream {
     scan.received = last_ = Clock::now();
     return scan;
   }
-  StreamState state() const override { return {static_cast<std::size_t>(given_), 0, {}, {}, ""}; }
+  StreamState state() const override {
+    return {static_cast<std::size_t>(given_), kLost, {}, {}, ""};
+  }
   std::optional<Clock::time_point> last() const override { return last_; }
   bool patient() const override { return patient_; }
   std::string nothing_text() const override { return count_ == 0 ? "nothing came" : ""; }
 
-  void make_unreadable(int which) { unreadable_ = which; }
+  void make_unreadable(int which, int also) {
+    unreadable_ = which;
+    also_unreadable_ = also;
+  }
   void fail_after(int scans) { fails_after_ = scans; }
 
  private:
@@ -66,7 +73,7 @@ class Scans final : public ScanStream {
   bool patient_;
   Seen* seen_;
   int given_ = 0;
-  int unreadable_ = 0;
+  int unreadable_ = 0, also_unreadable_ = 0;
   int fails_after_ = -1;
   Clock::time_point last_ = Clock::now();
 };
@@ -120,6 +127,45 @@ TEST(LiveRecording, ThatAScanWaitedIsLatency) {
   EXPECT_GE(recording.done(), 30.0);
 }
 
+TEST(LiveRecording, AScanIsDoneOnce) {
+  Seen seen;
+  LiveRecording recording(std::make_unique<Scans>(1, true, seen), {});
+  ASSERT_TRUE(recording.next());
+  (void)recording.done();
+  EXPECT_EQ(recording.done(), 0.0);
+  EXPECT_EQ(recording.figures().used, 1U);
+}
+
+TEST(LiveRecording, IsSilentSinceTheLastScan) {
+  Seen seen;
+  seen.allowed = 0;
+  LiveRecording recording(std::make_unique<Scans>(1, true, seen), {});
+  std::this_thread::sleep_for(milliseconds(30));
+  const Clock::time_point before = Clock::now();
+  seen.allowed = 1;
+  ASSERT_TRUE(recording.next());
+  const Clock::time_point after = Clock::now();
+  std::this_thread::sleep_for(milliseconds(30));
+  const double silent_s = recording.figures().silent_s;
+  const std::chrono::duration<double> most = Clock::now() - before;
+  EXPECT_LE(silent_s, most.count());
+  EXPECT_GE(silent_s, 0.03 - std::chrono::duration<double>(after - before).count());
+}
+
+// It ends after half a second of silence, not after half a millisecond.
+TEST(LiveRecording, EndsAfterSilence) {
+  Seen seen;
+  seen.allowed = 1;
+  LiveOptions options;
+  options.silence = 0.5;
+  LiveRecording recording(std::make_unique<Scans>(3, true, seen), options);
+  ASSERT_TRUE(recording.next());
+  std::this_thread::sleep_for(milliseconds(30));
+  seen.allowed = 2;
+  EXPECT_TRUE(recording.next());
+  EXPECT_FALSE(recording.next());
+}
+
 TEST(LiveRecording, TheFreshestWaitTheOthersAreDroppedAndCounted) {
   Seen seen;
   LiveOptions options;
@@ -129,6 +175,7 @@ TEST(LiveRecording, TheFreshestWaitTheOthersAreDroppedAndCounted) {
   EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{6, 7}));
   const LiveFigures figures = recording.figures();
   EXPECT_EQ(figures.received, 7U);
+  EXPECT_EQ(figures.lost, kLost);
   EXPECT_EQ(figures.used, 2U);
   EXPECT_EQ(figures.dropped, 5U);
   EXPECT_EQ(figures.latencies_ms.size(), 2U);
@@ -155,11 +202,11 @@ TEST(LiveRecording, WhatComesDuringAPauseIsCountedAndNotUsed) {
 
 TEST(LiveRecording, WhatIsUnreadableIsCountedAndSaid) {
   Seen seen;
-  auto scans = std::make_unique<Scans>(3, true, seen);
-  scans->make_unreadable(2);
+  auto scans = std::make_unique<Scans>(4, true, seen);
+  scans->make_unreadable(2, 3);
   LiveRecording recording(std::move(scans), {});
-  EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{1, 3}));
-  EXPECT_EQ(recording.figures().unreadable, 1U);
+  EXPECT_EQ(stamps_used(recording), (std::vector<std::int64_t>{1, 4}));
+  EXPECT_EQ(recording.figures().unreadable, 2U);
   EXPECT_EQ(recording.notes(), std::vector<std::string>{"left out: it is not one"});
 }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <deque>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "io/messages/point_cloud2_writer.hpp"
@@ -38,8 +40,14 @@ class Messages final : public TopicSource {
     const auto* const bytes = reinterpret_cast<const std::byte*>(messages_.front().data());
     arrival.bytes.assign(bytes, bytes + messages_.front().size());
     arrival.arrival_ns = kStart + kSecond / 10 * ++given_;
+    arrival.received = first_received() + std::chrono::milliseconds(given_);
     messages_.pop_front();
     return Received::something;
+  }
+  std::uint64_t lost() const override { return 5; }
+  /// A millisecond before the first message.
+  static std::chrono::steady_clock::time_point first_received() {
+    return std::chrono::steady_clock::time_point(std::chrono::hours(1));
   }
   const io::Topic& topic() const override { return topic_; }
   std::string name() const override { return "topic /points"; }
@@ -134,7 +142,31 @@ TEST(TopicStream, TimesThatComeLaterAreRead) {
   EXPECT_EQ(result.items.back().scan->times_ns, (std::vector<std::int32_t>{0, 100'000'000}));
 }
 
+// A run's latencies begin with it, and its silence.
+TEST(TopicStream, TellsWhenTheMessageCameAndWhatWasLost) {
+  const auto stream = topic_stream(std::make_unique<Messages>(clouds(4, true)), {}, {});
+  EXPECT_FALSE(stream->last().has_value());
+  for (int i = 1; i <= 4; ++i) {
+    const std::optional<LiveScan> scan = stream->next([] { return true; });
+    ASSERT_TRUE(scan.has_value());
+    const auto came = Messages::first_received() + std::chrono::milliseconds(i);
+    EXPECT_EQ(scan->received, came);
+    EXPECT_EQ(stream->last(), came);
+  }
+  EXPECT_EQ(stream->state().lost, 5U);
+}
+
 class TopicStreamRecord : public test::Scratch {};
+
+TEST_F(TopicStreamRecord, IsOfTheKindThatItsNameSays) {
+  for (const auto& [name, begin] :
+       {std::pair("heard.bag", "#ROSBAG V2.0"), {"heard.mcap", "MCAP"}}) {
+    (void)streamed(clouds(3, true), folder_ / name);
+    std::ifstream in(folder_ / name, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    EXPECT_LT(text.substr(0, 20).find(begin), 2U) << name;
+  }
+}
 
 TEST_F(TopicStreamRecord, GivesTheSame) {
   const std::filesystem::path file = folder_ / "heard.mcap";
