@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace surefoot::mapping {
 namespace {
 
@@ -33,6 +35,32 @@ TEST(GaussianGrid, KnowsTheSideThatAPlaneWasSeenFrom) {
 }
 
 /// A plane whose normal is hardly known tells its sides only where it is seen steeply.
+/// Of a difference from a cube's mean what counts: all across a pole, a tenth within a cloud.
+TEST(GaussianGrid, CountsWhatAPlaneAPoleAndACloudHold) {
+  std::vector<Eigen::Vector3f> plane, pole, cloud;
+  for (int i = 0; i < 5; ++i) {
+    const float x = 0.1F + 0.2F * static_cast<float>(i);
+    pole.emplace_back(x, 0.5F, 0.5F);
+    for (int j = 0; j < 5; ++j) {
+      const float y = 0.1F + 0.2F * static_cast<float>(j);
+      plane.emplace_back(x, y, 0.5F);
+      for (int k = 0; k < 5; ++k) cloud.emplace_back(x, y, 0.1F + 0.2F * static_cast<float>(k));
+    }
+  }
+  const auto off = [](const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& by) {
+    const std::vector<Eigen::Vector3f> eyes(points.size(), Eigen::Vector3f(0.0F, 0.0F, 5.0F));
+    const GaussianGrid grid(points, eyes, 1.0);
+    const Gaussian* const found = grid.inside({0.5, 0.5, 0.5});
+    return found == nullptr ? -1.0 : found->distance2(found->mean + by);
+  };
+  const Eigen::Vector3d along(0.3, 0.0, 0.0), aside(0.0, 0.3, 0.0), up(0.0, 0.0, 0.3);
+  EXPECT_NEAR(off(plane, up), 0.09, 1e-6);
+  EXPECT_NEAR(off(plane, along + aside), 0.0, 1e-6);
+  EXPECT_NEAR(off(pole, along), 0.0, 1e-6);
+  EXPECT_NEAR(off(pole, aside + up), 0.18, 1e-6);
+  for (const Eigen::Vector3d& by : {along, aside, up}) EXPECT_NEAR(off(cloud, by), 0.009, 1e-6);
+}
+
 TEST(GaussianGrid, ARoughPlaneTellsItsSidesLessWell) {
   std::vector<Eigen::Vector3f> points, above;
   for (int i = 0; i < 6; ++i) {
