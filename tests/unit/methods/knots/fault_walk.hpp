@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <random>
 #include <vector>
 
 #include "support/synthetic_run.hpp"
@@ -22,6 +23,21 @@ inline MotionFunction walk() {
 inline const std::vector<Scan>& walk_scans() {
   static const std::vector<Scan> scans = take_scans(furnished_hall(), walk(), kFaultScans);
   return scans;
+}
+
+/// The walk, somewhere else from scan kEvent on.
+inline MotionFunction carried(const Pose& by) {
+  const MotionFunction motion = walk();
+  const Pose before = motion(0.1 * kEvent);
+  return [=](double t) {
+    return t < 0.1 * kEvent ? motion(t) : before * by * before.inverse() * motion(t);
+  };
+}
+
+inline void make_garbage(Scan& scan) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> range(1.0F, 15.0F);
+  for (Eigen::Vector3f& point : scan.points) point *= range(random) / point.norm();
 }
 
 /// Nothing but a level floor.

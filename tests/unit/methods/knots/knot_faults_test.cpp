@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -20,21 +19,6 @@ namespace surefoot {
 namespace {
 
 using namespace test;  // NOLINT: the scenes and motions of the test support
-
-/// The walk, somewhere else from scan kEvent on.
-MotionFunction carried(const Pose& by) {
-  const MotionFunction motion = walk();
-  const Pose before = motion(0.1 * kEvent);
-  return [=](double t) {
-    return t < 0.1 * kEvent ? motion(t) : before * by * before.inverse() * motion(t);
-  };
-}
-
-void make_garbage(Scan& scan) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<float> range(1.0F, 15.0F);
-  for (Eigen::Vector3f& point : scan.points) point *= range(random) / point.norm();
-}
 
 /// Left and right changed: its beams turn the other way.
 void make_mirrored(Scan& scan) {
@@ -98,21 +82,6 @@ TEST(KnotFaults, WhoWalksOnUnseenIsFoundAtOnce) {
     EXPECT_EQ(all.back().segment, 0);
     EXPECT_LT(end_error(all, all.back(), motion), 0.15) << statuses(all);
   }
-}
-
-/// Carried back along the way and turned round, farther than any walker comes meanwhile: a place
-/// there fits at least e times as well, and is asked for.
-TEST(KnotFaults, CarriedFarBackItSeesThatItFitsThere) {
-  constexpr int kWalked = 40;
-  const MotionFunction motion =
-      constant_velocity(kFaultStart, (Twist() << 1.5, 0, 0, 0, 0, 0).finished());
-  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kWalked);
-  const MotionFunction away = standing({so3_exp({0.0, 0.0, 3.1}), {-4.5, 2.5, 0.45}});
-  scans.push_back(take_scans(furnished_hall(), away, 1, {}, kWalked)[0]);
-  Odometry odometry;
-  const Estimate last = add_scans(odometry, scans).back();
-  EXPECT_EQ(last.status, Status::lost);
-  EXPECT_GT(last.evidence.rival, 1.0);
 }
 
 const Eigen::Vector3d kMountsDeg[] = {{180, 0, 0}, {0, 25, 0}};  // roll pitch yaw
@@ -308,47 +277,6 @@ TEST(KnotFaults, AFrozenSensorIsLost) {
   }
   EXPECT_TRUE(all.back().trusted()) << statuses(all);
   EXPECT_LT(end_error(all, all.back(), walk()), 0.05);
-}
-
-/// The same scan once more tells nothing new: not that the search for its place is in vain.
-TEST(KnotFaults, AFrozenSensorBeginsNoSegment) {
-  Config config;
-  config.knots.search_scans = 5;
-  std::vector<Scan> scans = walk_scans();
-  constexpr std::size_t kThaws = kEvent + 15;
-  for (std::size_t i = kEvent; i < scans.size(); ++i) {
-    if (i > kEvent && i < kThaws) scans[i].points = scans[kEvent].points;
-    if (i > kEvent && i < kThaws) continue;
-    for (Eigen::Vector3f& p : scans[i].points) {
-      p = Eigen::Vector3f(2.5F * p.x(), 0.4F * p.y(), p.z());
-    }
-  }
-  Odometry odometry(config);
-  const auto all = add_scans(odometry, scans);
-  for (std::size_t i = kEvent; i < kThaws; ++i) {
-    EXPECT_FALSE(all[i].trusted()) << i;
-    EXPECT_EQ(all[i].segment, 0) << i;
-  }
-  EXPECT_EQ(all.back().segment, 1) << statuses(all);
-}
-
-/// A place is believed that so many scans in a row name.
-TEST(KnotFaults, AScanThatNamesNoPlaceIsBetweenThoseThatAgree) {
-  const MotionFunction motion = carried({Eigen::Quaterniond::Identity(), {2.0, 1.5, 0.0}});
-  std::vector<Scan> scans = take_scans(furnished_hall(), motion, kEvent + 8);
-  const auto found_at = [&] {
-    Odometry odometry;
-    const auto all = add_scans(odometry, scans);
-    const auto found = std::find_if(all.begin(), all.end(), [](const Estimate& estimate) {
-      return estimate.message == "found itself again";
-    });
-    return found - all.begin();
-  };
-  const auto usually = found_at();
-  ASSERT_LT(usually, kEvent + 5);
-  const auto garbage = static_cast<std::size_t>(usually) - 1;
-  make_garbage(scans[garbage]);
-  EXPECT_GE(found_at(), garbage + 3);
 }
 
 // The hall's mirror image is a hall as well, and times that run backwards bend a scan by little: it
