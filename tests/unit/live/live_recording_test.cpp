@@ -268,5 +268,14 @@ TEST_F(LiveRecordingLog, ResetsAreInTheOrderOfTheirStamps) {
   EXPECT_EQ(used_scans(file).reset_before, (std::vector<std::int64_t>{100, 500, 900}));
 }
 
+TEST_F(LiveRecordingLog, AResetIsBeforeOneScanAndALineThatIsBeingWrittenIsNone) {
+  const std::filesystem::path file = folder_ / "live.log";
+  std::ofstream(file) << "stamp_ns,scan,fate,latency_ms\n0,,reset,\n100,a,used,1.000\n"
+                         "200,b,dropped,\n300,c,used,1.000\n40";
+  const UsedScans scans = used_scans(file);
+  EXPECT_EQ(scans.used, (std::vector<std::int64_t>{100, 300}));
+  EXPECT_EQ(scans.reset_before, std::vector<std::int64_t>{100});
+}
+
 }  // namespace
 }  // namespace surefoot::live

@@ -77,5 +77,21 @@ TEST(MapBuilder, ScansAreToldFromEachOtherToTheNanosecond) {
   EXPECT_EQ(map.first_seen_ns(), (std::vector<std::int64_t>{kHour, kHour + 1}));
 }
 
+TEST(MapBuilder, IntensitiesStayWithTheirPoints) {
+  MapBuilder map(0.1);
+  for (int i = 0; i < 3; ++i) {
+    DeskewedScan scan;
+    scan.points = {{static_cast<float>(i) + 1.5F, 0.5F, 0.5F}};
+    scan.intensities = {10.0F * static_cast<float>(i)};
+    map.add(scan, Pose{}, {i * kSecond, 0});
+  }
+  const MapBuilder moved = map.corrected([](std::int64_t after_ns) {
+    return after_ns == kSecond ? std::nullopt : std::optional(MapBuilder::Correction{Pose{}, 0});
+  });
+  EXPECT_EQ(moved.intensities(), (std::vector<float>{0.0F, 20.0F}));
+  map.forget({1.0, {Eigen::Vector3d(2.5, 0.5, 0.5)}}, {3 * kSecond, 0});
+  EXPECT_EQ(map.without_forgotten().intensities(), (std::vector<float>{0.0F, 20.0F}));
+}
+
 }  // namespace
 }  // namespace surefoot::mapping

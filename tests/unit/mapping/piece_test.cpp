@@ -174,5 +174,18 @@ TEST(Piece, OfManyScansStillKnowsItsFirst) {
   EXPECT_EQ(sight.at(piece.T_world_piece.inverse() * Eigen::Vector3d(0.0, 3.0, 0.0)).hit, 1);
 }
 
+/// A robot that trots on the spot does not walk.
+TEST(Piece, TheBodysSwayIsNoWay) {
+  PieceBuilder builder{PieceOptions{}};
+  DeskewedScan points;
+  points.points = {{1.0F, 0.0F, 0.0F}};
+  for (int i = 0; i < 200; ++i) {
+    PlacedScan scan = scan_at(i % 2 == 0 ? 0.0 : 0.1, 0.001);
+    scan.stamp_ns = i * std::int64_t{100'000'000};
+    ASSERT_FALSE(builder.add(scan, points).has_value()) << i;
+  }
+  EXPECT_EQ(builder.unfinished()->length, 0.0);
+}
+
 }  // namespace
 }  // namespace surefoot::mapping
