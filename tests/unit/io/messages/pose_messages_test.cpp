@@ -96,8 +96,8 @@ TEST(PoseMessages, ATransformIsThatOfTheChildInItsParent) {
 PoseMessage read_back(const Eigen::Vector3d& position, const Eigen::Quaterniond& q) {
   MessageWriter message(Flavour::ros1);
   message.header(kStamp, "odom");
-  for (const double number : {position.x(), position.y(), position.z(), q.x(), q.y(), q.z(), q.w()})
-    message.number(number);
+  for (int axis = 0; axis < 3; ++axis) message.number(position[axis]);
+  message.number(q.x()).number(q.y()).number(q.z()).number(q.w());
   const std::string bytes = message.take();
   const Topic topic{"/pose", "geometry_msgs/PoseStamped", MessageEncoding::ros1};
   return read_pose({&topic, 0, test::bytes_of(bytes)});
