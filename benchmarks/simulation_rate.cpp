@@ -62,6 +62,12 @@ BENCHMARK_CAPTURE(time_scans, forest_footprint, "forest", true)
 BENCHMARK_CAPTURE(time_scans, forest, "forest", false)
     ->Name("scan/forest/one_ray")
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(time_scans, hilltop_footprint, "hilltop", true)
+    ->Name("scan/hilltop/footprint")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(time_scans, hilltop, "hilltop", false)
+    ->Name("scan/hilltop/one_ray")
+    ->Unit(benchmark::kMillisecond);
 
 /// The beams of one revolution from one place, laser by laser as the scanner casts them.
 std::vector<Ray> revolution(const Studio& studio) {
@@ -94,6 +100,7 @@ void time_ray_caster(benchmark::State& state, const std::string& scene) {
 }
 BENCHMARK_CAPTURE(time_ray_caster, campus, "campus")->Name("rays/campus/ray_caster");
 BENCHMARK_CAPTURE(time_ray_caster, forest, "forest")->Name("rays/forest/ray_caster");
+BENCHMARK_CAPTURE(time_ray_caster, hilltop, "hilltop")->Name("rays/hilltop/ray_caster");
 
 /// The same triangles given to Embree without anything of ours between.
 class BareEmbree {
@@ -169,9 +176,11 @@ void time_embree(benchmark::State& state, const std::string& scene) {
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(packets.size() * kPacket));
+  state.counters["triangles"] = static_cast<double>(studio.scene.mesh.triangles.size());
 }
 BENCHMARK_CAPTURE(time_embree, campus, "campus")->Name("rays/campus/embree");
 BENCHMARK_CAPTURE(time_embree, forest, "forest")->Name("rays/forest/embree");
+BENCHMARK_CAPTURE(time_embree, hilltop, "hilltop")->Name("rays/hilltop/embree");
 
 }  // namespace
 
