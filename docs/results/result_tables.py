@@ -103,9 +103,9 @@ def reliability_alike():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
-def home_again():
+def home_again(name, places):
     """What happened a row: of how many places, how soon, and the walks where some are missed."""
-    kept = Kept("home_again")
+    kept = Kept(name)
     lines = []
     for what in dict.fromkeys(row[0] for row in kept.rows[1:]):
         walks = [row for row in kept.rows[1:] if row[0] == what and row[1] != "all"]
@@ -114,7 +114,7 @@ def home_again():
                            if row[2] != row[3])
         lines.append([what, sums[0], f"{sums[1]} in {walks[0][4]} s", *sums[2:], missed])
     head = ["what happened", "places", "right", "right in 7 s", "wrong place called ok",
-            "late or never, of 9 on each walk"]
+            f"late or never, of {places} on each walk"]
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
@@ -751,10 +751,13 @@ TABLES = {
     "loops": loops,
     "detectors": detectors,
     "reference": reference,
-    "home-again": home_again,
+    "home-again": lambda: home_again("home_again", 9),
+    "home-again-others": lambda: home_again("home_again_others", 4),
     "reliability-alike": reliability_alike,
     "reliability-ok": lambda: f"{kept_sum('reliability', 'ok'):,}",
     "reliability-false": lambda: str(kept_sum("reliability", "false_ok")),
+    "others-ok": lambda: f"{kept_sum('reliability_others', 'ok'):,}",
+    "others-false": lambda: str(kept_sum("reliability_others", "false_ok")),
     "alike-ok": lambda: f"{kept_sum('reliability_alike', 'ok'):,}",
     "alike-false": lambda: str(kept_sum("reliability_alike", "false_ok")),
     "alike-carried-off":

@@ -62,7 +62,8 @@ double round_step(double at_least) {
 }
 
 Ticks nice_ticks(const Range& range, int count) {
-  const double step = round_step(range.width() / std::max(count, 1));
+  count = std::max(count, 1);
+  const double step = round_step(range.width() / count);
   Ticks ticks{step, {}};
   const double last = std::floor(range.high / step + 1e-9);
   for (double i = std::ceil(range.low / step - 1e-9); i <= last; i += 1.0) {
