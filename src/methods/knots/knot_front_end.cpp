@@ -37,6 +37,10 @@ void refuse_reversed(Estimate& estimate) {
       "the scan's beams turn the other way than before: it is mirrored, or its times run backwards";
 }
 
+bool is_levelled(const LevelReport& level) {
+  return level.from_ground || level.mode != LevelMode::ground;
+}
+
 }  // namespace
 
 KnotFrontEnd::KnotFrontEnd(const Session& session)
@@ -51,6 +55,7 @@ KnotFrontEnd::KnotFrontEnd(const KnotFrontEnd& lost, int segments) : KnotFrontEn
   search_ = lost.search_;
   segment_ = segments - 1;
   level_ = lost.level_;
+  is_levelled_ = lost.is_levelled_;
   map_choice_ = lost.map_choice_;
   last_print_ = lost.last_print_;
   sweep_direction_ = lost.sweep_direction_;
@@ -73,12 +78,17 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 
 /// Where a map begins. After a search in vain its tilt is anyone's guess, and it is made level
 /// again.
-Pose KnotFrontEnd::beginning_pose(const PreparedScan& scan) {
-  if (!track_.last_pose()) return level_pose(scan.points, config_.level, level_);
+Pose KnotFrontEnd::begin_level(const PreparedScan& scan) {
+  if (!track_.last_pose()) {
+    const Pose level = level_pose(scan.points, config_.level, level_);
+    is_levelled_ = is_levelled(level_);
+    return level;
+  }
   const Pose& predicted = track_.end().prior.means[1];
   if (!search_ || config_.level.mode == LevelMode::none) return predicted;
   LevelReport again;
   const Pose level = level_pose(scan.points, config_.level, again);
+  is_levelled_ = is_levelled(again);
   return {upright(predicted).rotation * upright(level).rotation.inverse() * level.rotation,
           predicted.translation};
 }
@@ -88,8 +98,8 @@ Estimate KnotFrontEnd::begin_map(const ScanPart& thinned) {
   const PreparedScan& scan = thinned.scan;
   session_.begin_step(Step::map);
   const bool anew = track_.last_pose().has_value();
-  const Pose T_map_lidar = beginning_pose(scan);
-  track_.begin(thinned, T_map_lidar);
+  const Pose T_map_lidar = begin_level(scan);
+  track_.begin(thinned, T_map_lidar, is_levelled_);
   judge_.begin(scan.mid_ns());
   beginning_.emplace(thinned);
   sweep_direction_.begin(sweep_axis(scan));

@@ -62,7 +62,7 @@ class KnotFrontEnd : public FrontEnd {
     bool left = false;             // it went on in another map
   };
 
-  [[nodiscard]] Pose beginning_pose(const PreparedScan& scan);
+  Pose begin_level(const PreparedScan& scan);
   Estimate begin_map(const ScanPart& thinned);
   Estimate follow(const ScanPart& thinned);
   Estimate accept(const PreparedScan& scan, double hazard_now, View view,
@@ -90,6 +90,7 @@ class KnotFrontEnd : public FrontEnd {
   bool in_vain_ = false;
   int segment_ = 0;  // how often the map began anew
   LevelReport level_;
+  bool is_levelled_ = false;  // the map's z axis is up: a ground was seen, or who runs it says so
   PointChoice map_choice_;
   std::uint64_t last_print_ = 0;  // of the last scan's points
   bool seen_again_ = false;       // this scan's are the same

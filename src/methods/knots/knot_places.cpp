@@ -36,11 +36,12 @@ std::vector<Eigen::Vector3d> some_of(const PreparedScan& scan,
 /// The places of a region that a scan fits best, coarsely: best first.
 std::vector<PlaceFit> places_in(const KnotTrack& track, const PreparedScan& scan,
                                 const std::vector<std::uint32_t>& chosen,
-                                const SearchRegion& region, std::size_t most) {
+                                const SearchRegion& region, std::size_t most,
+                                const SearchEffort& effort) {
   track.session().begin_step(Step::search);
   const Eigen::Quaterniond& mount = track.mount();
   auto places = search_places(track.map().surfels(), some_of(scan, chosen, mount), region,
-                              track.way(), most, track.session().workers);
+                              track.way(), most, effort, track.session().workers);
   for (PlaceFit& place : places) place.pose = lidar_on(place.pose, mount);
   return places;
 }
@@ -60,7 +61,7 @@ double rival_in(const KnotTrack& track, const SearchRegion& region, std::size_t 
                 const ScanPart& thinned, const RegisteredScan& registered) {
   const PreparedScan& scan = thinned.scan;
   const auto chosen = track.chosen_in_passing(thinned);
-  const auto places = places_in(track, scan, chosen, region, most);
+  const auto places = places_in(track, scan, chosen, region, most, kGlance);
   const Pose here = registered.trajectory.at(0.5);
   const Whereabouts about = track.whereabouts();
   if (places.empty() || same_place(places[0].pose, here)) return 0.0;
@@ -98,10 +99,10 @@ std::optional<RegisteredScan> find_place(KnotTrack& track, const ScanPart& thinn
                                          const SearchRegion& region, bool left) {
   const PreparedScan& scan = thinned.scan;
   const auto chosen = track.choose(thinned);
-  std::vector<PlaceFit> places = places_in(track, scan, chosen, region, kPlaces);
+  std::vector<PlaceFit> places = places_in(track, scan, chosen, region, kPlaces, kThorough);
   if (!left) {
     const SearchRegion straight_on = track.whereabouts().straight_on(scan.start_ns);
-    const auto ahead = places_in(track, scan, chosen, straight_on, 1);
+    const auto ahead = places_in(track, scan, chosen, straight_on, 1, kThorough);
     if (!ahead.empty()) places.push_back(ahead.front());
   }
   const KnotProblem problem = track.problem(track.end());
@@ -126,7 +127,7 @@ bool has_twin(const KnotTrack& track, const ScanPart& thinned, const RegisteredS
   if (!left && same_place(here, about.going_straight_on(scan.start_ns))) return false;
   const auto chosen = track.chosen_in_passing(thinned);
   const SearchRegion region = left ? about.anywhere_about(here.translation) : about.anywhere();
-  std::vector<PlaceFit> places = places_in(track, scan, chosen, region, kTwins);
+  std::vector<PlaceFit> places = places_in(track, scan, chosen, region, kTwins, kThorough);
   std::erase_if(places, [&](const PlaceFit& place) { return same_place(place.pose, here); });
   const KnotProblem problem = track.problem(found.begin);
   const PlaceTrials trials(scan, chosen, problem);

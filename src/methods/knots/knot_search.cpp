@@ -18,7 +18,6 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 // First as finely as walls at some ten metres allow, then so often twice as finely.
 constexpr double kStep = 1.0, kTurnStep = 12.0 * kDegree;  // [m], [rad]
 constexpr int kRefinements = 2;
-constexpr std::size_t kRefined = 8;  // of all places, the best ones
 
 /// A round weighs places by some of the points; the best go on to the next one, of more points.
 struct Round {
@@ -28,7 +27,11 @@ struct Round {
 };
 // The best place of a large region was always among these. docs/tried.md, "Lost and search".
 constexpr Round kRounds[] = {{27, 0.4, 1500}, {9, 0.12, 1500}, {3, 0.012, 600}, {1, 1.0, 0}};
-constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kRefined}, {2, 1.0, 0}};
+constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kGlance.refined}, {2, 1.0, 0}};
+
+// [rad] Ground is tilted otherwise beside the way, and who stands on stones is tilted by them.
+constexpr double kTilt = 12.0 * kDegree;
+constexpr std::size_t kTiltStride = 2;  // every so many-th point tells which way
 
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
@@ -110,6 +113,17 @@ std::vector<Eigen::Quaterniond> turns_of(int steps, double step) {
   return turns;
 }
 
+/// To every side, and between.
+std::vector<Eigen::Quaterniond> tilts_of(double angle) {
+  std::vector<Eigen::Quaterniond> tilts;
+  for (int roll = -1; roll <= 1; ++roll) {
+    for (int pitch = -1; pitch <= 1; ++pitch) {
+      if (roll != 0 || pitch != 0) tilts.push_back(so3_exp({angle * roll, angle * pitch, 0.0}));
+    }
+  }
+  return tilts;
+}
+
 Pose turned(const Pose& pose, const Eigen::Quaterniond& turn) {
   return {(pose.rotation * turn).normalized(), pose.translation};
 }
@@ -182,6 +196,24 @@ void weigh_in_rounds(std::span<const Round> rounds, const Map& map,
   for (PlaceFit& place : places) place.fit /= std::max(asked, 1.0);
 }
 
+/// Tilts every place that fits better tilted.
+template <typename Map>
+void tilt(const Map& map, const std::vector<Eigen::Vector3d>& points, const Grain& grain,
+          const Workers& workers, std::vector<PlaceFit>& places) {
+  const std::vector<Eigen::Quaterniond> tilts = tilts_of(kTilt);
+  workers.for_each(places.size(), [&](std::size_t i) {
+    const auto fit = [&](const Pose& pose) {
+      return PlaceFit{pose, fit_of(map, points, kTiltStride, 0, pose, grain.scale)};
+    };
+    PlaceFit best = fit(places[i].pose);
+    for (const Eigen::Quaterniond& tilt : tilts) {
+      const PlaceFit tilted = fit(turned(places[i].pose, tilt));
+      if (better(tilted, best)) best = tilted;
+    }
+    places[i] = best;
+  });
+}
+
 }  // namespace
 
 void SearchRegion::keep_to_storey(double climb) {
@@ -202,15 +234,17 @@ bool same_place(const Pose& a, const Pose& b) {
 std::vector<PlaceFit> search_places(const SurfelMap& map,
                                     const std::vector<Eigen::Vector3d>& points,
                                     const SearchRegion& region, const WalkedWay& way,
-                                    std::size_t most, const Workers& workers) {
+                                    std::size_t most, const SearchEffort& effort,
+                                    const Workers& workers) {
   Grain grain{kStep, kTurnStep, kScale};
   std::vector<PlaceFit> places = places_of(region, grain, way);
   if (places.empty() || points.empty()) return {};
   const SurfelLookup lookup(map, map.level_of(grain.step), box_of(places, points));
   weigh_in_rounds(kRounds, lookup, points, grain, workers, places);
+  if (effort.tilted) tilt(lookup, points, grain, workers, places);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
     const std::vector<PlaceFit> coarse =
-        best_apart(std::move(places), std::max(kRefined, most), better);
+        best_apart(std::move(places), std::max(effort.refined, most), better);
     grain = {0.5 * grain.step, 0.5 * grain.turn, 0.7 * grain.scale};
     places.clear();
     for (const PlaceFit& place : coarse) add_places_about(place.pose, grain, region, places);

@@ -71,11 +71,19 @@ template <typename Placed, typename Better>
   return best;
 }
 
+/// How thoroughly places are looked through.
+struct SearchEffort {
+  bool tilted;          ///< also as who is more tilted than the way
+  std::size_t refined;  ///< of the places of the first grid, the best ones
+};
+inline constexpr SearchEffort kGlance{false, 8}, kThorough{true, 48};
+
 /// The poses of a region, on the ground of a way, where some of a scan's points [m, carrier's
 /// frame], as one rigid body, fit best: best first, no two near each other, `most` at most.
 [[nodiscard]] std::vector<PlaceFit> search_places(const SurfelMap& map,
                                                   const std::vector<Eigen::Vector3d>& points,
                                                   const SearchRegion& region, const WalkedWay& way,
-                                                  std::size_t most, const Workers& workers);
+                                                  std::size_t most, const SearchEffort& effort,
+                                                  const Workers& workers);
 
 }  // namespace surefoot

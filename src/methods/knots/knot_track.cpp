@@ -59,7 +59,7 @@ void KnotTrack::take_over(const KnotTrack& lost) {
   errors_ = lost.errors_;
 }
 
-void KnotTrack::begin(const ScanPart& first, const Pose& T_map_lidar) {
+void KnotTrack::begin(const ScanPart& first, const Pose& T_map_lidar, bool is_levelled) {
   const PreparedScan& scan = first.scan;
   const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
   const double duration = seconds(scan.end_ns - scan.start_ns);
@@ -74,8 +74,7 @@ void KnotTrack::begin(const ScanPart& first, const Pose& T_map_lidar) {
   last_pose_ = StampedPose{trajectory.mid_ns(), T_map_lidar};
   last_end_ns_ = scan.end_ns;
   mount_ = mount_of(T_map_lidar);
-  way_.clear();
-  way_.add(carrier_of(T_map_lidar, mount_));
+  way_.begin(carrier_of(T_map_lidar, mount_), is_levelled);
 }
 
 void KnotTrack::accept(const RegisteredScan& registered, double right, View view) {

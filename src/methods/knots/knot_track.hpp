@@ -48,8 +48,8 @@ class KnotTrack {
   /// What one learnt who got lost in another map, as far as it is not of that map.
   void take_over(const KnotTrack& lost);
 
-  /// The map begins with a scan, at rest.
-  void begin(const ScanPart& first, const Pose& T_map_lidar);
+  /// The map begins with a scan, at rest. It is levelled if its z axis is known to be up.
+  void begin(const ScanPart& first, const Pose& T_map_lidar, bool is_levelled);
   /// Takes a registration for right: learns from it, and maps what the scan saw.
   /// @param right how probably it is
   void accept(const RegisteredScan& registered, double right, View view);

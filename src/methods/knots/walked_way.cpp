@@ -28,6 +28,13 @@ bool is_steep(const Eigen::Vector3d& way, double rise) {
 
 }  // namespace
 
+void WalkedWay::begin(const Pose& T_map_carrier, bool is_levelled) {
+  stands_.clear();
+  lately_.clear();
+  is_levelled_ = is_levelled;
+  add(T_map_carrier);
+}
+
 void WalkedWay::add(const Pose& T_map_carrier) {
   const Eigen::Vector3d up = T_map_carrier.rotation * Eigen::Vector3d::UnitZ();
   up_ = stands_.empty() ? up : Eigen::Vector3d(up_ + kRate * (up - up_));
@@ -44,11 +51,6 @@ void WalkedWay::remove_far(const Eigen::Vector3d& sensor, double reach) {
   std::erase_if(stands_, [&](const Stand& stand) {
     return (stand.position - sensor).squaredNorm() > reach * reach;
   });
-}
-
-void WalkedWay::clear() {
-  stands_.clear();
-  lately_.clear();
 }
 
 Pose WalkedWay::on_ground_of(const Stand& stand, const Eigen::Vector2d& place, double yaw) {
@@ -102,6 +104,7 @@ std::vector<Eigen::Vector3d> WalkedWay::places_apart(double distance) const {
 }
 
 double WalkedWay::climb_of_late() const {
+  if (!is_levelled_) return 0.0;
   const bool stairs = std::any_of(lately_.begin(), lately_.end(), [&](const auto& one) {
     return std::any_of(lately_.begin(), lately_.end(),
                        [&](const auto& other) { return is_steep(other - one, kFlight); });
@@ -112,6 +115,7 @@ double WalkedWay::climb_of_late() const {
 }
 
 bool WalkedWay::has_storeys(const Eigen::Vector3d& place, double within) const {
+  if (!is_levelled_) return false;
   std::vector<const Stand*> near;
   for (const Stand& stand : stands_) {
     if ((stand.position - place).head<2>().norm() <= within) near.push_back(&stand);

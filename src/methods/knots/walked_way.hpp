@@ -14,9 +14,11 @@ namespace surefoot {
 /// however the LiDAR is mounted, their z axis is up where the ground is level.
 class WalkedWay {
  public:
+  /// Begins anew. In a map that is not levelled, which is as tilted as the sensor was, a slope may
+  /// rise as stairs do: no way there is known to lead to another storey.
+  void begin(const Pose& T_map_carrier, bool is_levelled);
   void add(const Pose& T_map_carrier);
   void remove_far(const Eigen::Vector3d& sensor, double reach);
-  void clear();
 
   /// The poses at a place in the plane, turned by `yaw` about their own up, of a sensor that stands
   /// on the ground where it stood nearest to there: one, or one a storey where ways cross. It must
@@ -43,6 +45,7 @@ class WalkedWay {
   std::vector<Stand> stands_;                     // about one a metre
   std::vector<Eigen::Vector3d> lately_;           // likewise, also where it had been before
   Eigen::Vector3d up_ = Eigen::Vector3d::Zero();  // fading mean
+  bool is_levelled_ = true;
 };
 
 }  // namespace surefoot

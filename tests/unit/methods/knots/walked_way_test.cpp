@@ -53,8 +53,7 @@ TEST(WalkedWay, ForgetsWhatIsFar) {
   // Of what is left the last stands 4 m up the way; from there the plane goes on.
   EXPECT_NEAR(way.stand_at({4.0, 0.0, 1.5}, 0.0).translation.z(), 0.45 + 4.0 * std::tan(kSlope),
               0.1);
-  way.clear();
-  way.add({Eigen::Quaterniond::Identity(), {1.0, 2.0, 7.0}});
+  way.begin({Eigen::Quaterniond::Identity(), {1.0, 2.0, 7.0}}, true);
   EXPECT_EQ(way.stand_at({100.0, 50.0, 0.0}, 0.0).translation, Eigen::Vector3d(100.0, 50.0, 7.0));
 }
 
@@ -125,7 +124,7 @@ TEST(WalkedWay, TellsWhetherItClimbsOfLate) {
   EXPECT_EQ(way.climb_of_late(), 0.0) << "a landing is behind it";
   go(12.0, 0.0);
   EXPECT_LT(way.climb_of_late(), -1.5);
-  way.clear();
+  way.begin({}, true);
   EXPECT_EQ(way.climb_of_late(), 0.0);
   EXPECT_EQ(way_up_the_slope().climb_of_late(), 0.0) << "no flight";
 }
@@ -134,6 +133,26 @@ TEST(WalkedWay, ASlopeHasNoStoreys) {
   const WalkedWay way = way_up_the_slope();
   EXPECT_EQ(way.stands_at({12.4, 3.0}, 0.0).size(), 1U);
   EXPECT_FALSE(way.has_storeys({10.0, 0.0, 3.5}, 20.0));
+}
+
+/// A slope that is walked, in a map that is tilted by 22 degrees: there it is as steep as stairs.
+WalkedWay way_in_a_tilted_map(bool is_levelled) {
+  const Eigen::Quaterniond tilt = so3_exp({0.0, -0.38, 0.0});
+  WalkedWay way;
+  way.begin({}, is_levelled);
+  for (int scan = 0; scan < 200; ++scan) {
+    const Pose pose = on_slope(0.1 * scan, scan);
+    way.add({tilt * pose.rotation, tilt * pose.translation});
+  }
+  return way;
+}
+
+TEST(WalkedWay, ASlopeIsNoStairsInAMapThatIsNotLevelled) {
+  const WalkedWay levelled = way_in_a_tilted_map(true), tilted = way_in_a_tilted_map(false);
+  EXPECT_TRUE(levelled.has_storeys({10.0, 0.0, 3.5}, 20.0));
+  EXPECT_GT(levelled.climb_of_late(), 1.0);
+  EXPECT_FALSE(tilted.has_storeys({10.0, 0.0, 3.5}, 20.0));
+  EXPECT_EQ(tilted.climb_of_late(), 0.0);
 }
 
 }  // namespace
