@@ -80,7 +80,7 @@ Estimate KnotFrontEnd::add(const PreparedScan& scan) {
 /// again.
 Pose KnotFrontEnd::begin_level(const PreparedScan& scan) {
   if (!track_.last_pose()) {
-    const Pose level = level_pose(scan.points, config_.level, level_);
+    Pose level = level_pose(scan.points, config_.level, level_);
     is_levelled_ = is_levelled(level_);
     return level;
   }

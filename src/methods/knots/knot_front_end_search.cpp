@@ -13,10 +13,9 @@ namespace surefoot {
 
 namespace {
 
-// So much more doubt is allowed straight after the scan that went wrong, and to the second and third
-// scan of a place: where the robot would be had that one not come, or is if it was found, are
-// likelier places than those that are looked for.
-constexpr double kLikelier = 2.0;
+// So much more doubt is allowed straight after the scan that went wrong: where the robot would be
+// had that one not come is a likelier place than one that was looked for.
+constexpr double kStraightOn = 2.0;
 
 // A scan fewer of whose beams can tell of a place than this share believes none: a covered sensor
 // sees nothing that speaks against any.
@@ -51,12 +50,13 @@ Estimate KnotFrontEnd::search(const ScanPart& thinned) {
   bool right = false;
   if (best && best->estimate.trusted() && can_be_placed()) {
     View view = track_.look(thinned, best->trajectory);
+    if (!confirms) search_->rival = best->estimate.evidence.rival;
     judge_.weigh(track_, scan, view, seen_again_, *best);
+    best->estimate.evidence.rival = search_->rival;
     if (!confirms) best->estimate.evidence.motion = 0.0;
     const double hazard_now = best->estimate.wrong_probability =
         hazard_where_lost(search_->far, *best);
-    right = !is_doubtful(confirms ? hazard_now / kLikelier : hazard_now) &&
-            view.beams.telling() > kBlind;
+    right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     const bool agreed = right && search_->agreed + 1 >= kAgree;
     right = right && !(agreed && has_twin(track_, thinned, *best, search_->left));
     if (right && agreed) {
@@ -82,7 +82,7 @@ std::optional<Estimate> KnotFrontEnd::go_on(const ScanPart& thinned) {
   View view = track_.look(thinned, next.trajectory);
   judge_.weigh(track_, scan, view, seen_again_, next);
   const double hazard_now = hazard_where_lost(false, next);
-  if (is_doubtful(hazard_now / kLikelier)) return std::nullopt;
+  if (is_doubtful(hazard_now / kStraightOn)) return std::nullopt;
   end_search();
   next.estimate.wrong_probability = judge_.wrong_probability_with(hazard_now);
   return accept(scan, hazard_now, std::move(view), std::move(next));

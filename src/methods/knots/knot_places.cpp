@@ -115,8 +115,13 @@ std::optional<RegisteredScan> find_place(KnotTrack& track, const ScanPart& thinn
       trials.size() > 1 && trials[1].disagreement < kClearlyBetter * best.disagreement;
   if (alike) return std::nullopt;
   auto found = track.register_from(best.begin, best.predicted, best.window, scan, chosen);
-  const bool as_high = found && region.is_as_high(found->trajectory.at(0.5).translation);
-  return as_high ? std::move(found) : std::nullopt;
+  if (!found || !region.is_as_high(found->trajectory.at(0.5).translation)) return std::nullopt;
+  // [K33] of the best place against the second best.
+  if (trials.size() > 1) {
+    found->estimate.evidence.rival =
+        -strength(trials[1].disagreement / std::max(best.disagreement, 1e-3));
+  }
+  return found;
 }
 
 bool has_twin(const KnotTrack& track, const ScanPart& thinned, const RegisteredScan& found,

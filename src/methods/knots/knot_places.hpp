@@ -19,7 +19,8 @@ namespace surefoot {
 [[nodiscard]] double rival_anywhere(const KnotTrack& track, const ScanPart& thinned,
                                     const RegisteredScan& registered);
 
-/// A scan at the place of a region that fits best, if there is one that fits clearly best.
+/// A scan at the place of a region that fits best, if there is one that fits clearly best. Its
+/// evidence tells of its rival by how far that stays behind: below zero.
 /// @param left whether it went on in another map since, and may be anywhere
 [[nodiscard]] std::optional<RegisteredScan> find_place(KnotTrack& track, const ScanPart& thinned,
                                                        const SearchRegion& region, bool left);
