@@ -71,5 +71,18 @@ TEST(KnotFrontEndSearch, AScanThatNamesNoPlaceIsBetweenThoseThatAgree) {
   EXPECT_GE(found_at(), garbage + 3);
 }
 
+/// In a hall no other place fits nearly as well as the true one: that speaks for it.
+TEST(KnotFrontEndSearch, ThatNoOtherPlaceFitsSpeaksForOne) {
+  const MotionFunction motion = carried({so3_exp({0.0, 0.0, 1.0}), {-1.5, 1.0, 0.0}});
+  Odometry odometry;
+  const auto all = add_scans(odometry, take_scans(furnished_hall(), motion, kEvent + 15));
+  const auto found = std::find_if(all.begin(), all.end(), [](const Estimate& estimate) {
+    return estimate.message == "found itself again";
+  });
+  ASSERT_NE(found, all.end()) << statuses(all);
+  EXPECT_LT(found->evidence.rival, -0.5);
+  EXPECT_GE((found + 1)->evidence.rival, 0.0) << "it is not lost any more";
+}
+
 }  // namespace
 }  // namespace surefoot
