@@ -7,9 +7,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "mapping/map_on_disk.hpp"
 #include "mapping/submap.hpp"
@@ -123,6 +126,53 @@ TEST(MapFile, WhatIsCutShortOrChangedIsRefused) {
   std::string newer = bytes;
   newer[13] = 9;
   EXPECT_NE(refusal(newer).find("version 9"), std::string::npos);
+}
+
+/// Whole files, with the checksum of what stands in them.
+TEST(MapFile, WhatCannotBeAMapIsRefusedThoughItsChecksumFits) {
+  const auto expect_refused = [](const std::string& bytes, const std::string& why) {
+    EXPECT_NE(refusal(bytes).find(why), std::string::npos) << why << ": " << refusal(bytes);
+  };
+  const auto with = [](const std::function<void(SavedMap&)>& change) {
+    SavedMap map = small_map();
+    change(map);
+    return format_map(map);
+  };
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::size_t kHead = 25;
+  const std::string content = format_map(small_map()).substr(kHead);
+  expect_refused(sealed(std::string(4, '\x7f') + content.substr(4)), "more than it has bytes for");
+  expect_refused(sealed(content.substr(0, 3)), "cut short");
+  EXPECT_EQ(refusal(format_map(small_map()).substr(0, kHead - 1)), "cut short");
+  expect_refused(sealed(content + "x"), "more bytes than its content");
+  expect_refused(with([](SavedMap& map) { map.pieces[1].way = kNaN; }), "not finite");
+  expect_refused(with([](SavedMap& map) { map.edges[0].information(5, 5) = kNaN; }), "not finite");
+  expect_refused(with([](SavedMap& map) { map.pieces[0].T_world_piece.translation.z() = -1e9; }),
+                 "100,000 km");
+  expect_refused(with([](SavedMap& map) { map.edges[0].T_from_to.rotation.w() = 1.001; }),
+                 "unit length");
+  expect_refused(with([](SavedMap& map) { map.edges[0].from = 3; }), "piece that is not there");
+  expect_refused(with([](SavedMap& map) { map.edges[0].to = 3; }), "piece that is not there");
+  expect_refused(with([](SavedMap& map) {
+                   map.pieces[2].stored = std::make_shared<const StoredCloud>(std::string(8, '~'));
+                 }),
+                 "holds more points than");
+}
+
+/// One point and one place that it can have been seen from.
+TEST(MapFile, APointOfVersion1ThatWasSeenFromNowhereIsRefused) {
+  SavedMap map;
+  map.pieces.resize(1);
+  map.places.resize(1);
+  constexpr std::size_t kHead = 25, kUpToItsCloud = 4 + 433;
+  const auto with_point_seen_from = [&](char eye) {
+    std::string content = format_map(map).substr(kHead, kUpToItsCloud);
+    content += std::string("\1\0\0\0", 4) + std::string(6, '\0');
+    content += std::string("\1\0\0\0", 4) + std::string(6, '\0') + eye + '\0';
+    return refusal(sealed(content, 1));
+  };
+  EXPECT_NE(with_point_seen_from('\1').find("seen from nowhere"), std::string::npos);
+  EXPECT_EQ(with_point_seen_from('\0'), "cut short") << "its place follows";
 }
 
 /// Made by the program at commit b4f0ad4: ground that falls to the side, and a wall.
