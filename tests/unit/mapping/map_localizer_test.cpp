@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mapping/finished_walk.hpp"
@@ -84,6 +86,76 @@ TEST(MapLocalizer, ACorridorMovesNobodyAlongIt) {
     if (!at_corridor) at_corridor = found;
     EXPECT_EQ(found->translation, at_corridor->translation);
     EXPECT_LT((*found * T_world_scene).translation.norm(), 0.01);
+  }
+}
+
+/// A localizer that has found its place in the room, at x.
+void find_room(MapLocalizer& localizer, const std::vector<Eigen::Vector3f>& scene, float to) {
+  for (float x = kFrom; x <= to; x += kStep) localizer.add(placed(x, Pose{}), seen_from(scene, x));
+  ASSERT_TRUE(localizer.T_map_world()) << localizer.message();
+}
+
+/// The odometry goes down the corridor, and what is seen is the room.
+TEST(MapLocalizer, IsLostWhereTheMapWasNotConfirmedForSomeMetres) {
+  const std::vector<Eigen::Vector3f> scene = room_and_corridor();
+  const SavedMap map = map_of(scene);
+  for (const double lost_after : {4.0, 20.0}) {
+    LocalizerOptions options;
+    options.lost_after = lost_after;
+    MapLocalizer localizer(map, options);
+    constexpr float kFound = 8.0F;
+    find_room(localizer, scene, kFound);
+    float x = kFound;
+    while (localizer.T_map_world() && x < 60.0F) {
+      localizer.add(placed(x += kStep, Pose{}), seen_from(scene, -12.0F));
+    }
+    EXPECT_FALSE(localizer.T_map_world());
+    const double last_confirmed = kFound - options.check_every;
+    EXPECT_GT(x, last_confirmed + lost_after);
+    EXPECT_LT(x, kFound + lost_after + options.check_again + 2.0 * kStep);
+  }
+}
+
+TEST(MapLocalizer, ScansThatTheOdometryIsNotSureOfTellNoPlace) {
+  const std::vector<Eigen::Vector3f> scene = room_and_corridor();
+  MapLocalizer localizer(map_of(scene), {});
+  for (float x = kFrom; x < -4.0F; x += kStep) {
+    PlacedScan scan = placed(x, Pose{});
+    scan.covariance = Matrix6::Identity();
+    localizer.add(scan, seen_from(scene, x));
+    ASSERT_FALSE(localizer.T_map_world());
+  }
+  EXPECT_EQ(localizer.message(), "not found yet: the odometry is not sure of its way");
+}
+
+/// The room, but for what stands in its middle.
+std::vector<Eigen::Vector3f> without_things(std::vector<Eigen::Vector3f> scene) {
+  std::erase_if(scene, [](const Eigen::Vector3f& point) {
+    return point.x() > -19.0F && point.x() < -1.0F && std::abs(point.y()) < 7.5F &&
+           point.z() > -0.3F;
+  });
+  return scene;
+}
+
+/// A pose at which walls were missing is not believed, until it is one in another world.
+TEST(MapLocalizer, WhereTheOdometryBeganAnewNothingSpeaksAgainstAPlaceAnyMore) {
+  const std::vector<Eigen::Vector3f> scene = room_and_corridor();
+  const std::vector<Eigen::Vector3f> bare = without_things(scene);
+  const SavedMap map = map_of(scene);
+  constexpr float kHere = -6.0F;
+  LocalizerOptions options;
+  options.agreement.missing_way = 1e3;
+  options.agreement.missing = 0.04;
+  for (const bool anew : {false, true}) {
+    MapLocalizer localizer(map, options);
+    for (int i = 0; i < 15; ++i) localizer.add(placed(kHere, Pose{}), seen_from(bare, kHere));
+    ASSERT_FALSE(localizer.T_map_world());
+    for (float x = kHere; x < 20.0F && !localizer.T_map_world(); x += kStep) {
+      PlacedScan scan = placed(x, Pose{});
+      scan.restarted = anew && x == kHere;
+      localizer.add(scan, seen_from(scene, x));
+    }
+    EXPECT_EQ(localizer.T_map_world().has_value(), anew) << localizer.message();
   }
 }
 
