@@ -140,6 +140,28 @@ TEST(LoopFinder, OfTwoPlacesThatFitNeitherIsTaken) {
   for (const Loop& loop : loops) EXPECT_EQ(loop.check.verdict, LoopVerdict::ambiguous);
 }
 
+/// From where the odometry has it nothing is found; where it only looks the same it is not asked.
+TEST(LoopFinder, WhereTheOdometryRulesAPlaceOutItIsNotTriedThere) {
+  const Piece here = room(0.5F, false);
+  const auto first_asked = [&](double aside, double turned, const LoopOptions& options) {
+    Piece again = at(here, {aside, 0.0, 0.0}, kLongWay);
+    again.T_world_piece.rotation = so3_exp({0.0, 0.0, turned});
+    const std::vector<Loop> loops = loops_of({at(here, {0.0, 0.0, 0.0}, 0.0), again}, options);
+    EXPECT_EQ(loops.size(), 1U);
+    return loops.empty() ? Pose{} : loops[0].check.alignment.T_target_source;
+  };
+  const auto is_tried_there = [&](double aside, double turned, const LoopOptions& options) {
+    const Pose found = first_asked(aside, turned, options);
+    return found.translation.norm() < 0.1 &&
+           found.rotation.angularDistance(Eigen::Quaterniond::Identity()) < 0.02;
+  };
+  EXPECT_TRUE(is_tried_there(4.0, 0.0, sure()));
+  EXPECT_FALSE(is_tried_there(8.0, 0.0, sure()));
+  EXPECT_TRUE(is_tried_there(0.0, 0.3, sure()));
+  EXPECT_FALSE(is_tried_there(0.0, 1.5, sure()));
+  EXPECT_TRUE(is_tried_there(8.0, 0.8, {})) << "an odometry that may have gone so far astray";
+}
+
 TEST(LoopFinder, AsksNoPlaceThatCannotBeOneOfWhichNothingIsKnownOrThatWasJustLeft) {
   const Piece here = room(0.5F, false);
   const auto asked = [&](const Eigen::Vector3d& place, double way, bool restarted) {
