@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -107,6 +108,117 @@ TEST(WholeWay, WhatCannotBeRefinedStaysWhereItWas) {
     }
   }
   EXPECT_GT(refused, 0);
+}
+
+constexpr std::int64_t kLasting = 100'000'000;  // [ns]
+constexpr int kWallPoints = 6000;
+
+/// What a sensor that goes along x at a steady speed sees of a tunnel, or of a room of 6 m, so far
+/// beside the walls as the noise has it [m].
+PreparedScan walls_around(Random& random, std::int64_t start_ns, std::int64_t lasts_ns,
+                          double speed, double noise, bool room) {
+  PreparedScan scan;
+  scan.start_ns = start_ns;
+  scan.end_ns = start_ns + lasts_ns;
+  for (int i = 0; i < kWallPoints; ++i) {
+    const double tau = static_cast<double>(i) / (kWallPoints - 1);
+    const double x =
+        1e-9 * speed * (static_cast<double>(start_ns) + tau * static_cast<double>(lasts_ns));
+    const double u = random.uniform(-3.0, 3.0), v = random.uniform(-3.0, 3.0);
+    const double d = (i % 2 == 0 ? 3.0 : -3.0) + random.normal(noise);
+    const Eigen::Vector3d of_room[3] = {{d, u, v}, {u, d, v}, {u, v, d}};
+    Eigen::Vector3d point = of_room[room ? i % 3 : 1 + i / 2 % 2];
+    if (!room) point.x() = 3.0 * u;
+    if (room) point.x() -= x;
+    scan.points.push_back(point.cast<float>());
+    scan.taus.push_back(static_cast<float>(tau));
+  }
+  return scan;
+}
+
+Estimate going_along_x(const PreparedScan& scan, double speed, double beside = 0.0) {
+  const auto at = [&](std::int64_t time_ns) {
+    return Pose{Eigen::Quaterniond::Identity(),
+                {1e-9 * speed * static_cast<double>(time_ns), beside, 0.0}};
+  };
+  Estimate estimate;
+  estimate.trajectory =
+      ScanTrajectory({at(scan.start_ns), at(scan.end_ns)}, scan.start_ns, scan.end_ns);
+  return estimate;
+}
+
+/// Of a third of the points each axis is told, by as many independent distances from a wall.
+TEST(WholeWay, AMiddleIsKnownAboutAsWellAsItsPointsTell) {
+  constexpr double kNoise = 0.03;
+  const Session session{Config{}, Workers(1)};
+  Random random(5);
+  WholeWay way(session);
+  for (int number = 0; number < 2; ++number) {
+    PreparedScan scan = walls_around(random, number * kLasting, kLasting, 0.0, kNoise, true);
+    const Estimate estimate = going_along_x(scan, 0.0);
+    ASSERT_TRUE(way.add(std::move(scan), estimate));
+  }
+  ASSERT_TRUE(way.refine());
+  for (int axis = 0; axis < 3; ++axis) {
+    const double told = kNoise * kNoise / (kWallPoints / 3.0);
+    EXPECT_GT(way.covariance(0)(axis, axis), told);
+    EXPECT_LT(way.covariance(0)(axis, axis), 1.7 * told);
+  }
+}
+
+/// No wall tells how far along it the sensor is, but that it goes steadily shows in what was
+/// walked.
+TEST(WholeWay, ASteadyWalkThroughATunnelStaysOne) {
+  const Session session{Config{}, Workers(1)};
+  Random random(6);
+  WholeWay way(session);
+  std::int64_t start_ns = 0;
+  std::vector<Estimate> told;
+  for (int number = 0; number < 10; ++number) {
+    const std::int64_t lasts_ns = number % 2 == 0 ? kLasting / 2 : 2 * kLasting;
+    PreparedScan scan = walls_around(random, start_ns, lasts_ns, 1.0, 0.01, false);
+    told.push_back(going_along_x(scan, 1.0));
+    ASSERT_TRUE(way.add(std::move(scan), told.back()));
+    start_ns += lasts_ns;
+  }
+  for (int pass = 0; pass < 3; ++pass) ASSERT_TRUE(way.refine());
+  for (std::size_t s = 0; s < told.size(); ++s) {
+    for (const double at : {0.0, 0.5, 1.0}) {
+      EXPECT_LT(apart(way.trajectory(s), told[s].trajectory, at), 0.1) << s << ' ' << at;
+    }
+  }
+}
+
+/// Every other scan begins 0.1 m beside the rest: the second map is a sharp one.
+TEST(WholeWay, IsMappedAnewWhereItLiesNow) {
+  const Session session{Config{}, Workers(1)};
+  Random random(7);
+  WholeWay way(session);
+  for (int number = 0; number < 6; ++number) {
+    PreparedScan scan = walls_around(random, number * kLasting, kLasting, 0.0, 0.005, true);
+    const Estimate estimate = going_along_x(scan, 0.0, number % 2 == 0 ? 0.0 : 0.1);
+    ASSERT_TRUE(way.add(std::move(scan), estimate));
+  }
+  for (int pass = 0; pass < 2; ++pass) ASSERT_TRUE(way.refine());
+  for (std::size_t s = 1; s < way.size(); ++s) {
+    EXPECT_LT(apart(way.trajectory(s), way.trajectory(0), 0.5), 0.004) << s;
+  }
+}
+
+TEST(WholeWay, AScanThatEndsWithTheOneBeforeIsNotOfTheChain) {
+  const Session session{Config{}, Workers(1)};
+  Random random(8);
+  WholeWay way(session);
+  const auto add = [&](std::int64_t start_ns, std::int64_t lasts_ns) {
+    PreparedScan scan = walls_around(random, start_ns, lasts_ns, 0.0, 0.01, true);
+    const Estimate estimate = going_along_x(scan, 0.0);
+    return way.add(std::move(scan), estimate);
+  };
+  EXPECT_TRUE(add(0, kLasting));
+  EXPECT_FALSE(add(0, kLasting));
+  EXPECT_FALSE(add(kLasting / 100, kLasting)) << "less than a segment more";
+  EXPECT_TRUE(add(kLasting, kLasting));
+  EXPECT_EQ(way.size(), 2U);
 }
 
 }  // namespace
