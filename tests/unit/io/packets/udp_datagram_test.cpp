@@ -119,5 +119,78 @@ TEST(Udp, FragmentsBeyondADatagramAreRefused) {
   }
 }
 
+FrameContent kind_in(LinkLayer link, const std::string& frame) {
+  return find_udp(link, bytes_of(frame)).content;
+}
+
+TEST(Udp, ProvidersTagsArePassedOver) {
+  const std::string ip = test::ip_packet("payload", 2368);
+  const std::string addresses(12, '\x02'), type("\x08\x00", 2);
+  for (const char* tag : {"\x88\xa8\x01\x05", "\x91\x00\x01\x05", "\x81\x00\x01\x05"}) {
+    const std::string tagged = addresses + std::string(tag, 4) + type + ip;
+    EXPECT_EQ(kind_in(LinkLayer::ethernet, tagged), FrameContent::udp);
+  }
+  EXPECT_EQ(kind_in(LinkLayer::ethernet, addresses + std::string("\x86\xdd", 2) + ip),
+            FrameContent::other);
+}
+
+TEST(Udp, WhatIsNoIpv4IsOther) {
+  const std::string ip = test::ip_packet("payload", 2368);
+  const std::string ipv6("\x86\xdd", 2);
+  EXPECT_EQ(kind_in(LinkLayer::linux_cooked, std::string(14, '\0') + ipv6 + ip),
+            FrameContent::other);
+  EXPECT_EQ(kind_in(LinkLayer::linux_cooked2, ipv6 + std::string(18, '\0') + ip),
+            FrameContent::other);
+  EXPECT_EQ(kind_in(LinkLayer::loopback, std::string("\x18\0\0\0", 4) + ip), FrameContent::other);
+  EXPECT_EQ(kind_in(LinkLayer::raw_ip, "\x65" + ip.substr(1)), FrameContent::other);
+  EXPECT_EQ(kind_in(LinkLayer::raw_ip, "\x44" + ip.substr(1)), FrameContent::other)
+      << "a header that is too short to be one";
+}
+
+TEST(Udp, LengthsThatAreLessThanTheirHeadersAreTruncated) {
+  const std::string ip = test::ip_packet("payload", 2368);
+  std::string udp = ip;
+  udp.replace(24, 2, test::big(std::uint16_t{7}));
+  EXPECT_EQ(kind_in(LinkLayer::raw_ip, udp), FrameContent::truncated);
+  for (const std::uint16_t length :
+       {std::uint16_t{19}, static_cast<std::uint16_t>(ip.size() + 1)}) {
+    std::string fragment = ip;
+    fragment[6] = '\x20';
+    fragment.replace(2, 2, test::big(length));
+    EXPECT_EQ(kind_in(LinkLayer::raw_ip, fragment), FrameContent::truncated) << length;
+  }
+}
+
+/// A datagram of 157 bytes with its header, in two parts.
+IpFragment half_of(std::size_t offset, std::size_t size) {
+  static const std::string ip = test::ip_packet(std::string(149, 'x'), 7502);
+  static std::string part;
+  part = part_of(ip, offset, size, offset > 0);
+  IpFragment fragment;
+  (void)find_udp(LinkLayer::raw_ip, bytes_of(part), &fragment);
+  return fragment;
+}
+
+TEST(Udp, PartsOfOneNumberAreJoinedOnlyBetweenTheSameTwo) {
+  FragmentBuffer buffer;
+  EXPECT_EQ(buffer.add(half_of(0, 80)).content, FrameContent::fragment);
+  IpFragment last = half_of(80, 77);
+  ++last.source_address;
+  EXPECT_EQ(buffer.add(last).content, FrameContent::fragment) << "from another";
+  --last.source_address;
+  ++last.destination_address;
+  EXPECT_EQ(buffer.add(last).content, FrameContent::fragment) << "to another";
+  --last.destination_address;
+  EXPECT_EQ(buffer.add(last).content, FrameContent::udp);
+  EXPECT_EQ(buffer.add(half_of(0, 80)).content, FrameContent::fragment) << "of the next one";
+}
+
+TEST(Udp, APartThatEndsWithinAUnitIsNoneAndSpoilsNothing) {
+  FragmentBuffer buffer;
+  EXPECT_EQ(buffer.add(half_of(0, 77)).content, FrameContent::fragment);
+  EXPECT_EQ(buffer.add(half_of(0, 80)).content, FrameContent::fragment);
+  EXPECT_EQ(buffer.add(half_of(80, 77)).content, FrameContent::udp);
+}
+
 }  // namespace
 }  // namespace surefoot::io
