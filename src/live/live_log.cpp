@@ -41,7 +41,9 @@ void LiveLog::open(const std::filesystem::path& file) {
   file_.open(file);
   file_ << kHeader << '\n' << kept_ << std::flush;
   kept_.clear();
-  if (!file_) throw std::runtime_error(file.string() + ": cannot be written");
+  if (!file_) {
+    throw std::runtime_error(file.string() + ": cannot be written: " + std::strerror(errno));
+  }
 }
 
 void LiveLog::add(const std::string& line) {

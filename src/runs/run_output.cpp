@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -63,8 +65,11 @@ void RunOutput::begin(const RunOptions& options) {
 }
 
 std::ofstream RunOutput::open(const char* name) {
-  std::ofstream file(folder_.path() / name);
-  if (!file) throw std::runtime_error((folder_.path() / name).string() + ": cannot be written");
+  const fs::path path = folder_.path() / name;
+  std::ofstream file(path);
+  if (!file) {
+    throw std::runtime_error(path.string() + ": cannot be written: " + std::strerror(errno));
+  }
   return file;
 }
 
@@ -153,7 +158,9 @@ void RunOutput::write_segments() const {
     if (line.starts_with('#')) continue;
     const fs::path path = folder_.path() / fmt::format("{}{}.tum", kSegmentFiles, number);
     if (!file.is_open()) file.open(path, std::ios::app);
-    if (!(file << line << '\n')) throw io::WriteError(path.string() + ": cannot be written");
+    if (!(file << line << '\n')) {
+      throw io::WriteError(path.string() + ": cannot be written: " + std::strerror(errno));
+    }
   }
 }
 

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runs/run_output.hpp"
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "runs/run_files.hpp"
@@ -30,6 +36,39 @@ TEST_F(RunOutputTest, EveryTrajectoryTellsWhereAnotherSegmentBegins) {
   for (const char* file : {kTrajectoryFile, kDenseTrajectoryFile}) {
     EXPECT_EQ(segments_of(folder_ / "out" / file), 2U) << file;
   }
+}
+
+/// As if so many files were open that one more can be opened.
+class OneMoreFile {
+ public:
+  OneMoreFile() {
+    getrlimit(RLIMIT_NOFILE, &before_);
+    const int next = open("/dev/null", O_RDONLY);
+    close(next);
+    const rlimit one_more{static_cast<rlim_t>(next) + 1, before_.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &one_more);
+  }
+  ~OneMoreFile() { setrlimit(RLIMIT_NOFILE, &before_); }
+  OneMoreFile(const OneMoreFile&) = delete;
+  OneMoreFile& operator=(const OneMoreFile&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(RunOutputTest, AFileThatCannotBeOpenedIsNamedWithTheSystemsReason) {
+  RunOptions options;
+  options.input = "memory";
+  options.output = folder_ / "out";
+  RunOutput output(options);
+  std::string told;
+  try {
+    const OneMoreFile scans_csv_alone;
+    output.begin(options);
+  } catch (const std::runtime_error& error) {
+    told = error.what();
+  }
+  EXPECT_TRUE(told.ends_with("trajectory.tum: cannot be written: Too many open files")) << told;
 }
 
 }  // namespace
