@@ -134,6 +134,7 @@ Evidence evidence_where_lost(Evidence evidence, bool slides, bool large) {
   if (!large) evidence = after_gap(evidence);
   evidence.gap = 0.0;
   if (!slides && !large) evidence.uncertainty = 0.0;
+  if (large) evidence.rival = std::max(evidence.rival, 0.0);
   return evidence;
 }
 

@@ -84,8 +84,8 @@ inline constexpr double kClearlyBetter = 1.15;
 
 /// What speaks against a registration of one who is lost. That he was lost is known. How well the
 /// scan holds the position tells nothing of which place it is; but where it may slide, or where the
-/// region to look in is large, only what is held well is believed: there are places that look
-/// alike.
+/// region to look in is large, only what is held well is believed, and that the rival stays behind
+/// does not count: there are places that look alike, and his own may not be in the map.
 [[nodiscard]] Evidence evidence_where_lost(Evidence evidence, bool slides, bool large);
 
 /// How probably something went wrong within the last ten scans, the motion over which a pose is

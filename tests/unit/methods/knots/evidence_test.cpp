@@ -163,12 +163,14 @@ TEST(Evidence, OfWhoIsLost) {
   evidence.gap = 1.0;
   evidence.uncertainty = 2.0;
   evidence.misfit = 3.0;
+  evidence.rival = -1.0;
   for (const bool slides : {false, true}) {
     for (const bool large : {false, true}) {
       const Evidence lost = evidence_where_lost(evidence, slides, large);
       EXPECT_EQ(lost.gap, 0.0);
       EXPECT_EQ(lost.uncertainty, slides || large ? 2.0 : 0.0);
       EXPECT_EQ(lost.misfit, 3.0);
+      EXPECT_EQ(lost.rival, large ? 0.0 : -1.0);
     }
   }
 }
