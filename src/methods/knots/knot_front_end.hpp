@@ -58,6 +58,7 @@ class KnotFrontEnd : public FrontEnd {
     int scans = 0;
     std::optional<KnotEnd> found;  // where it may be: to be confirmed
     double rival = 0.0;            // Evidence's, of that place
+    bool has_twin = false;         // the last one that was confirmed looks as another does
     bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
     bool left = false;             // it went on in another map

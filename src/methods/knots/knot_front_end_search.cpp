@@ -42,7 +42,7 @@ double hazard_where_lost(bool far, RegisteredScan& registered) {
 Estimate KnotFrontEnd::search(const ScanPart& thinned) {
   const PreparedScan& scan = thinned.scan;
   const bool confirms = search_->found.has_value();
-  if (!confirms && !search_->left) {
+  if (!confirms && !search_->left && !search_->has_twin) {
     if (std::optional<Estimate> next = go_on(thinned)) return std::move(*next);
   }
   std::optional<RegisteredScan> best = register_lost(thinned);
@@ -58,7 +58,8 @@ Estimate KnotFrontEnd::search(const ScanPart& thinned) {
         hazard_where_lost(search_->far, *best);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
     const bool agreed = right && search_->agreed + 1 >= kAgree;
-    right = right && !(agreed && has_twin(track_, thinned, *best, search_->left));
+    if (agreed) search_->has_twin = has_twin(track_, thinned, *best, search_->left);
+    right = right && !(agreed && search_->has_twin);
     if (right && agreed) {
       best->estimate.message = search_->left ? "came home" : "found itself again";
       end_search();
