@@ -129,7 +129,7 @@ bool has_twin(const KnotTrack& track, const ScanPart& thinned, const RegisteredS
   const PreparedScan& scan = thinned.scan;
   const Pose here = found.trajectory.at(0.5);
   const Whereabouts about = track.whereabouts();
-  if (!left && same_place(here, about.going_straight_on(scan.start_ns))) return false;
+  const bool straight_on = !left && same_place(here, about.going_straight_on(scan.start_ns));
   const auto chosen = track.chosen_in_passing(thinned);
   const SearchRegion region = left ? about.anywhere_about(here.translation) : about.anywhere();
   std::vector<PlaceFit> places = places_in(track, scan, chosen, region, kTwins, kThorough);
@@ -139,8 +139,9 @@ bool has_twin(const KnotTrack& track, const ScanPart& thinned, const RegisteredS
   const double disagreement = trials.disagreement_at(found.bent);
   const std::vector<PlaceTrial> others =
       trials.from(starts_at(places, track.model()), disagreement);
+  const double alike = disagreement * (straight_on ? 1.0 / kClearlyBetter : kClearlyBetter);
   return std::any_of(others.begin(), others.end(), [&](const PlaceTrial& other) {
-    return !same_place(other.pose, here) && other.disagreement < kClearlyBetter * disagreement;
+    return !same_place(other.pose, here) && other.disagreement < alike;
   });
 }
 

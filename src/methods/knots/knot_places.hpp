@@ -27,6 +27,7 @@ namespace surefoot {
 
 /// Whether a scan fits elsewhere as well as where it was found. Who is found elsewhere than where
 /// it would be by itself was carried, nobody knows how far: of places that look alike, none is his.
+/// Where it would be by itself only a place that fits clearly better speaks against it.
 [[nodiscard]] bool has_twin(const KnotTrack& track, const ScanPart& thinned,
                             const RegisteredScan& found, bool left);
 

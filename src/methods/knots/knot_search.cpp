@@ -31,7 +31,7 @@ constexpr Round kRefiningRounds[] = {{18, 0.5, 0}, {6, 0.2, 4 * kGlance.refined}
 
 // [rad] Ground is tilted otherwise beside the way, and who stands on stones is tilted by them.
 constexpr double kTilt = 12.0 * kDegree;
-constexpr std::size_t kTiltStride = 2;  // every so many-th point tells which way
+constexpr std::size_t kSettlingStride = 2;  // every so many-th point tells which way
 
 // Two places are one if they are nearer.
 constexpr double kApart = 0.8, kTurnApart = 15.0 * kDegree;  // [m], [rad]
@@ -111,6 +111,11 @@ std::vector<Eigen::Quaterniond> turns_of(int steps, double step) {
     turns.emplace_back(Eigen::AngleAxisd(turn * step, Eigen::Vector3d::UnitZ()));
   }
   return turns;
+}
+
+/// To the right and to the left.
+std::vector<Eigen::Quaterniond> turns_aside(double angle) {
+  return {so3_exp({0.0, 0.0, -angle}), so3_exp({0.0, 0.0, angle})};
 }
 
 /// To every side, and between.
@@ -196,19 +201,23 @@ void weigh_in_rounds(std::span<const Round> rounds, const Map& map,
   for (PlaceFit& place : places) place.fit /= std::max(asked, 1.0);
 }
 
-/// Tilts every place that fits better tilted.
+/// Turns every place by half a step if it fits better so, and then tilts it: between the steps of
+/// the first grid the true place fits no better than others.
 template <typename Map>
-void tilt(const Map& map, const std::vector<Eigen::Vector3d>& points, const Grain& grain,
-          const Workers& workers, std::vector<PlaceFit>& places) {
-  const std::vector<Eigen::Quaterniond> tilts = tilts_of(kTilt);
+void settle(const Map& map, const std::vector<Eigen::Vector3d>& points, const Grain& grain,
+            const Workers& workers, std::vector<PlaceFit>& places) {
+  const std::vector<Eigen::Quaterniond> kinds[] = {turns_aside(0.5 * grain.turn), tilts_of(kTilt)};
   workers.for_each(places.size(), [&](std::size_t i) {
     const auto fit = [&](const Pose& pose) {
-      return PlaceFit{pose, fit_of(map, points, kTiltStride, 0, pose, grain.scale)};
+      return PlaceFit{pose, fit_of(map, points, kSettlingStride, 0, pose, grain.scale)};
     };
     PlaceFit best = fit(places[i].pose);
-    for (const Eigen::Quaterniond& tilt : tilts) {
-      const PlaceFit tilted = fit(turned(places[i].pose, tilt));
-      if (better(tilted, best)) best = tilted;
+    for (const std::vector<Eigen::Quaterniond>& kind : kinds) {
+      const Pose before = best.pose;
+      for (const Eigen::Quaterniond& turn : kind) {
+        const PlaceFit other = fit(turned(before, turn));
+        if (better(other, best)) best = other;
+      }
     }
     places[i] = best;
   });
@@ -241,7 +250,7 @@ std::vector<PlaceFit> search_places(const SurfelMap& map,
   if (places.empty() || points.empty()) return {};
   const SurfelLookup lookup(map, map.level_of(grain.step), box_of(places, points));
   weigh_in_rounds(kRounds, lookup, points, grain, workers, places);
-  if (effort.tilted) tilt(lookup, points, grain, workers, places);
+  if (effort.settled) settle(lookup, points, grain, workers, places);
   for (int refinement = 0; refinement < kRefinements; ++refinement) {
     const std::vector<PlaceFit> coarse =
         best_apart(std::move(places), std::max(effort.refined, most), better);

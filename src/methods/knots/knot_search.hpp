@@ -73,7 +73,7 @@ template <typename Placed, typename Better>
 
 /// How thoroughly places are looked through.
 struct SearchEffort {
-  bool tilted;          ///< also as who is more tilted than the way
+  bool settled;         ///< also turned between the steps, and more tilted than the way
   std::size_t refined;  ///< of the places of the first grid, the best ones
 };
 inline constexpr SearchEffort kGlance{false, 8}, kThorough{true, 48};

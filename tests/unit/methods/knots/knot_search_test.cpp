@@ -16,8 +16,9 @@ namespace {
 
 const Pose kMapped{Eigen::Quaterniond::Identity(), {-5.0, 0.5, 0.45}};
 
-std::vector<Eigen::Vector3d> points_from(const Pose& pose) {
-  const std::vector<Scan> scans = test::take_scans(test::furnished_hall(), test::standing(pose), 1);
+std::vector<Eigen::Vector3d> points_from(const Pose& pose,
+                                         const test::Scene& scene = test::furnished_hall()) {
+  const std::vector<Scan> scans = test::take_scans(scene, test::standing(pose), 1);
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector3f& point : scans.front().points) points.push_back(point.cast<double>());
   return points;
@@ -123,6 +124,41 @@ TEST(KnotSearch, FindsWhoStandsMoreTiltedThanTheWay) {
           << roll << ", " << pitch;
     }
   }
+}
+
+/// A room [carrier's frame of who stands in its middle], with so many things in it.
+void add_room(const Pose& T_world_room, int things, test::Scene& scene) {
+  const auto add = [&](double x, double y, const Eigen::Vector3d& half) {
+    scene.add({T_world_room * Pose{Eigen::Quaterniond::Identity(), {x, y, half.z() - 0.45}}, half});
+  };
+  add(0.0, 0.0, {9.0, 7.0, 3.0});
+  for (int i = 0; i < things; ++i) add(1.8 * i - 7.0, 4.0 - 8.0 * (i % 2), {0.4, 0.5, 1.0});
+}
+
+// Between the steps of the first grid a scan fits less well where it was taken than, on a step,
+// where only most of what it sees is.
+TEST(KnotSearch, FindsWhoIsTurnedBetweenTheStepsOfTheGrid) {
+  constexpr double kHalfStep = std::numbers::pi / 30.0;
+  const Pose truth{so3_exp({0.0, 0.0, kHalfStep}), {-12.0, 0.0, 0.45}};
+  const Pose other{so3_exp({0.0, 0.0, 2.0 * kHalfStep}), {12.0, 0.0, 0.45}};
+  const Pose room{so3_exp({0.0, 0.0, 0.3}), Eigen::Vector3d::Zero()};
+  test::Scene scene;
+  add_room(truth * room, 8, scene);
+  add_room(other * room, 4, scene);
+  const Config config;
+  SurfelMap map(config.knots, config.map.radius);
+  WalkedWay way;
+  for (const Pose& pose : {truth, other}) {
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3d& point : points_from(pose, scene)) points.push_back(pose * point);
+    map.insert({pose.translation, points});
+    way.add(pose);
+  }
+  const SearchRegion region{{Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.45}}, 13.0, 1.0};
+  const auto places =
+      search_places(map, thinned(points_from(truth, scene)), region, way, 1, {true, 1}, Workers(1));
+  EXPECT_TRUE(same_place(places.front().pose, truth))
+      << places.front().pose.translation.transpose();
 }
 
 // A hall over the hall looks like it; who may not be on another storey is looked for on his own.
