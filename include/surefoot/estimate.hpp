@@ -79,7 +79,7 @@ struct Evidence {
   double uncertainty = 0.0;  ///< logarithm of the standard deviation over 1 cm
   double gap = 0.0;          ///< of the time since the last trusted scan over 0.1 s
   double frozen = 0.0;       ///< up to 1: the same scan again, byte by byte, of who walked
-  double rival = 0.0;        ///< ln of what it disagrees over what another place does; < 0: if lost
+  double rival = 0.0;        ///< ln of what it disagrees over what another place does; < 0: found
 };
 
 struct EvidenceField {

@@ -56,10 +56,11 @@ void append_text(std::string& text, const Evaluation& evaluation) {
                         count_text(segments));
   }
   const EndDrift& drift = evaluation.drift;
+  const double vertical = std::round(1e4 * drift.vertical) / 1e4 + 0.0;  // no -0
   text += fmt::format(
       "  end drift {:.4f} m ({:.4f} % of {:.2f} m), horizontal {:.4f} m, "
       "vertical {:+.4f} m\n",
-      drift.total, drift.percent, drift.path_length, drift.horizontal, drift.vertical);
+      drift.total, drift.percent, drift.path_length, drift.horizontal, vertical);
 }
 
 /// Finds an error's statistics by name; nothing if the run was too short for it.

@@ -60,6 +60,8 @@ std::vector<std::string> idle_options(const OpenOptions& options, bool as_bag, b
   if (!files) idle(options.kitti_hdl64_correction, "--kitti-correction", "files of scans");
   if (as_bag || files) idle(options.udp_port != 0, "--udp-port", "captures");
   const bool derived = options.derive_times != DeriveTimes::no;
+  const bool kept = options.time_direction != TimeDirection::none;
+  if (!kept) idle(derived, "--derive-times", "scans that keep their times, not --point-times none");
   if (!derived) idle(options.spin != usual.spin, "--spin", "--derive-times");
   if (packets) {
     const char* const of = "points that come with their fields";

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/file_writer.hpp"
+#include "io/printable.hpp"
 #include "io/recording.hpp"
 
 namespace surefoot::live {
@@ -60,7 +61,7 @@ UsedScans used_scans(const std::filesystem::path& log) {
   if (!file) throw io::ReadError(log.string() + ": cannot read it: " + std::strerror(errno));
   std::string line;
   if (!std::getline(file, line) || line != kHeader) {
-    throw io::ReadError(log.string() + ": got '" + line.substr(0, 80) +
+    throw io::ReadError(log.string() + ": got '" + io::printable(line.substr(0, 80)) +
                         "', expected the log of a " + "live run, which begins '" +
                         std::string(kHeader) + "'");
   }
@@ -73,7 +74,8 @@ UsedScans used_scans(const std::filesystem::path& log) {
     if (parsed.ec != std::errc{} || parsed.ptr == end || *parsed.ptr != ',') {
       if (file.eof()) break;  // a last line that was not finished
       throw io::ReadError(log.string() + ": line " + std::to_string(number) + ": got '" +
-                          line.substr(0, 80) + "', expected 'stamp,scan,fate,latency'");
+                          io::printable(line.substr(0, 80)) +
+                          "', expected 'stamp,scan,fate,latency'");
     }
     if (line == "0,,reset,") is_reset = true;
     if (line.find(",used,") == std::string::npos) continue;

@@ -52,6 +52,11 @@ Range padded(const Range& range, double share, double min_width) {
   return {range.center() - half, range.center() + half};
 }
 
+Range time_range(std::span<const double> times) {
+  const Range range = range_of(times);
+  return {range.low, std::max(range.high, range.low + 1.0)};
+}
+
 double round_step(double at_least) {
   const double power = std::pow(10.0, std::floor(std::log10(at_least)));
   double step = 10.0 * power;

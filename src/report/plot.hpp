@@ -35,6 +35,8 @@ inline constexpr Stroke kFrame{{0.45, 0.48, 0.53}, 1.5};
 [[nodiscard]] Range range_within(const std::vector<double>& values, double tail);
 /// The range made wider by `share` of its width at both ends, and at least `min_width` wide.
 [[nodiscard]] Range padded(const Range& range, double share, double min_width);
+/// Of times [s]: from the first one on, a second at least.
+[[nodiscard]] Range time_range(std::span<const double> times);
 
 /// The least of 1, 2 and 5 times a power of ten that is not below.
 [[nodiscard]] double round_step(double at_least);

@@ -37,7 +37,7 @@ PlotArea area_of(const Rect& rect, const SeriesPanel& panel) {
   }
   Range y = range_of(decades);
   y.low = std::max(y.low, y.high - std::log10(kLargestSpan));
-  return {rect, padded(range_of(times), 0.0, 1.0), padded(y, 0.05, 1.0)};
+  return {rect, time_range(times), padded(y, 0.05, 1.0)};
 }
 
 std::string number_text(double value) {

@@ -73,7 +73,7 @@ void shade_untrusted(Canvas& canvas, const PlotArea& area, const std::vector<dou
 void draw_quantity(Canvas& canvas, const Rect& rect, const DrawnRun& run, const Quantity& quantity,
                    const std::string& time_label) {
   const Series path = series_of(run.path, run.first_ns, quantity);
-  const Range time = padded(range_of(path.times), 0.0, 1.0);
+  const Range time = time_range(path.times);
   Series reference = series_of(run.reference, run.first_ns, quantity);
   std::vector<double> values = path.values;
   for (std::size_t i = 0; i < reference.times.size(); ++i) {

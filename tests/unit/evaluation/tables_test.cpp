@@ -54,6 +54,14 @@ TEST(Evaluate, ARunTooShortForAStretchHasNoRelativeErrors) {
   EXPECT_FALSE(contains(to_csv({evaluation}), "rpe"));
 }
 
+TEST(Tables, AnEndThatIsHardlyTooLowIsNotMinusZero) {
+  const Trajectory reference = test::winding_walk(100);
+  Trajectory estimate = reference;
+  estimate.back().pose.translation.z() -= 1e-9;
+  const Evaluation low = evaluate("low", reference, estimate, {.alignment = AlignmentMethod::none});
+  EXPECT_TRUE(contains(to_text({low}), "vertical +0.0000 m")) << to_text({low});
+}
+
 TEST(Tables, CsvHasALineForEachErrorAndQuotesNames) {
   const std::vector<std::string> lines = lines_of(to_csv({too_high("a, \"b\"", 0.5)}));
   ASSERT_EQ(lines.size(), 15U);

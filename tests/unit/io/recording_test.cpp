@@ -132,6 +132,10 @@ TEST(OpenRecording, OptionsThatSayNothingAboutItAreNoted) {
   const std::string derived = notes_of(folder.path(), options);
   EXPECT_EQ(derived.find("--cut counts for nothing here"), std::string::npos) << derived;
   EXPECT_EQ(derived.find("--spin counts for nothing here"), std::string::npos) << derived;
+  EXPECT_EQ(derived.find("--derive-times counts for nothing"), std::string::npos) << derived;
+  options.time_direction = TimeDirection::none;
+  const std::string left_out = notes_of(folder.path(), options);
+  EXPECT_NE(left_out.find("--derive-times counts for nothing"), std::string::npos) << left_out;
   EXPECT_EQ(notes_of(folder.path()).find("counts for nothing"), std::string::npos);
 }
 

@@ -268,6 +268,18 @@ TEST_F(LiveRecordingLog, ResetsAreInTheOrderOfTheirStamps) {
   EXPECT_EQ(used_scans(file).reset_before, (std::vector<std::int64_t>{100, 500, 900}));
 }
 
+TEST_F(LiveRecordingLog, AFileThatIsNoneIsToldWithoutItsRawBytes) {
+  const std::filesystem::path file = folder_ / "live.log";
+  std::ofstream(file) << "\xff\x01"
+                         "ELF\n";
+  try {
+    (void)used_scans(file);
+    FAIL() << "it is no log";
+  } catch (const io::ReadError& error) {
+    EXPECT_NE(std::string(error.what()).find("got '??ELF'"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(LiveRecordingLog, AResetIsBeforeOneScanAndALineThatIsBeingWrittenIsNone) {
   const std::filesystem::path file = folder_ / "live.log";
   std::ofstream(file) << "stamp_ns,scan,fate,latency_ms\n0,,reset,\n100,a,used,1.000\n"

@@ -67,6 +67,14 @@ TEST(Plot, RangeWithinLeavesTheTailsOut) {
   EXPECT_DOUBLE_EQ(range_within({3.0}, 0.05).low, 3.0);
 }
 
+TEST(Plot, TimesBeginWithTheFirstAndAreASecondWide) {
+  const Range brief = time_range(std::vector{2.0, 2.3}),
+              hour = time_range(std::vector{0.0, 3600.0});
+  EXPECT_DOUBLE_EQ(brief.low, 2.0);
+  EXPECT_DOUBLE_EQ(brief.high, 3.0);
+  EXPECT_DOUBLE_EQ(hour.high, 3600.0);
+}
+
 TEST(Plot, EqualAspectKeepsBothRangesInsideAndPixelsSquare) {
   const PlotArea area = equal_aspect({10.0, 20.0, 400.0, 200.0}, {0.0, 10.0}, {-1.0, 9.0});
   EXPECT_DOUBLE_EQ(area.x.width() / 400.0, area.y.width() / 200.0);
