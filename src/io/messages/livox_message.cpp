@@ -41,7 +41,6 @@ CloudMessage read_livox_message(MessageReader& reader) {
   // And three reserved bytes.
   cloud.lidar = std::to_integer<unsigned>(reader.take(4, "LiDAR's number").front());
   const auto count = reader.structures("points", kPointBytes);
-  reader.align(sizeof(std::uint32_t));
   // In CDR the next point's first number is aligned to 4; delimited structures have their size
   // first.
   if (reader.is_delimited()) throw ReadError("Livox points in delimited CDR 2 are not read");

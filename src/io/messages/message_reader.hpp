@@ -44,13 +44,14 @@ class MessageReader {
   [[nodiscard]] std::int64_t time(const char* what);
 
   void begin_structure();
-  void align(std::size_t size);
   [[nodiscard]] std::span<const std::byte> rest() const { return bytes_.subspan(at_); }
   [[nodiscard]] bool is_cdr() const { return most_aligned_ > 1; }
   [[nodiscard]] bool is_swapped() const { return swapped_; }
   [[nodiscard]] bool is_delimited() const { return delimited_; }
 
  private:
+  void align(std::size_t size);
+
   std::span<const std::byte> bytes_;  ///< after the encapsulation
   std::size_t at_ = 0;
   std::size_t most_aligned_ = 1;

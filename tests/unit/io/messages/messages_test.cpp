@@ -9,199 +9,19 @@
 #include "io/messages/packet_message.hpp"
 #include "io/recording.hpp"
 #include "io/scan_builder.hpp"
-#include "unit/io/support.hpp"
+#include "unit/io/messages/message_bytes.hpp"
 
 namespace surefoot::io {
 namespace {
 
 using test::big;
 using test::bytes_of;
+using test::kCdr;
 using test::little;
+using test::padded;
+using test::word;
+using test::zeros;
 using Encoding = MessageEncoding;
-
-std::string word(std::uint32_t value) { return little(value); }
-std::string zeros(std::size_t count) { return std::string(count, '\0'); }
-const std::string kCdr("\0\1\0\0", 4);
-
-// Two points of 18 bytes in a row of 40: x y z f32, time f32, ring u16, and 4 of padding.
-std::string points(std::size_t padding) {
-  std::string bytes;
-  for (int i = 0; i < 2; ++i) {
-    const auto f = static_cast<float>(i);
-    bytes += little(1.0F + f) + little(2.0F + f) + little(3.0F + f) + little(0.05F * f);
-    bytes += little(static_cast<std::uint16_t>(7 + i));
-  }
-  return bytes + zeros(padding);
-}
-
-struct FieldBytes {
-  const char* name;
-  std::uint32_t offset;
-  char type;
-};
-constexpr FieldBytes kFields[] = {
-    {"x", 0, 7}, {"y", 4, 7}, {"z", 8, 7}, {"time", 12, 7}, {"ring", 16, 4}};
-
-// CDR pads to the size of what follows, counted after the first four bytes.
-std::string padded(std::string bytes, std::size_t unit) {
-  while ((bytes.size() - 4) % unit != 0) bytes += '\0';
-  return bytes;
-}
-
-std::string cdr_cloud(char big_endian = 0, std::uint32_t height = 1) {
-  std::string m = kCdr + word(100) + word(5) + word(6) + "lidar" + zeros(1);
-  m = padded(m, 4) + word(height) + word(2) + word(5);
-  for (const FieldBytes& field : kFields) {
-    const std::string name(field.name);
-    m = padded(m, 4) + word(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
-    m = padded(m, 4) + word(field.offset) + field.type;
-    m = padded(m, 4) + word(1);
-  }
-  m += big_endian;
-  m = padded(m, 4) + word(18) + word(40);
-  std::string data;
-  for (std::uint32_t row = 0; row < height; ++row) data += points(4);
-  return m + word(static_cast<std::uint32_t>(data.size())) + data + '\1' + zeros(2);
-}
-
-std::string ros1_cloud() {
-  std::string m = word(9) + word(100) + word(5) + word(5) + "lidar" + word(1) + word(2) + word(5);
-  for (const FieldBytes& field : kFields) {
-    const std::string name(field.name);
-    m += word(static_cast<std::uint32_t>(name.size())) + name + word(field.offset) + field.type +
-         word(1);
-  }
-  return m + zeros(1) + word(18) + word(36) + word(36) + points(0) + '\1';
-}
-
-CloudMessage read(Encoding encoding, const std::string& bytes) {
-  return read_cloud("sensor_msgs/PointCloud2", encoding, bytes_of(bytes));
-}
-
-void expect_two_points(const CloudMessage& cloud, std::size_t size = 2) {
-  EXPECT_EQ(cloud.stamp_ns, 100'000'000'005);
-  EXPECT_EQ(cloud.frame, "lidar");
-  ASSERT_EQ(cloud.table.size, size);
-  const BuiltScan built =
-      build_scan(cloud.table, find_scan_columns(cloud.table, {}),
-                 PointTimeRule{TimeUnit::seconds, TimeReference::relative, true}, cloud.stamp_ns,
-                 StampAt::start);
-  ASSERT_EQ(built.scan.points.size(), size);
-  EXPECT_EQ(built.scan.points[size - 1], Eigen::Vector3f(2, 3, 4));
-  EXPECT_EQ(built.scan.times_ns[size - 1], 50'000'001);  // 0.05 as a float
-  EXPECT_EQ(built.scan.rings[size - 1], 8);
-}
-
-TEST(PointCloud2, CdrAndRos1) {
-  const std::string cdr = cdr_cloud();
-  expect_two_points(read(Encoding::cdr, cdr));
-  const std::string ros1 = ros1_cloud();
-  expect_two_points(read(Encoding::ros1, ros1));
-}
-
-TEST(PointCloud2, RowsArePutTogetherWithoutTheirPadding) {
-  const std::string cdr = cdr_cloud(0, 3);
-  expect_two_points(read(Encoding::cdr, cdr), 6);
-}
-
-// Twelve bytes would be made of each of them.
-TEST(PointCloud2, CoordinatesOfAByteOrThatShareBytesAreRefused) {
-  const std::string good = ros1_cloud();
-  const std::size_t y = good.find("\1\0\0\0y", 0, 5) + 5;
-  for (const auto& [bytes, message] :
-       {std::pair{word(4) + '\2', "field 'y' is u8; expected coordinates of 2, 4 or 8 bytes"},
-        std::pair{word(2) + '\7', "fields 'x' and 'y' share bytes"}}) {
-    std::string bad = good;
-    bad.replace(y, 5, bytes);
-    const CloudMessage cloud = read(Encoding::ros1, bad);
-    EXPECT_EQ(test::message_of<ReadError>([&] { (void)find_scan_columns(cloud.table, {}); }),
-              message);
-  }
-}
-
-/// The field's offset in the message: of the name, with its size before.
-std::size_t field_at(const std::string& message, const std::string& name) {
-  return message.find(word(static_cast<std::uint32_t>(name.size())) + name) + 4 + name.size();
-}
-
-// Drivers write 0 where they mean 1, or a count that a point has no room for.
-TEST(PointCloud2, AFieldHasOneValueUnlessThereIsRoomForAll) {
-  for (const std::uint32_t count : {0U, 9U}) {
-    std::string cloud = ros1_cloud();
-    cloud.replace(field_at(cloud, "ring") + 5, 4, word(count));
-    EXPECT_EQ(read(Encoding::ros1, cloud).table.columns.back().count, 1U);
-    expect_two_points(read(Encoding::ros1, cloud));
-  }
-}
-
-TEST(PointCloud2, AFieldThatLeavesItsPointIsRefused) {
-  std::string cloud = ros1_cloud();
-  cloud.replace(field_at(cloud, "ring"), 4, word(17));
-  EXPECT_EQ(test::message_of<ReadError>([&] { (void)read(Encoding::ros1, cloud); }),
-            "field 'ring' at byte 17 of points of 18 bytes");
-}
-
-TEST(PointCloud2, BigEndianPointsAreRefused) {
-  const std::string cdr = cdr_cloud(1);
-  const std::string message = test::message_of<ReadError>([&] { (void)read(Encoding::cdr, cdr); });
-  EXPECT_NE(message.find("big-endian"), std::string::npos) << message;
-}
-
-TEST(PointCloud2, EveryCutIsRefused) {
-  const std::string cdr =
-      cdr_cloud().substr(0, cdr_cloud().size() - 3);  // without is_dense and tail
-  for (std::size_t size = 0; size < cdr.size(); ++size) {
-    const std::string cut = cdr.substr(0, size);
-    EXPECT_THROW((void)read(Encoding::cdr, cut), ReadError) << size;
-  }
-}
-
-TEST(PointCloud2, SizesThatLieAreRefused) {
-  const std::string good = ros1_cloud();
-  const std::size_t width_at = 4 + 8 + 4 + 5 + 4;
-  const std::size_t fields_at = width_at + 4;
-  for (const std::size_t at : {width_at, width_at - 4, fields_at, std::size_t{12}}) {
-    std::string bad = good;
-    bad.replace(at, 4, word(0xffff'fff0));
-    EXPECT_THROW((void)read(Encoding::ros1, bad), ReadError) << at;
-  }
-}
-
-TEST(PointCloud2, FieldsHaveALimit) {
-  const auto cloud_of = [](std::uint32_t fields) {
-    std::string m = word(9) + word(100) + word(5) + word(0) + word(1) + word(0) + word(fields);
-    for (std::uint32_t i = 0; i < fields; ++i) m += word(1) + "x" + word(0) + '\1' + word(1);
-    return m + zeros(1) + word(18) + word(0) + word(0) + '\1';
-  };
-  EXPECT_EQ(read(Encoding::ros1, cloud_of(1000)).table.columns.size(), 1000U);
-  EXPECT_EQ(test::message_of<ReadError>([&] { (void)read(Encoding::ros1, cloud_of(1001)); }),
-            "1001 fields; expected at most 1000");
-}
-
-// CDR 2 aligns to 4 at most, and has a size before a sequence of structures; "delimited" before
-// every structure. The sizes' values are not needed.
-std::string cdr2_cloud(bool delimited) {
-  const std::string size = delimited ? word(0) : "";
-  std::string m = std::string("\0", 1) + (delimited ? '\x09' : '\x07') + zeros(2);
-  m += size + size + size + word(100) + word(5) + word(6) + "lidar" + zeros(1);
-  m = padded(m, 4) + word(1) + word(2) + word(0) + word(5);
-  for (const FieldBytes& field : kFields) {
-    const std::string name(field.name);
-    m = padded(m, 4) + size + word(static_cast<std::uint32_t>(name.size() + 1)) + name + zeros(1);
-    m = padded(m, 4) + word(field.offset) + field.type;
-    m = padded(m, 4) + word(1);
-  }
-  m += zeros(1);
-  m = padded(m, 4) + word(18) + word(36) + word(36);
-  return m + points(0) + '\1';
-}
-
-TEST(PointCloud2, Cdr2) {
-  const std::string plain = cdr2_cloud(false);
-  expect_two_points(read(Encoding::cdr, plain));
-  const std::string delimited = cdr2_cloud(true);
-  expect_two_points(read(Encoding::cdr, delimited));
-}
 
 TEST(MessageReader, AlignsEightBytesByVersion) {
   const std::string cdr = kCdr + word(1) + zeros(4) + little(std::uint64_t{77});
@@ -221,8 +41,69 @@ TEST(MessageReader, RefusesOtherRepresentations) {
   const std::string message =
       test::message_of<ReadError>([&] { MessageReader(Encoding::cdr, bytes_of(list)); });
   EXPECT_NE(message.find("representation is 3"), std::string::npos) << message;
+  const std::string first_byte = std::string("\1\1\0\0", 4) + zeros(8);
+  EXPECT_THROW(MessageReader(Encoding::cdr, bytes_of(first_byte)), ReadError);
   EXPECT_THROW(MessageReader(Encoding::other, bytes_of(list)), ReadError);
   EXPECT_THROW(MessageReader(Encoding::cdr, bytes_of(list).first(3)), ReadError);
+}
+
+TEST(MessageReader, AStringOfCdrNeedNotEndWithItsNul) {
+  const std::string bytes = kCdr + word(3) + "abc";
+  EXPECT_EQ(MessageReader(Encoding::cdr, bytes_of(bytes)).string("text"), "abc");
+}
+
+TEST(MessageReader, AStringOfRos1KeepsItsNul) {
+  const std::string bytes = word(3) + "ab" + zeros(1);
+  EXPECT_EQ(MessageReader::packed(bytes_of(bytes)).string("text"), "ab" + zeros(1));
+}
+
+// What a number is aligned to may lie behind the end.
+TEST(MessageReader, NothingIsReadBehindTheEnd) {
+  const std::string bytes = kCdr + "x";
+  MessageReader reader(Encoding::cdr, bytes_of(bytes));
+  (void)reader.number<std::uint8_t>("a");
+  EXPECT_EQ(test::message_of<ReadError>([&] { (void)reader.number<std::uint64_t>("b"); }),
+            "the message ends within its b: 8 bytes expected, 0 left");
+}
+
+TEST(MessageReader, SecondsHaveASignInRos2Alone) {
+  const std::string time = word(0xffff'ffff) + word(5);
+  const std::string cdr = kCdr + time;
+  EXPECT_EQ(MessageReader(Encoding::cdr, bytes_of(cdr)).time("stamp"), -999'999'995);
+  EXPECT_EQ(MessageReader::packed(bytes_of(time)).time("stamp"), 4'294'967'295'000'000'005);
+}
+
+TEST(CloudMessage, WhatIsSaidOfTopicsThatHoldNoScans) {
+  EXPECT_EQ(why_no_scans("/robot/points_raw", "robot/lidar"), "");
+  EXPECT_EQ(why_no_scans("/points", "robot/odom"),
+            "points in frame 'odom', a world's, are no scans as measured");
+  for (const std::string word : {"undistorted", "deskewed", "registered"}) {
+    for (const std::string& topic : {"/" + word + "/points", "/points_" + word}) {
+      EXPECT_EQ(why_no_scans(topic, "lidar"),
+                "points that are " + word + " are no scans as measured");
+    }
+    EXPECT_EQ(why_no_scans("/not" + word, "lidar"), "");
+  }
+  EXPECT_EQ(why_no_scans("/camera/depth_registered/points", "camera"), "");
+}
+
+TEST(CloudMessage, EveryDriversTypesAreKnown) {
+  for (const char* type : {"sensor_msgs/PointCloud2", "livox_ros_driver/CustomMsg",
+                           "livox_ros_driver2/CustomMsg", "livox_interfaces/CustomMsg"}) {
+    EXPECT_TRUE(is_cloud_type(type)) << type;
+  }
+  EXPECT_FALSE(is_cloud_type("sensor_msgs/PointCloud"));
+  CloudMessage cloud;
+  cloud.frame = "a\x1b[2Jb";
+  EXPECT_EQ(sensor_of(cloud).find('\x1b'), std::string::npos);
+}
+
+TEST(MessageReader, ALengthThatTheRestHasNoRoomForIsRefused) {
+  const std::string three = word(3) + zeros(12);
+  EXPECT_EQ(MessageReader::packed(bytes_of(three)).count("things", 4), 3U);
+  EXPECT_EQ(test::message_of<ReadError>(
+                [&] { (void)MessageReader::packed(bytes_of(three)).count("things", 5); }),
+            "3 things announced in 12 bytes");
 }
 
 // Three points, 1 ms apart; the time base 3 ns after the header's stamp.
@@ -272,6 +153,45 @@ TEST(LivoxMessage, TimeBaseOfAnotherClockDoesNotCount) {
             100'000'000'000);
 }
 
+std::string big_word(std::uint32_t value) { return big(value); }
+
+// One point, by the driver of a big-endian machine.
+TEST(LivoxMessage, NumbersMayBeginWithTheirHighestByte) {
+  std::string m = zeros(4) + big_word(100) + zeros(4) + big_word(2) + "l" + zeros(1);
+  m = padded(m, 8) + big(std::int64_t{100'000'000'003}) + big_word(1) + "\x02" + zeros(3);
+  m += big_word(1) + big_word(1'000'000) + big(1.0F) + big(2.0F) + big(3.0F) + "\x09\x10\x03";
+  const CloudMessage cloud = read_cloud("livox_ros_driver2/CustomMsg", Encoding::cdr, bytes_of(m));
+  const BuiltScan built =
+      build_scan(cloud.table, find_scan_columns(cloud.table, {}),
+                 PointTimeRule{TimeUnit::nanoseconds, TimeReference::relative, true},
+                 cloud.stamp_ns, StampAt::start);
+  EXPECT_EQ(built.scan.stamp_ns, 100'000'000'003);
+  ASSERT_EQ(built.scan.points.size(), 1U);
+  EXPECT_EQ(built.scan.points[0], Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(built.scan.times_ns[0], 1'000'000);
+  EXPECT_EQ(built.scan.rings[0], 3);
+}
+
+TEST(LivoxMessage, MayHoldNoPoints) {
+  const std::string bytes = word(0) + word(100) + zeros(8) + zeros(8) + zeros(8) + word(0);
+  const CloudMessage cloud =
+      read_cloud("livox_ros_driver/CustomMsg", Encoding::ros1, bytes_of(bytes));
+  EXPECT_EQ(cloud.table.size, 0U);
+  for (const Column& column : cloud.table.columns) EXPECT_EQ(column.first, nullptr) << column.name;
+}
+
+// Every point would have its size before it.
+TEST(LivoxMessage, DelimitedPointsAreRefused) {
+  std::string m = std::string("\0\x09\0\0", 4) + word(0) + word(0) + word(0) + word(100) + word(0);
+  m += word(2) + "l" + zeros(1);
+  m = padded(m, 4) + little(std::int64_t{100'000'000'003}) + word(1) + "\x02" + zeros(3);
+  m += word(23) + word(1) + word(19) + zeros(19);
+  EXPECT_EQ(test::message_of<ReadError>([&] {
+              (void)read_cloud("livox_ros_driver2/CustomMsg", Encoding::cdr, bytes_of(m));
+            }),
+            "Livox points in delimited CDR 2 are not read");
+}
+
 std::vector<MessagePacket> packets_of(const Topic& topic, const std::string& bytes) {
   std::vector<MessagePacket> packets;
   for_each_packet({&topic, 42, bytes_of(bytes)},
@@ -314,6 +234,32 @@ TEST(PacketMessage, EveryType) {
   ASSERT_EQ(packets.size(), 1U);
   EXPECT_EQ(packets[0].stamp_ns, 42);
   EXPECT_EQ(packets[0].bytes.size(), 4U);
+}
+
+TEST(PacketMessage, MorePacketsThanItsBytesHoldAreRefusedAtOnce) {
+  const std::string header = word(9) + word(1) + word(2) + word(0);
+  const auto refusal = [&](const char* type, std::size_t least) {
+    const Topic topic{"/t", type, Encoding::ros1};
+    const std::string bytes = header + word(3) + zeros(3 * least - 1);
+    return test::message_of<ReadError>([&] { (void)packets_of(topic, bytes); });
+  };
+  EXPECT_EQ(refusal("velodyne_msgs/VelodyneScan", 1214), "3 packets announced in 3641 bytes");
+  EXPECT_EQ(refusal("nebula_msgs/NebulaPackets", 12), "3 packets announced in 35 bytes");
+}
+
+TEST(PacketMessage, APacketIsNoLongerThanItsArray) {
+  const std::string bytes = word(9) + word(1) + word(2) + word(0) + word(1) + word(1) + word(2) +
+                            zeros(1500) + word(1501);
+  const auto packets = packets_of({"/t", "pandar_msgs/PandarScan", Encoding::ros1}, bytes);
+  ASSERT_EQ(packets.size(), 1U);
+  EXPECT_EQ(packets[0].bytes.size(), 1500U);
+}
+
+TEST(PacketMessage, OtherTypesHoldNone) {
+  EXPECT_EQ(test::message_of<ReadError>([] {
+              (void)packets_of({"/t", "sensor_msgs/Imu", Encoding::ros1}, word(0));
+            }),
+            "a sensor_msgs/Imu holds no packets");
 }
 
 // SemanticKITTI's clouds of some programs: a label where LOAM's have milliseconds.
