@@ -167,7 +167,11 @@ class Ros1BagReader final : public MessageSource {
     if (op == RecordKind::connection) read_connection(fields, data);
     if (op == RecordKind::message) message = read_message(fields, data);
     data.skip(data.left());
-    if (chunk_) pass_record(*header_bytes, *data_bytes, data.left());
+    if (chunk_) {
+      pass_record(*header_bytes, *data_bytes, data.left());
+    } else if (data.left() > 0) {
+      end_of(false);
+    }
     return message;
   }
 

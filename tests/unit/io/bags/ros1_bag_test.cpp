@@ -118,11 +118,21 @@ TEST(Ros1Bag, CutAnywhere) {
 }
 
 TEST(Ros1Bag, CutIsSaidWhereverItIs) {
+  const std::string said = "the file is cut short; what is whole was read\n";
   for (const char* name : {"none", "bz2", "lz4"}) {
     const std::string whole = bag(name);
-    const std::size_t size = whole.size() * 3 / 4;  // within a chunk
-    const std::string notes = read_ros1(whole.substr(0, size)).notes;
-    EXPECT_NE(notes.find("cut short"), std::string::npos) << name << ": " << notes;
+    const std::size_t last = whole.size() - connection(0, "/a", "pkg/A").size();
+    for (const std::size_t size : {std::size_t{100}, whole.size() * 3 / 4,  // within a chunk
+                                   last + 2, last + 10, whole.size() - 2}) {
+      EXPECT_EQ(read_ros1(whole.substr(0, size)).notes, said) << name << " " << size;
+    }
+    EXPECT_EQ(read_ros1(whole.substr(0, last)).notes, "") << name;
+  }
+  const std::string inside = content(0);  // within its last message
+  const std::string chunks = file_header() + chunk("none", inside, inside);
+  EXPECT_EQ(read_ros1(chunks.substr(0, chunks.size() - 9)).notes, said);
+  for (const std::string& next : {connection(5, "/e", "p/E"), message(0, 1, "not whole")}) {
+    EXPECT_EQ(read_ros1(chunks + next.substr(0, next.size() - 2)).notes, said);
   }
 }
 
@@ -160,6 +170,138 @@ TEST(Ros1Bag, ChunkThatHoldsLessThanItSaysIsNoted) {
       read_ros1(file_header() + chunk("lz4", inside, compress(Compression::lz4, half))).notes;
   EXPECT_NE(notes.find(std::to_string(inside.size()) + " were announced"), std::string::npos)
       << notes;
+}
+
+TEST(Ros1Bag, ChunkThatHoldsMoreThanItSaysIsNoted) {
+  const std::string inside = content(0);
+  const std::string half = inside.substr(0, connection(0, "/a", "pkg/A").size());
+  EXPECT_EQ(read_ros1(file_header() + chunk("none", half, inside)).notes,
+            "chunk 0 holds " + std::to_string(inside.size()) + " bytes in whole records where " +
+                std::to_string(half.size()) + " were announced: messages are lost\n");
+}
+
+TEST(Ros1Bag, AChunkNeedNotSayHowMuchItHolds) {
+  const auto nameless = [](const std::string& inside) {
+    return file_header() + record({op(5), "compression=none"}, inside);
+  };
+  const Ros1Outcome whole = read_ros1(nameless(content(0)));
+  EXPECT_EQ(whole.messages.size(), 4U);
+  EXPECT_EQ(whole.notes, "");
+  const std::string cut = content(0).substr(0, content(0).size() - 50 - 2);
+  EXPECT_EQ(read_ros1(nameless(cut)).notes, "chunk 0 ends within a record\n");
+  const std::string file = nameless(content(0));
+  EXPECT_EQ(read_ros1(file.substr(0, file.size() - 52)).notes,
+            "the file is cut short; what is whole was read\n");
+}
+
+// What is left of its chunk is passed over, and not read as if it were none.
+TEST(Ros1Bag, ARecordThatIsNoneEndsItsChunk) {
+  const std::string good = chunk("none", content(4), content(4));
+  const auto notes = [&good](const std::string& bad) {
+    const std::string inside = content(0) + bad + message(0, 1, "no message any more");
+    const Ros1Outcome outcome = read_ros1(file_header() + good + chunk("none", inside, inside));
+    EXPECT_EQ(outcome.messages.size(), 8U);
+    return outcome.notes;
+  };
+  const std::string damaged = "chunk 1 is damaged, read as far as it goes: ";
+  EXPECT_EQ(notes(ros1_u32((1 << 20) + 1)), damaged + "a record's header of 1048577 bytes\n");
+  EXPECT_EQ(notes(record({"conn=" + ros1_u32(0)}, "")),
+            damaged + "a record's header has no 'op' of 1 bytes\n");
+  for (const std::size_t bytes : {7U, 9U}) {
+    const std::string time = "time=" + std::string(bytes, '\1');
+    EXPECT_EQ(notes(record({op(2), "conn=" + ros1_u32(0), time}, "x")),
+              damaged + "a record's header has no 'time' of 8 bytes\n");
+  }
+}
+
+TEST(Ros1Bag, ARecordThatIsNoneOutsideOfChunksEndsTheReading) {
+  const std::string bytes = file_header() + chunk("none", content(0), content(0));
+  const Ros1Outcome outcome = read_ros1(bytes + record({"op=no"}, "") + connection(2, "/c", "p/C"));
+  EXPECT_EQ(outcome.messages.size(), 4U);
+  EXPECT_EQ(outcome.notes, "reading ends early: a record's header has no 'op' of 1 bytes\n");
+}
+
+TEST(Ros1Bag, AHeadersFieldWithoutAValueIsNone) {
+  const std::string inside =
+      connection(0, "/a", "pkg/A") +
+      record({op(2), "conn", "conn=" + ros1_u32(0), "time=" + little(std::uint64_t{100})}, "data");
+  EXPECT_EQ(read_ros1(file_header() + chunk("none", inside, inside)).messages,
+            (std::vector<ReadMessage>{{"/a", "pkg/A", 100'000'000'000, "data"}}));
+}
+
+TEST(Ros1Bag, MessagesAndConnectionsMayLieOutsideOfChunks) {
+  const std::string inside = message(1, 100, "inside");
+  const std::string bytes = file_header() + connection(1, "/b", "pkg/B") +
+                            message(1, 99, "before") + chunk("none", inside, inside);
+  const Ros1Outcome outcome = read_ros1(bytes);
+  ASSERT_EQ(outcome.messages.size(), 2U);
+  EXPECT_EQ(outcome.messages[0], (ReadMessage{"/b", "pkg/B", 99'000'000'007, "before"}));
+  EXPECT_EQ(outcome.messages[1], (ReadMessage{"/b", "pkg/B", 100'000'000'007, "inside"}));
+}
+
+TEST(Ros1Bag, AChunkWithinAChunkIsPassedOver) {
+  const std::string inner = message(0, 1, "not to be read");
+  const std::string inside = content(0) + chunk("none", inner, inner) + message(0, 104, "more");
+  const Ros1Outcome outcome = read_ros1(file_header() + chunk("none", inside, inside));
+  ASSERT_EQ(outcome.messages.size(), 5U);
+  EXPECT_EQ(outcome.messages.back().data, "more");
+  EXPECT_EQ(outcome.notes, "");
+}
+
+TEST(Ros1Bag, MessagesOfAConnectionThatIsNotThereAreNoted) {
+  const std::string inside = content(0) + message(7, 104, "whose?") + message(7, 105, "whose?");
+  const Ros1Outcome outcome = read_ros1(file_header() + chunk("none", inside, inside));
+  EXPECT_EQ(outcome.messages.size(), 4U);
+  EXPECT_EQ(outcome.notes, "messages of a connection that was not announced are passed over\n");
+}
+
+TEST(Ros1Bag, ConnectionsBeyondTheirLimitsArePassedOver) {
+  const std::string large = record({op(7), "conn=" + ros1_u32(9), "topic=/large"},
+                                   sized("type=p/T") + sized(std::string(16 << 20, ' ')));
+  EXPECT_EQ(read_ros1(file_header() + large + message(9, 1, "x")).notes,
+            "messages of a connection that was not announced are passed over\n");
+  std::string many = file_header();
+  for (std::uint32_t id = 0; id <= 65'536; ++id) many += connection(id, "/t", "p/T");
+  const Ros1Outcome outcome = read_ros1(many + message(65'535, 1, "x") + message(65'536, 1, "x"));
+  EXPECT_EQ(outcome.messages.size(), 1U);
+}
+
+TEST(Ros1Bag, TopicsAreAnnouncedAsTheirFirstConnectionHasThem) {
+  const std::string name = "/" + std::string(5000, 'n');
+  const std::string data = sized("type=sensor_msgs/msg/PointCloud2") + sized("md5sum=1158d4") +
+                           sized("message_definition=uint32 height") + sized("latching=1");
+  const std::string bytes = file_header() +
+                            record({op(7), "conn=" + ros1_u32(0), "topic=" + name}, data) +
+                            connection(0, "/another", "pkg/B") + connection(1, "/b", "pkg/B") +
+                            message(0, 1, "a") + message(1, 1, "b");
+  const auto source = read_ros1_bag(std::make_unique<MemoryStream>(test::bytes_of(bytes)));
+  source->want("/b");
+  EXPECT_EQ(source->progress(), 0.0);
+  EXPECT_EQ(test::read_all_messages(*source),
+            (std::vector<ReadMessage>{{"/b", "pkg/B", 1'000'000'007, "b"}}));
+  EXPECT_EQ(source->progress(), 1.0);
+  EXPECT_EQ(source->met(), 2U);
+  ASSERT_EQ(source->announced().size(), 2U);
+  const Topic& first = source->announced().front();
+  EXPECT_EQ(first.name, name.substr(0, kMostNameBytes));
+  EXPECT_EQ(first.type, "sensor_msgs/PointCloud2");
+  EXPECT_EQ(first.definition->text, "uint32 height");
+  EXPECT_EQ(first.definition->language, "ros1msg");
+  EXPECT_EQ(first.definition->md5, "1158d4");
+  EXPECT_TRUE(first.definition->latched);
+  EXPECT_FALSE(source->announced().back().definition->latched);
+}
+
+TEST(Ros1Bag, MessageThatIsAllCompressionIsPassedOverByName) {
+  const std::string inside = connection(0, "/a", "pkg/A") +
+                             message(0, 1, std::string(70 << 20, '\0')) + message(0, 2, "next");
+  const Ros1Outcome outcome =
+      read_ros1(file_header() + chunk("lz4", inside, compress(Compression::lz4, inside)));
+  ASSERT_EQ(outcome.messages.size(), 1U);
+  EXPECT_EQ(outcome.messages[0].data, "next");
+  EXPECT_EQ(outcome.notes,
+            "a message of /a is passed over: it is more than 32 times as large as what it is "
+            "compressed into\n");
 }
 
 TEST(Ros1Bag, AnotherCompressionIsNamed) {
