@@ -73,9 +73,9 @@ void PacketIntake::look_for_another(const UdpDatagram& datagram) {
 
 void PacketIntake::remember_traffic(const UdpDatagram& datagram) {
   constexpr std::size_t kMostKinds = 64;
-  if (counts_.data_packets == 0 && traffic_.size() < kMostKinds) {
-    ++traffic_[{datagram.destination_port, datagram.payload.size()}];
-  }
+  if (counts_.data_packets > 0) return;
+  const std::pair kind = {datagram.destination_port, datagram.payload.size()};
+  if (traffic_.size() < kMostKinds || traffic_.contains(kind)) ++traffic_[kind];
 }
 
 CaptureCounts PacketIntake::counts() const {
