@@ -99,5 +99,55 @@ TEST(SensorClock, BothClocksSetBackLoseNoPacket) {
   EXPECT_FALSE(clock.read(back + 1'327'000, kAbsolute, back + 1'327'000)->jumped);
 }
 
+TEST(SensorClock, TheHourIsTheCapturesWhereTheyDifferByTwoSecondsAtMost) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  for (const std::int64_t ahead : {2 * kSecond, -2 * kSecond}) {
+    SensorClock clock;
+    EXPECT_EQ(clock.read(100 * kSecond + ahead, kPastHour, 9 * kHour + 100 * kSecond)->stamp_ns,
+              9 * kHour + 100 * kSecond + ahead);
+    SensorClock other;
+    const std::int64_t more = ahead + (ahead > 0 ? 1 : -1);
+    EXPECT_EQ(other.read(100 * kSecond + more, kPastHour, 9 * kHour + 100 * kSecond)->stamp_ns,
+              9 * kHour + 100 * kSecond);
+  }
+}
+
+// By however little: all that follows would be late.
+TEST(SensorClock, AClockThatStaysBehindForATenthOfASecondWasSetBack) {
+  SensorClock clock;
+  ASSERT_TRUE(clock.read(1'000'000'000, kPastHour, kCapture));
+  EXPECT_FALSE(clock.read(950'000'000, kPastHour, kCapture + 100'000'000));
+  const auto jump = clock.read(950'000'000, kPastHour, kCapture + 100'000'001);
+  ASSERT_TRUE(jump);
+  EXPECT_TRUE(jump->jumped);
+}
+
+TEST(SensorClock, APacketBeforeTheLastHasItsStampUpToATenthOfASecond) {
+  SensorClock clock;
+  EXPECT_FALSE(clock.stamp_before_last(kHour - 1'000, kPastHour)) << "there is no last one";
+  const std::int64_t last = clock.read(827'000, kPastHour, 10 * kHour + 827'000)->stamp_ns;
+  EXPECT_EQ(clock.stamp_before_last(kHour - 500'000, kPastHour), last - 1'327'000);
+  EXPECT_FALSE(clock.read(kHour - 500'000, kPastHour, 10 * kHour + 828'000)) << "it is late";
+  EXPECT_EQ(clock.stamp_before_last(kHour + 827'000 - 100'000'000, kPastHour), last - 100'000'000);
+  EXPECT_FALSE(clock.stamp_before_last(kHour + 827'000 - 100'000'001, kPastHour));
+  EXPECT_FALSE(clock.stamp_before_last(827'000, kPastHour));
+  EXPECT_FALSE(clock.stamp_before_last(-1, kPastHour));
+}
+
+TEST(SensorClock, TimesAndStampsHaveALimit) {
+  constexpr auto kAbsolute = sensors::TimeBase::absolute;
+  constexpr std::int64_t kGreatest = 4'500'000'000'000'000'000;
+  EXPECT_TRUE(SensorClock().read(kGreatest, kAbsolute, kCapture));
+  EXPECT_FALSE(SensorClock().read(kGreatest + 1, kAbsolute, kCapture));
+  for (const std::int64_t arrival : {-kGreatest, kGreatest}) {
+    EXPECT_TRUE(SensorClock().read(17'000, kPastHour, arrival));
+    EXPECT_FALSE(SensorClock().read(17'000, kPastHour, arrival + arrival / kGreatest));
+  }
+  SensorClock clock;
+  ASSERT_TRUE(clock.read(kGreatest - 1'000'000'000, kAbsolute, kCapture));
+  EXPECT_FALSE(clock.read(kGreatest - 2'000'000'000, kAbsolute, kCapture + 1'000'000'001));
+  EXPECT_TRUE(clock.read(kGreatest - 2'000'000'000, kAbsolute, kCapture + 1'000'000'000)->jumped);
+}
+
 }  // namespace
 }  // namespace surefoot::io
