@@ -42,9 +42,42 @@ TEST(BagMetadata, NamesAreThoseBeforeTheirQuotes) {
       "  - \"a \\\"b\\\" #2.db3\"\n"
       "  - 'it''s: c.db3'\n"
       "  - d \"e\".db3\n"
-      "  - \"f\\x09\\n.db3\"\n");
-  EXPECT_EQ(metadata.files, (std::vector<std::string>{"a \"b\" #2.db3", "it's: c.db3",
-                                                      "d \"e\".db3", "f\t\n.db3"}));
+      "  - \"fn\\x09\\n.db3\"\n"
+      "  - \"g\\x9z.db3\"\n"
+      "  - \"h\\\"\n"
+      "  - 'i.db3\n"
+      "  - j.db3j\n");
+  EXPECT_EQ(metadata.files,
+            (std::vector<std::string>{"a \"b\" #2.db3", "it's: c.db3", "d \"e\".db3", "fn\t\n.db3",
+                                      "gx9z.db3", "h\\", "'i.db3", "j.db3j"}));
+}
+
+TEST(BagMetadata, KeysAreWholeWords) {
+  EXPECT_EQ(parse_bag_metadata("storage_identifiers: mcap").storage, "");
+  EXPECT_EQ(parse_bag_metadata(std::string_view("storage_identifier: mcap").substr(0, 18)).storage,
+            "");
+}
+
+// Topics and files have counts, too.
+TEST(BagMetadata, TheMessagesOfABagAreThoseFurthestToTheLeft) {
+  const auto messages = [](const char* text) { return parse_bag_metadata(text).messages; };
+  EXPECT_EQ(messages("  topics:\n"
+                     "    - topic:\n"
+                     "      message_count: 60\n"
+                     "  message_count: 100\n"
+                     "  files:\n"
+                     "      message_count: 40\n"),
+            100U);
+  EXPECT_EQ(messages("  message_count: 12x\n"), std::nullopt);
+  EXPECT_EQ(messages("  message_count: 99999999999999999999\n"), std::nullopt);
+}
+
+TEST(BagMetadata, NamesOfNoFilesAreNone) {
+  EXPECT_EQ(parse_bag_metadata("relative_file_paths:\n  - \"\"\n  - folder/\n  - a.db3\n").files,
+            (std::vector<std::string>{"a.db3"}));
+  std::string many = "relative_file_paths:\n";
+  for (int i = 0; i <= 100'000; ++i) many += "- a\n";
+  EXPECT_EQ(parse_bag_metadata(many).files.size(), 100'000U);
 }
 
 TEST(BagMetadata, GivesThePartsTheirOrder) {

@@ -6,6 +6,8 @@
 
 #include <ctime>
 
+#include "io/recording.hpp"
+
 namespace surefoot::io {
 namespace {
 
@@ -47,6 +49,30 @@ TEST(LookAheadStream, LookingFarAheadAgainAndAgainCostsNoMoreThanReading) {
     ASSERT_EQ(stream.read(part), part.size());
   }
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20.0);
+}
+
+TEST(LimitedStream, PassesOverNoMoreThanIsItsOwn) {
+  const std::vector<std::byte> bytes = counting(10);
+  MemoryStream whole(bytes);
+  LimitedStream part(whole, 4);
+  EXPECT_EQ(part.skip(9), 4U);
+  std::vector<std::byte> next(2);
+  EXPECT_EQ(part.read(next), 0U);
+  ASSERT_EQ(whole.read(next), 2U);
+  EXPECT_EQ(next[0], bytes[4]);
+}
+
+// The bytes at 0 of a process's memory, which Linux refuses.
+TEST(FileStream, SaysWhyItCannotReadOn) {
+  FileStream file("/proc/self/mem");
+  std::vector<std::byte> bytes(9);
+  try {
+    (void)file.read(bytes);
+    ADD_FAILURE() << "it was read";
+  } catch (const ReadError& error) {
+    EXPECT_STREQ(error.what(), "cannot read on after 0 bytes: Input/output error");
+  }
+  EXPECT_EQ(file.progress(), 1.0) << "of a file that says it is empty";
 }
 
 }  // namespace
