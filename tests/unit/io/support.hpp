@@ -157,7 +157,9 @@ class PcapFile {
 class PcapngFile {
  public:
   /// `decimals`: of the stamps, said by the interface's if_tsresol; 6, the default, is not said.
-  explicit PcapngFile(std::uint16_t link_type = 1, unsigned decimals = 6, bool big_endian = false)
+  /// `begin_s`: what they count from, said by its if_tsoffset.
+  explicit PcapngFile(std::uint16_t link_type = 1, unsigned decimals = 6, bool big_endian = false,
+                      std::int64_t begin_s = 0)
       : ticks_ns_(1), big_endian_(big_endian) {
     for (unsigned i = decimals; i < 9; ++i) ticks_ns_ *= 10;
     add_block(0x0a0d0d0aU, number(0x1a2b3c4dU) + number(std::uint16_t{1}) +
@@ -166,8 +168,13 @@ class PcapngFile {
     if (decimals != 6) {
       constexpr std::uint16_t kTimeResolution = 9;
       options = number(kTimeResolution) + number(std::uint16_t{1}) + static_cast<char>(decimals) +
-                std::string(3, '\0') + number(0U);
+                std::string(3, '\0');
     }
+    if (begin_s != 0) {
+      constexpr std::uint16_t kTimeOffset = 14;
+      options += number(kTimeOffset) + number(std::uint16_t{8}) + number(begin_s);
+    }
+    if (!options.empty()) options += number(0U);
     add_block(1, number(link_type) + number(std::uint16_t{0}) + number(65535U) + options);
   }
   void add(std::int64_t stamp_ns, std::string_view frame) {
