@@ -15,7 +15,7 @@ constexpr std::string_view kBlanks = " \t\r\v\f\n";
 
 // std::from_chars knows no plus sign.
 std::string_view without_plus(std::string_view word) {
-  const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
+  const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
   return plus ? word.substr(1) : word;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "io/files/kitti_bin.hpp"
 #include "io/recording.hpp"
 #include "unit/io/scan_folders.hpp"
 
@@ -169,6 +170,42 @@ TEST(FolderRecording, BinFilesOfOtherWidthsAreToldByTheirValues) {
   michigan.write("0.bin", nclt);
   const std::string error = read_all(michigan.path())[0].error;
   EXPECT_NE(error.find("NCLT"), std::string::npos) << error;
+}
+
+std::string format_of(const std::string& bytes) {
+  return parse_kitti_bin(test::bytes_of(bytes)).format;
+}
+
+// Of four points, which would be five of KITTI's, only one has an odd fifth number.
+TEST(KittiBin, ALasersNumberIsAWholeOneOfAByte) {
+  const auto with_ring = [](float ring) {
+    return rows(4, [&](std::size_t i) {
+      return std::vector{1.0F, 2.0F, 3.0F, 4.0F, i == 0 ? ring : 7.0F};
+    });
+  };
+  for (const float ring : {0.0F, 255.0F}) EXPECT_EQ(format_of(with_ring(ring)), "nuScenes .bin");
+  for (const float odd : {-1.0F, 256.0F, 0.5F, std::nanf("")}) {
+    EXPECT_EQ(format_of(with_ring(odd)), "KITTI .bin") << odd;
+  }
+  EXPECT_EQ(format_of(""), "KITTI .bin");
+}
+
+TEST(KittiBin, ZerosAreNoIntegersAndFewIntensitiesAreBelowZero) {
+  const auto zeros = [](std::size_t) { return std::vector{1.5F, 0.0F, 2.5F, 0.0F}; };
+  EXPECT_EQ(format_of(rows(3, zeros)), "KITTI .bin");
+  const auto some = [](std::size_t count, std::size_t below) {
+    return rows(count, [below](std::size_t i) {
+      return std::vector{1.5F, 1.0F, 2.5F, i < below ? -0.5F : 0.5F};
+    });
+  };
+  EXPECT_EQ(format_of(some(101, 2)), "KITTI .bin");
+  EXPECT_THROW((void)format_of(some(101, 3)), ReadError);
+}
+
+TEST(KittiBin, APointStraightAboveIsLeftAsItIs) {
+  std::vector<Eigen::Vector3f> points = {{0.0F, 0.0F, 2.0F}};
+  correct_kitti_hdl64(points);
+  EXPECT_EQ(points[0], Eigen::Vector3f(0.0F, 0.0F, 2.0F));
 }
 
 TEST(FolderRecording, WrongStampsFiles) {
