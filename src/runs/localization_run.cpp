@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "io/decimal_time.hpp"
@@ -27,7 +29,7 @@ void LocalizationRun::open(const std::filesystem::path& folder) {
 
 void LocalizationRun::write(const std::string& row) {
   if (csv_ << row << std::flush && poses_.flush()) return;
-  throw io::WriteError(folder_.string() + ": cannot be written any more (disk full?)");
+  throw io::WriteError(folder_.string() + ": cannot be written any more: " + std::strerror(errno));
 }
 
 void LocalizationRun::begin_anew(mapping::SavedMap map, bool is_another) {

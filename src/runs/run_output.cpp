@@ -100,7 +100,8 @@ void RunOutput::add(const std::string& name, const Estimate& estimate, const Pos
   kitti_ << io::format_kitti_poses({pose}) << std::flush;
   csv_ << scans_csv_line({lines_++, name, estimate, times}) << std::flush;
   if (!tum_ || !kitti_ || !csv_ || !dense_) {
-    throw std::runtime_error(folder_.path().string() + ": cannot be written any more (disk full?)");
+    throw std::runtime_error(folder_.path().string() +
+                             ": cannot be written any more: " + std::strerror(errno));
   }
 }
 

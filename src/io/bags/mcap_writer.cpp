@@ -35,7 +35,7 @@ void append_map(std::string& out, const McapWriter::Metadata& map) {
 
 McapWriter::McapWriter(const std::filesystem::path& file, McapOptions options)
     : path_(file), options_(std::move(options)), file_(file, std::ios::binary) {
-  if (!file_) throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
+  if (!file_) fail();
   put(mcap::kMagic);
   std::string body;
   append_string(body, options_.profile);
@@ -220,7 +220,7 @@ void McapWriter::finish() {
   put_footer(has_summary ? summary_start : 0, offsets_start);
   put(mcap::kMagic);
   file_.close();
-  if (!file_) throw WriteError(path_.string() + ": cannot be written (disk full?)");
+  if (!file_) fail();
 }
 
 void McapWriter::put_footer(std::uint64_t summary_start, std::uint64_t offsets_start) {
@@ -273,9 +273,13 @@ void McapWriter::put_record(Opcode opcode, std::string body, bool may_have_tail)
   put(record(opcode, std::move(body), may_have_tail));
 }
 
+void McapWriter::fail() const {
+  throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
+}
+
 void McapWriter::put(std::string_view bytes) {
   file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file_) throw WriteError(path_.string() + ": cannot be written (disk full?)");
+  if (!file_) fail();
   crc_ = crc32(bytes_of(bytes), crc_);
   position_ += bytes.size();
 }

@@ -72,6 +72,7 @@ class McapWriter {
   };
 
   void put(std::string_view bytes);
+  [[noreturn]] void fail() const;
   void put_record(mcap::Opcode opcode, std::string body, bool may_have_tail = true);
   [[nodiscard]] std::string record(mcap::Opcode opcode, std::string body, bool may_have_tail) const;
   void put_data(mcap::Opcode opcode, const std::string& body, bool may_have_tail);

@@ -4,6 +4,8 @@
 // A ROS 1 bag as rosbag_storage lays it out: the file's header, chunks each with its index, and at
 // the end all connections and a summary of every chunk.
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <vector>
@@ -111,7 +113,7 @@ class Ros1Bag final : public BagWriter {
     file_.seekp(static_cast<std::streamoff>(kRos1BagMagic.size()));
     put(file_header(index_position));
     file_.close();
-    if (!file_) throw WriteError(path_.string() + ": cannot be written (disk full?)");
+    if (!file_) fail();
   }
 
   [[nodiscard]] MessageWriter::Flavour flavour() const override {
@@ -162,9 +164,13 @@ class Ros1Bag final : public BagWriter {
     chunk_ = {};
   }
 
+  [[noreturn]] void fail() const {
+    throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
+  }
+
   void put(std::string_view bytes) {
     file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!file_) throw WriteError(path_.string() + ": cannot be written (disk full?)");
+    if (!file_) fail();
     position_ += bytes.size();
   }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/packets/datagram_writer.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <string>
 
 #include "io/file_writer.hpp"
@@ -71,12 +73,16 @@ void DatagramWriter::add(std::int64_t arrival_ns, const UdpDatagram& datagram) {
   append_bytes(record, static_cast<std::uint32_t>(packet.size()));
   append_bytes(record, static_cast<std::uint32_t>(packet.size()));
   file_ << record << packet;
-  if (!file_) throw WriteError(path_.string() + ": cannot be written any more (disk full?)");
+  if (!file_) fail();
 }
 
 void DatagramWriter::flush() {
   file_.flush();
-  if (!file_) throw WriteError(path_.string() + ": cannot be written");
+  if (!file_) fail();
+}
+
+void DatagramWriter::fail() const {
+  throw WriteError(path_.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace surefoot::io

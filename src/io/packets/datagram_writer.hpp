@@ -18,12 +18,14 @@ class DatagramWriter {
   /// Throws WriteError where the file cannot be made.
   explicit DatagramWriter(const std::filesystem::path& file);
 
-  /// Throws WriteError (disk full?).
+  /// Throws WriteError.
   void add(std::int64_t arrival_ns, const UdpDatagram& datagram);
   /// What was added lies in the file. Throws WriteError.
   void flush();
 
  private:
+  [[noreturn]] void fail() const;
+
   std::filesystem::path path_;
   std::ofstream file_;
 };

@@ -16,7 +16,7 @@ class FrameWriter {
   FrameWriter(const std::filesystem::path& file, const CaptureFile& like);
 
   /// False where the format cannot hold the frame's stamp: before 1970, after 2106. Throws
-  /// WriteError (disk full?).
+  /// WriteError.
   [[nodiscard]] bool add(const CapturedFrame& frame);
   /// All that was added lies in the file. Throws WriteError.
   void finish();

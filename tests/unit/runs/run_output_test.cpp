@@ -6,10 +6,13 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "io/file_writer.hpp"
+#include "runs/localization_run.hpp"
 #include "runs/run_files.hpp"
 #include "runs/trajectory_inputs.hpp"
 #include "support/scratch.hpp"
@@ -69,6 +72,54 @@ TEST_F(RunOutputTest, AFileThatCannotBeOpenedIsNamedWithTheSystemsReason) {
     told = error.what();
   }
   EXPECT_TRUE(told.ends_with("trajectory.tum: cannot be written: Too many open files")) << told;
+}
+
+/// As if the disk had no more room for any file than so many bytes.
+class RoomFor {
+ public:
+  explicit RoomFor(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit room{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &room);
+  }
+  ~RoomFor() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  RoomFor(const RoomFor&) = delete;
+  RoomFor& operator=(const RoomFor&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_F(RunOutputTest, WhatCannotBeWrittenOnIsToldWithTheSystemsReason) {
+  RunOptions options;
+  options.input = "memory";
+  options.output = folder_ / "out";
+  RunOutput output(options);
+  output.begin(options);
+  std::string told;
+  try {
+    const RoomFor little(1000);
+    for (int i = 0; i < 100; ++i) output.add("", Estimate(), Pose(), {});
+  } catch (const std::runtime_error& error) {
+    told = error.what();
+  }
+  EXPECT_EQ(told, (folder_ / "out").string() + ": cannot be written any more: File too large");
+}
+
+TEST_F(RunOutputTest, PlacesInAMapThatCannotBeWrittenAreToldWithTheSystemsReason) {
+  std::filesystem::create_symlink("/dev/full", folder_ / kLocalizationFile);
+  LocalizationRun run({}, Pose());
+  std::string told;
+  try {
+    run.open(folder_);
+  } catch (const io::WriteError& error) {
+    told = error.what();
+  }
+  EXPECT_EQ(told, folder_.string() + ": cannot be written any more: No space left on device");
 }
 
 }  // namespace
