@@ -154,6 +154,23 @@ TEST(TopicStream, TellsWhenTheMessageCameAndWhatWasLost) {
     EXPECT_EQ(stream->last(), came);
   }
   EXPECT_EQ(stream->state().lost, 5U);
+  EXPECT_EQ(stream->state().received, 4U);
+  EXPECT_EQ(stream->state().description,
+            "live from topic /points, topic /points (sensor_msgs/PointCloud2)");
+}
+
+TEST(TopicStream, EndsWhereItIsToldTo) {
+  const auto stream = topic_stream(std::make_unique<Messages>(clouds(9, true)), {}, {});
+  int asked = 0;
+  const auto three_times = [&asked] { return ++asked <= 3; };
+  int scans = 0;
+  while (stream->next(three_times)) ++scans;
+  EXPECT_EQ(scans, 3);
+  EXPECT_FALSE(stream->next([] { return true; }).has_value()) << "for good";
+  EXPECT_EQ(stream->state().received, 3U);
+  const auto never = topic_stream(std::make_unique<Messages>(clouds(9, true)), {}, {});
+  EXPECT_FALSE(never->next([] { return false; }).has_value());
+  EXPECT_EQ(never->state().received, 0U);
 }
 
 class TopicStreamRecord : public test::Scratch {};
@@ -190,7 +207,11 @@ TEST_F(TopicStreamRecord, GivesTheSame) {
 TEST(TopicStream, SaysWhyThereIsNothing) {
   EXPECT_EQ(streamed({}).nothing,
             "topic /points: 0 messages, no scan among them; nobody else is there");
-  EXPECT_EQ(streamed(clouds(1, true)).nothing, "");
+  std::deque<std::string> messages = clouds(3, true);
+  messages.back().resize(100);
+  const Streamed some = streamed(messages);
+  EXPECT_EQ(some.nothing, "");
+  EXPECT_NE(some.items.back().error, "");
 }
 
 }  // namespace
