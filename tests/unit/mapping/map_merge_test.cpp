@@ -140,6 +140,28 @@ TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
   EXPECT_EQ(parse_map(format_map(*join.joint)).pieces.size(), join.joint->pieces.size());
 }
 
+TEST_F(MapMerge, AWalkThatIsJoinedHasItsPosesInTheMapsFrame) {
+  WalkMapper mapper{MapperOptions{}};
+  Trajectory measured;
+  for (std::size_t i = 0; i < later_walk().scans.size(); ++i) {
+    const PlacedScan& scan = later_walk().scans[i];
+    mapper.add(scan, later_walk().points[i]);
+    measured.push_back({scan.stamp_ns, scan.T_world_lidar});
+  }
+  mapper.finish();
+  FinishedWalk walk(mapper);
+  const MapJoin join = walk.join(campus());
+  ASSERT_TRUE(join.joint) << join.message;
+  EXPECT_EQ(walk.map().pieces.size(), join.joint->pieces.size());
+  const std::vector<FramePoses> parts = walk.corrected(measured);
+  ASSERT_EQ(parts.size(), 1U);
+  ASSERT_EQ(parts[0].poses.size(), measured.size());
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const Pose gap = later_walk().truth[i].inverse() * parts[0].poses[i].pose;
+    EXPECT_LT(gap.translation.norm(), 0.15) << "scan " << i;
+  }
+}
+
 TEST_F(MapMerge, WhereEnoughPlacesAgreeTheOthersAreComparedOnlyWhereTheyLie) {
   const MapJoin everywhere = join_maps(campus(), later_campus());
   MergeOptions options;
