@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/random.hpp"
+#include "surefoot/seconds.hpp"
 
 namespace surefoot {
 namespace {
@@ -186,7 +187,49 @@ TEST(WholeWay, ASteadyWalkThroughATunnelStaysOne) {
     for (const double at : {0.0, 0.5, 1.0}) {
       EXPECT_LT(apart(way.trajectory(s), told[s].trajectory, at), 0.1) << s << ' ' << at;
     }
+    const ScanTrajectory motion = way.trajectory(s);
+    const double step =
+        seconds(motion.end_ns() - motion.start_ns()) / static_cast<double>(motion.segments());
+    for (std::size_t k = 0; k < motion.segments(); ++k) {
+      const Pose &from = motion.boundary(k), &to = motion.boundary(k + 1);
+      EXPECT_NEAR((to.translation - from.translation).x() / step, 1.0, 1.2) << s << ' ' << k;
+    }
   }
+}
+
+/// Three times as many as of a scan are enough for all of a gap.
+TEST(WholeWay, AGapThatIsBridgedTakesSoManyKnotsAndNoMore) {
+  Config config;
+  config.motion_prior.max_extrapolation = 2.0;
+  const Session session{config, Workers(1)};
+  const auto usual = static_cast<std::size_t>(config.knots.segments);
+  for (const auto& [gap_s, expected] :
+       {std::pair{0.0, usual}, {0.1, 2 * usual}, {1.9, 3 * usual}}) {
+    WholeWay way(session);
+    for (int number = 0; number < 2; ++number) {
+      PreparedScan scan;
+      scan.start_ns = number * (kLasting + std::llround(1e9 * gap_s));
+      scan.end_ns = scan.start_ns + kLasting;
+      const Estimate estimate = going_along_x(scan, 0.0);
+      ASSERT_TRUE(way.add(std::move(scan), estimate));
+    }
+    EXPECT_EQ(way.trajectory(0).segments(), usual);
+    EXPECT_EQ(way.trajectory(1).segments(), expected) << gap_s;
+  }
+}
+
+/// Of a sensor without times of points, say.
+TEST(WholeWay, ItMayBeginWithAScanOfAnInstant) {
+  const Session session{Config{}, Workers(1)};
+  Random random(9);
+  WholeWay way(session);
+  for (const std::int64_t lasts_ns : {std::int64_t{0}, kLasting}) {
+    PreparedScan scan = walls_around(random, 0, lasts_ns, 0.0, 0.01, true);
+    const Estimate estimate = going_along_x(scan, 0.0);
+    ASSERT_TRUE(way.add(std::move(scan), estimate));
+  }
+  ASSERT_TRUE(way.refine());
+  EXPECT_LT(apart(way.trajectory(0), way.trajectory(1), 0.5), 0.01);
 }
 
 /// Every other scan begins 0.1 m beside the rest: the second map is a sharp one.
