@@ -103,9 +103,9 @@ def reliability_alike():
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
-def home_again(name, places):
+def home_again():
     """What happened a row: of how many places, how soon, and the walks where some are missed."""
-    kept = Kept(name)
+    kept = Kept("home_again")
     lines = []
     for what in dict.fromkeys(row[0] for row in kept.rows[1:]):
         walks = [row for row in kept.rows[1:] if row[0] == what and row[1] != "all"]
@@ -114,7 +114,7 @@ def home_again(name, places):
                            if row[2] != row[3])
         lines.append([what, sums[0], f"{sums[1]} in {walks[0][4]} s", *sums[2:], missed])
     head = ["what happened", "places", "right", "right in 7 s", "wrong place called ok",
-            f"late or never, of {places} on each walk"]
+            "late or never, of 4 on each walk"]
     return f"{markdown(head, lines)}\n\n{kept_by(kept)}"
 
 
@@ -751,8 +751,7 @@ TABLES = {
     "loops": loops,
     "detectors": detectors,
     "reference": reference,
-    "home-again": lambda: home_again("home_again", 9),
-    "home-again-others": lambda: home_again("home_again_others", 4),
+    "home-again": home_again,
     "reliability-alike": reliability_alike,
     "reliability-ok": lambda: f"{kept_sum('reliability', 'ok'):,}",
     "reliability-false": lambda: str(kept_sum("reliability", "false_ok")),
