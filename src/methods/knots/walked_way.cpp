@@ -17,9 +17,12 @@ constexpr double kRate = 0.1;   // of the mean: a second, which is two strides
 constexpr double kStorey = 1.2, kBeside = 1.5;
 // What rises by so much and is steeper than ground that is walked (28 deg) leads to another storey.
 constexpr double kSteep = 0.53;
-constexpr double kFlight = 0.8;     // [m] that a short one rises by
-constexpr double kClimbs = 0.6;     // [m] of who is on one, or has just left it
-constexpr std::size_t kLately = 7;  // places, the last ones
+constexpr double kFlight = 0.8;  // [m] that a short one rises by
+constexpr double kClimbs = 0.6;  // [m] of who is on one, or has just left it
+// The last places, so near to each other [m] that a short flight has some, however fast it is run
+// up.
+constexpr std::size_t kLately = 13;
+constexpr double kNear = 0.5;
 
 /// Whether a way rises by so much [m], as stairs do.
 bool is_steep(const Eigen::Vector3d& way, double rise) {
@@ -39,7 +42,7 @@ void WalkedWay::add(const Pose& T_map_carrier) {
   const Eigen::Vector3d up = T_map_carrier.rotation * Eigen::Vector3d::UnitZ();
   up_ = stands_.empty() ? up : Eigen::Vector3d(up_ + kRate * (up - up_));
   const Eigen::Vector3d& position = T_map_carrier.translation;
-  if (lately_.empty() || (position - lately_.back()).norm() >= kApart) lately_.push_back(position);
+  if (lately_.empty() || (position - lately_.back()).norm() >= kNear) lately_.push_back(position);
   if (lately_.size() > kLately) lately_.erase(lately_.begin());
   const bool known = std::any_of(stands_.begin(), stands_.end(), [&](const Stand& stand) {
     return (stand.position - position).squaredNorm() < kApart * kApart;

@@ -43,7 +43,7 @@ class WalkedWay {
   static Pose on_ground_of(const Stand& stand, const Eigen::Vector2d& place, double yaw);
 
   std::vector<Stand> stands_;                     // about one a metre
-  std::vector<Eigen::Vector3d> lately_;           // likewise, also where it had been before
+  std::vector<Eigen::Vector3d> lately_;           // closer, also where it had been before
   Eigen::Vector3d up_ = Eigen::Vector3d::Zero();  // fading mean
   bool is_levelled_ = true;
 };

@@ -129,6 +129,18 @@ TEST(WalkedWay, TellsWhetherItClimbsOfLate) {
   EXPECT_EQ(way_up_the_slope().climb_of_late(), 0.0) << "no flight";
 }
 
+// Nine steps, run up in eight scans: between places a metre apart too little of them is steep.
+TEST(WalkedWay, AShortFlightIsOneHoweverFastItIsRunUp) {
+  for (int phase = 0; phase < 48; ++phase) {
+    WalkedWay way;
+    for (int i = 0; i < 26; ++i) {
+      const double x = 0.32 * i + 0.02 * phase - 4.5;
+      way.add({Eigen::Quaterniond::Identity(), {x, 0.0, 0.55 * std::clamp(x, 0.0, 2.6)}});
+    }
+    EXPECT_GT(way.climb_of_late(), 1.3) << phase;
+  }
+}
+
 TEST(WalkedWay, ASlopeHasNoStoreys) {
   const WalkedWay way = way_up_the_slope();
   EXPECT_EQ(way.stands_at({12.4, 3.0}, 0.0).size(), 1U);
