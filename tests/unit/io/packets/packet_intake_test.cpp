@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "io/recording.hpp"
 #include "unit/io/support.hpp"
 
@@ -55,7 +57,8 @@ TEST_F(Intake, CountsWhatIsNoData) {
 }
 
 TEST_F(Intake, SaysWhatMostOfTheTrafficIs) {
-  for (const std::uint16_t port : {7, 9, 9, 11}) add("what is this", kOneSensor, port);
+  constexpr std::array<std::uint16_t, 4> kPorts{7, 9, 9, 11};
+  for (const std::uint16_t port : kPorts) add("what is this", kOneSensor, port);
   EXPECT_EQ(intake_->traffic_seen(), "; most are of 12 bytes to port 9");
   for (int i = 0; i < 3; ++i) add_data(0, kOneSensor, 10, 0x31);
   EXPECT_EQ(intake_->traffic_seen().find("; most are of 1206 bytes to port 10: "), 0U)
