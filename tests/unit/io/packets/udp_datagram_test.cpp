@@ -95,7 +95,8 @@ TEST(Udp, WhatStaysIncompleteIsNotJoinedToALaterDatagram) {
   FragmentBuffer buffer;
   const auto add = [&](std::uint16_t id, std::size_t offset, bool last) {
     IpFragment fragment;
-    (void)find_udp(LinkLayer::raw_ip, bytes_of(part_of(ip, offset, 80, last)), &fragment);
+    const std::string part = part_of(ip, offset, 80, last);  // the fragment refers to it
+    (void)find_udp(LinkLayer::raw_ip, bytes_of(part), &fragment);
     fragment.id = id;
     return buffer.add(fragment).content == FrameContent::udp;
   };
