@@ -28,6 +28,11 @@ constexpr double kFreer = 0.95;  // disagreements' ratio
 // on nothing does.
 constexpr double kAllFirm = 0.3, kNoneFirm = 0.5;
 
+// Where the last scan is nearly forgotten, so much of its information is left.
+constexpr double kNearlyForgotten = 0.01;
+// A map of fewer scans does not hold who has forgotten the last one.
+constexpr int kKnown = 3;
+
 // So often an end that ran away is begun anew: each time it may hold some segments longer.
 constexpr int kMostEnds = 4;
 
@@ -40,6 +45,11 @@ bool same_end(const KnotWindow& a, const KnotWindow& b) {
     if (a.knots[k].rotation.angularDistance(b.knots[k].rotation) > kSameAngle) return false;
   }
   return true;
+}
+
+/// [m] between where two registrations of a scan end.
+double apart(const KnotWindow& a, const KnotWindow& b) {
+  return (a.knots.back().translation - b.knots.back().translation).norm();
 }
 
 bool is_better(const KnotRegistration& a, const KnotRegistration& b, double unseen_weight) {
@@ -56,8 +66,10 @@ class Attempts {
     if (first.converged) least_ *= kBetter;
   }
 
-  void add(const KnotProblem& problem, const KnotWindow& start, const Annealing& annealing) {
-    starts_.push_back({problem, start, annealing});
+  /// @param least_apart [m] from where the first ended, or it has found no other place
+  void add(const KnotProblem& problem, const KnotWindow& start, const Annealing& annealing,
+           double least_apart = 0.0) {
+    starts_.push_back({problem, start, annealing, least_apart});
   }
 
   /// Where one ended, and by which velocity model and prior.
@@ -80,6 +92,7 @@ class Attempts {
       const KnotProblem& problem = starts_[i].problem;
       const double most = &problem.model == &usual_ ? least : kFreer * least;
       if (!found[i].solved || trials_.disagreement(found[i]) >= most) continue;
+      if (apart(found[i].window, first_.window) < starts_[i].least_apart) continue;
       least = trials_.disagreement(found[i]);
       best.emplace(Best{std::move(found[i].window), problem});
     }
@@ -91,6 +104,7 @@ class Attempts {
     const KnotProblem& problem;
     KnotWindow window;
     Annealing annealing;
+    double least_apart;
   };
 
   /// Most that lead nowhere are seen to before they end.
@@ -149,6 +163,11 @@ void add_turns(Attempts& attempts, const KnotProblem& problem, const KnotWindow&
     velocity[5] += rate;
     attempts.add(problem, predicted.at_velocity(velocity), annealing);
   }
+}
+
+KnotPrior nearly_forgotten(KnotPrior prior) {
+  prior.information *= kNearlyForgotten;
+  return prior;
 }
 
 /// By how many times a misfit is suspicious. Planes and poles tell a wrong place clearly; where
@@ -212,6 +231,7 @@ double firmness(const KnotRegistration& found) {
 }
 
 void UsualFit::learn(const KnotRegistration& found, double rate, const Config::Knots& config) {
+  ++scans;
   misfit += rate * (found.misfit - misfit);
   disagreement += rate * (found.disagreement(config.unseen_weight) - disagreement);
   misfit_of_seen += rate * (found.misfit_of_seen() - misfit_of_seen);
@@ -250,6 +270,15 @@ KnotRegistration register_in_attempts(KnotPoints& points, const KnotProblem& pro
   const KnotProblem loose{problem.map, problem.prior,   looser,
                           config,      problem.workers, problem.begin_step};
   add_turns(attempts, loose, predicted);
+  // Who begins to walk: the rings of a LiDAR go with it, and where nothing is plane a scan fits
+  // where the last one was nearly as well as where it is. Such freedom is for another place only:
+  // about the same one it explains noise.
+  const KnotPrior forgotten = nearly_forgotten(problem.prior);
+  const KnotProblem free{problem.map, forgotten,       looser,
+                         config,      problem.workers, problem.begin_step};
+  if (usual.scans >= kKnown && firmness(first) < 1.0) {
+    attempts.add(free, predicted, usual_annealing(config), config.kernel_end);
+  }
   const bool wrong = first.misfit_of_seen() > usual.most_misfit_of_seen(config);
   if (wrong) {
     const Annealing patient = patient_annealing(config);

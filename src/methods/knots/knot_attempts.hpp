@@ -14,6 +14,7 @@ struct UsualFit {
   double misfit = 1.0;        ///< KnotRegistration::misfit
   double disagreement = 1.0;  ///< KnotRegistration::disagreement()
   double misfit_of_seen = 1.0;
+  int scans = 0;  ///< that it was learnt from
 
   /// `rate`: weight of this registration, 1 to forget all others.
   void learn(const KnotRegistration& found, double rate, const Config::Knots& config);

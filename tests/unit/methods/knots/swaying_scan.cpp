@@ -24,19 +24,21 @@ double seconds(const Scan& scan, std::size_t point) {
 
 }  // namespace
 
-const SurfelMap& true_map() {
-  static const SurfelMap map = [] {
-    SurfelMap made(Config().knots, 100.0);
-    for (const Scan& scan : take_scans(furnished_hall(), swaying, 6)) {
-      std::vector<Eigen::Vector3d> points;
-      for (std::size_t i = 0; i < scan.points.size(); ++i) {
-        if (scan.points[i].isZero()) continue;
-        points.emplace_back(swaying(seconds(scan, i)) * scan.points[i].cast<double>());
-      }
-      made.insert({swaying(seconds(scan, 0)).translation, points});
+SurfelMap map_of_walk(const Config::Knots& config) {
+  SurfelMap made(config, 100.0);
+  for (const Scan& scan : take_scans(furnished_hall(), swaying, 6)) {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      if (scan.points[i].isZero()) continue;
+      points.emplace_back(swaying(seconds(scan, i)) * scan.points[i].cast<double>());
     }
-    return made;
-  }();
+    made.insert({swaying(seconds(scan, 0)).translation, points});
+  }
+  return made;
+}
+
+const SurfelMap& true_map() {
+  static const SurfelMap map = map_of_walk(Config().knots);
   return map;
 }
 

@@ -22,6 +22,8 @@ inline const StepObserver kNobody = [](Step) {};
 [[nodiscard]] Pose swaying(double t);
 
 /// Six scans of the same walk, every point where it was seen.
+[[nodiscard]] SurfelMap map_of_walk(const Config::Knots& config);
+/// By the default config.
 [[nodiscard]] const SurfelMap& true_map();
 
 /// Every third point of the scan that begins at kScanStart.
