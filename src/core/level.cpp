@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/downsample.hpp"
+#include "core/upright.hpp"
 #include "core/voxel_key.hpp"
 #include "geometry/decompositions.hpp"
 #include "geometry/float_sums.hpp"
@@ -129,23 +130,41 @@ Pose level_by_mount(const std::vector<Eigen::Vector3f>& points, const Config::Le
   return T_base_lidar;
 }
 
-/// The LiDAR's own z axis, for want of a ground beneath it.
-Pose level_by_axis(const std::vector<Eigen::Vector3f>& points, const Config::Level& config,
-                   LevelReport& report) {
-  report.message =
-      "level: no ground found in the first scan; the LiDAR's own z axis is taken for up";
-  if (const auto floor = find_ground(turned(points, upside_down()), config.max_tilt_deg)) {
-    // Roll, then pitch, that turn the floor's normal to z.
-    const Eigen::Vector3d up = upside_down() * floor->normal;
-    double roll = std::atan2(up.y(), up.z());
-    if (roll < 0.0) roll += 2.0 * std::numbers::pi;  // 180, not -180
-    const double pitch = std::atan2(-up.x(), std::hypot(up.y(), up.z()));
-    report.message += format(
-        "; there is a floor above it: if the LiDAR hangs upside down, its mount is 0,0,0,%.0f,%.0f "
-        "and the yaw (--extrinsic)",
-        roll / kDegree, pitch / kDegree);
+/// Where a floor above says that the LiDAR hangs upside down: the mount that would be.
+std::string mount_below(const GroundPlane& floor) {
+  // Roll, then pitch, that turn the floor's normal to z.
+  const Eigen::Vector3d up = upside_down() * floor.normal;
+  double roll = std::atan2(up.y(), up.z());
+  if (roll < 0.0) roll += 2.0 * std::numbers::pi;  // 180, not -180
+  const double pitch = std::atan2(-up.x(), std::hypot(up.y(), up.z()));
+  return format(
+      "; there is a floor above it: if the LiDAR hangs upside down, its mount is 0,0,0,%.0f,%.0f "
+      "and the yaw (--extrinsic)",
+      roll / kDegree, pitch / kDegree);
+}
+
+/// The shortest turn that brings `up` to z, so that the heading stays.
+Pose upward(const Eigen::Vector3d& up) {
+  return {rotation_between(up, Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero()};
+}
+
+/// For want of a ground beneath it: what stands upright and lies level tells, or the LiDAR's own z
+/// axis is taken.
+Pose level_without_ground(const std::vector<Eigen::Vector3f>& points, const Config::Level& config,
+                          LevelReport& report) {
+  report.message = "level: no ground found in the first scan; ";
+  const auto up = find_up(points, config.max_tilt_deg);
+  if (up) {
+    report.tilt_deg = tilt_deg(*up);
+    report.message +=
+        format("up is along what stands upright in it, %.0f deg from the LiDAR's z axis",
+               report.tilt_deg, 0.0);
+  } else {
+    report.message += "the LiDAR's own z axis is taken for up";
   }
-  return {};
+  const auto floor = find_ground(turned(points, upside_down()), config.max_tilt_deg);
+  if (floor) report.message += mount_below(*floor);
+  return up ? upward(*up) : Pose{};
 }
 
 }  // namespace
@@ -189,7 +208,7 @@ Pose level_pose(const std::vector<Eigen::Vector3f>& points, const Config::Level&
   }
   if (config.mode == LevelMode::mount) return level_by_mount(points, config, report);
   const auto ground = find_ground(points, config.max_tilt_deg);
-  if (!ground) return level_by_axis(points, config, report);
+  if (!ground) return level_without_ground(points, config, report);
   report.from_ground = true;
   report.tilt_deg = tilt_deg(ground->normal);
   report.ground_height = ground->height;
@@ -197,8 +216,7 @@ Pose level_pose(const std::vector<Eigen::Vector3f>& points, const Config::Level&
       "level: from the ground in the first scan, %.2f deg from the LiDAR's z axis, %.2f m "
       "below it",
       report.tilt_deg, report.ground_height);
-  // The shortest turn that brings the ground's normal to z, so that the heading stays.
-  return {rotation_between(ground->normal, Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero()};
+  return upward(ground->normal);
 }
 
 }  // namespace surefoot
