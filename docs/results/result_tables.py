@@ -738,6 +738,7 @@ TABLES = {
     "bend": bend,
     "hard-walks": hard_walks,
     "runners": lambda: hard_walks("runners"),
+    "beginnings-hilltop": lambda: hard_walks("beginnings_hilltop"),
     "relative-change": relative_change,
     "before": before,
     "before-largest": before_largest,
