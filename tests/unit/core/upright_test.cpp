@@ -76,18 +76,21 @@ TEST(Upright, IsTheSameWhateverTheOrderOfThePoints) {
 }
 
 TEST(Upright, WhatIsSteeperThanTheLimitIsNotLookedFor) {
-  EXPECT_FALSE(find_up(look(arcade(), tilted(0.0, 28.0)), 20.0));
+  const auto cloud = look(arcade(), tilted(0.0, 28.0));
+  for (const double limit : {20.0, 24.0, 26.0, 28.0, 30.0}) EXPECT_FALSE(find_up(cloud, limit));
 }
 
 TEST(Upright, WhereNothingStandsNothingIsTold) {
   test::Random random(7);
-  std::vector<Eigen::Vector3f> stones, slope;
+  std::vector<Eigen::Vector3f> stones, thicket, slope;
   for (int i = 0; i < 4000; ++i) {
     stones.push_back(random.vector(12.0).cast<float>());
+    thicket.push_back(random.vector(3.0).cast<float>());
     const Eigen::Vector3d p = random.vector(12.0);
     slope.emplace_back(p.cast<float>().x(), p.cast<float>().y(), 0.3F * p.cast<float>().x() - 0.5F);
   }
   EXPECT_FALSE(find_up(stones, kSteepest));
+  EXPECT_FALSE(find_up(thicket, kSteepest));  // all ways alike
   EXPECT_FALSE(find_up(slope, kSteepest));
   EXPECT_FALSE(find_up({}, kSteepest));
   EXPECT_FALSE(find_up(std::vector<Eigen::Vector3f>(stones.begin(), stones.begin() + 40), 90.0));
