@@ -5,7 +5,9 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <map>
 
@@ -46,8 +48,11 @@ class TemporaryFile {
     std::vector<std::byte> part(1 << 18);
     while (const std::size_t got = content.read(part)) {
       file.write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(got));
-      if (!file.flush() || !has_room()) {
-        throw ReadError(path_.string() + ": no room to decompress it into (disk full?)");
+      if (!file.flush()) {
+        throw ReadError(path_.string() + ": cannot decompress into it: " + std::strerror(errno));
+      }
+      if (!has_room()) {
+        throw ReadError(path_.string() + ": no room to decompress into it: 64 MB are to be left");
       }
     }
   }
