@@ -49,7 +49,7 @@ class Uprightness {
  public:
   explicit Uprightness(const std::vector<Eigen::Vector3f>& cloud) {
     for (const Eigen::Vector3f& point : downsample(cloud, kCell)) {
-      if (static_cast<double>(norm(point)) < kReach) points_.push_back(point.cast<double>());
+      if (static_cast<double>(norm(point)) < kReach) points_.emplace_back(point.cast<double>());
     }
   }
 
@@ -72,7 +72,7 @@ class Uprightness {
     const int x = place_of(p.x(), kCell, kColumns), y = place_of(p.y(), kCell, kColumns);
     const int z = place_of(p.z(), kCell, kCells);
     if (!is_within(x, kColumns) || !is_within(y, kColumns) || !is_within(z, kCells)) return;
-    const auto at = static_cast<std::size_t>(x * kColumns + y);
+    const auto at = static_cast<std::size_t>(x) * kColumns + static_cast<std::size_t>(y);
     if (columns_[at] == 0) touched_.push_back(at);
     columns_[at] |= std::uint64_t{1} << z;
   }
@@ -98,7 +98,8 @@ class Uprightness {
   }
 
   std::vector<Eigen::Vector3d> points_;
-  std::vector<std::uint64_t> columns_ = std::vector<std::uint64_t>(kColumns * kColumns);
+  std::vector<std::uint64_t> columns_ =
+      std::vector<std::uint64_t>(std::size_t{kColumns} * kColumns);
   std::vector<std::size_t> touched_;  // columns that are not empty
   std::array<int, kLayers> layers_{};
 };
@@ -150,6 +151,7 @@ std::optional<Eigen::Vector3d> find_up(const std::vector<Eigen::Vector3f>& point
   if (!uprightness.is_told()) return std::nullopt;
   const std::vector<Eigen::Vector3d> directions = directions_within(max_tilt_deg);
   std::vector<double> values;
+  values.reserve(directions.size());
   for (const Eigen::Vector3d& direction : directions) values.push_back(uprightness(direction));
   const auto best = std::max_element(values.begin(), values.end());
   if (*best <= 0.0 || *best < kStandsOut * median_of(values)) return std::nullopt;
