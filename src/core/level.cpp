@@ -131,7 +131,7 @@ Pose level_by_mount(const std::vector<Eigen::Vector3f>& points, const Config::Le
 }
 
 /// Where a floor above says that the LiDAR hangs upside down: the mount that would be.
-std::string mount_below(const GroundPlane& floor) {
+std::string upside_down_mount(const GroundPlane& floor) {
   // Roll, then pitch, that turn the floor's normal to z.
   const Eigen::Vector3d up = upside_down() * floor.normal;
   double roll = std::atan2(up.y(), up.z());
@@ -163,7 +163,7 @@ Pose level_without_ground(const std::vector<Eigen::Vector3f>& points, const Conf
     report.message += "the LiDAR's own z axis is taken for up";
   }
   const auto floor = find_ground(turned(points, upside_down()), config.max_tilt_deg);
-  if (floor) report.message += mount_below(*floor);
+  if (floor) report.message += upside_down_mount(*floor);
   return up ? upward(*up) : Pose{};
 }
 

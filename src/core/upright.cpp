@@ -32,9 +32,8 @@ constexpr std::size_t kMinPoints = 50;
 constexpr double kApart = 4.0;    // [deg] between the directions that are tried at first
 constexpr double kFinest = 0.25;  // [deg] and at last
 constexpr double kAtEdge = 3.0;   // [deg] a best one so near to the steepest goes on beyond it
-// The best must be better than half of all others by so many times. Where nothing stands or lies it
-// was at most eight times (rubble, grown hilltops), in buildings, streets and woods mostly 20 to
-// 100.
+// The best must be better than half of all others by so many times. In buildings, streets and woods
+// it was mostly 20 to 100 times; where nothing stands or lies less, or the best was at the edge.
 constexpr double kStandsOut = 10.0;
 constexpr double kMinUpright = 0.02;  // share of the cells: of less, chance makes as much
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "support/scene.hpp"
-#include "support/synthetic_run.hpp"
+#include "unit/core/look.hpp"
 
 namespace surefoot {
 namespace {
@@ -19,15 +19,6 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 Pose sensor(double height, double roll_deg, double pitch_deg, double yaw_deg = 0.0) {
   return {from_roll_pitch_yaw({roll_deg * kDegree, pitch_deg * kDegree, yaw_deg * kDegree}),
           {0.0, 0.0, height}};
-}
-
-/// What a standing scanner sees; only its returns.
-std::vector<Eigen::Vector3f> look(const test::Scene& scene, const Pose& T_world_lidar) {
-  std::vector<Eigen::Vector3f> returns;
-  for (const auto& p : test::take_scan(scene, test::standing(T_world_lidar), 0.0, {}).points) {
-    if (!p.isZero()) returns.push_back(p);
-  }
-  return returns;
 }
 
 Config::Level ground_config() {
@@ -50,7 +41,7 @@ TEST(Level, FindsTheGroundUnderTiltedMounts) {
       const Pose T_world_lidar = sensor(0.45, roll, pitch, 33.0);
       LevelReport report;
       const Pose T =
-          level_pose(look(test::furnished_hall(), T_world_lidar), ground_config(), report);
+          level_pose(test::look(test::furnished_hall(), T_world_lidar), ground_config(), report);
       ASSERT_TRUE(report.from_ground) << "pitch " << pitch << " roll " << roll;
       // Ranges have 1 cm of noise over some hundred ground points several metres apart.
       EXPECT_LT(level_error_deg(T, T_world_lidar), 0.2) << "pitch " << pitch << " roll " << roll;
@@ -64,14 +55,14 @@ TEST(Level, FindsTheGroundUnderTiltedMounts) {
 
 TEST(Level, KeepsHeadingAndOrigin) {
   LevelReport report;
-  const Pose T =
-      level_pose(look(test::furnished_hall(), sensor(0.45, 0.0, 15.0)), ground_config(), report);
+  const Pose T = level_pose(test::look(test::furnished_hall(), sensor(0.45, 0.0, 15.0)),
+                            ground_config(), report);
   EXPECT_EQ(T.translation, Eigen::Vector3d::Zero());
   EXPECT_NEAR(roll_pitch_yaw(T.rotation).z(), 0.0, 0.5 * kDegree);
 }
 
 TEST(Level, TheSameCloudGivesTheSameBits) {
-  const auto cloud = look(test::furnished_hall(), sensor(0.45, 3.0, 5.0));
+  const auto cloud = test::look(test::furnished_hall(), sensor(0.45, 3.0, 5.0));
   LevelReport report;
   const Pose once = level_pose(cloud, ground_config(), report);
   const Pose twice = level_pose(cloud, ground_config(), report);
@@ -82,7 +73,7 @@ TEST(Level, OnARampTheRampIsTheGround) {
   // Half-way up: the only ground near the feet is the slope itself.
   test::Scene slope;
   slope.add({sensor(-1.0, 0.0, -10.0), {30.0, 30.0, 1.0}});
-  const auto ground = find_ground(look(slope, sensor(0.5, 0.0, 0.0)), 45.0);
+  const auto ground = find_ground(test::look(slope, sensor(0.5, 0.0, 0.0)), 45.0);
   ASSERT_TRUE(ground);
   EXPECT_NEAR(std::acos(ground->normal.z()) / kDegree, 10.0, 0.3);
 }
@@ -90,11 +81,11 @@ TEST(Level, OnARampTheRampIsTheGround) {
 TEST(Level, ACeilingIsNotTaken) {
   test::Scene ceiling;
   ceiling.add(test::box_between({-20, -20, 2.0}, {20, 20, 3.0}));
-  EXPECT_FALSE(find_ground(look(ceiling, sensor(0.0, 0.0, 0.0)), 45.0));
+  EXPECT_FALSE(find_ground(test::look(ceiling, sensor(0.0, 0.0, 0.0)), 45.0));
   // A large ceiling close above and a floor: the floor.
   test::Scene both;
   both.add(test::box_between({-20, -20, 0.0}, {20, 20, 1.5}));
-  const auto ground = find_ground(look(both, sensor(0.9, 0.0, 0.0)), 45.0);
+  const auto ground = find_ground(test::look(both, sensor(0.9, 0.0, 0.0)), 45.0);
   ASSERT_TRUE(ground);
   EXPECT_NEAR(ground->height, 0.9, 0.03);
 }
@@ -102,7 +93,7 @@ TEST(Level, ACeilingIsNotTaken) {
 TEST(Level, ATableTopIsNotTaken) {
   test::Scene scene = test::furnished_hall();
   scene.add(test::box_between({1.0, -3.0, 0.25}, {5.0, 3.0, 0.3}));
-  const auto ground = find_ground(look(scene, sensor(0.45, 0.0, 0.0)), 45.0);
+  const auto ground = find_ground(test::look(scene, sensor(0.45, 0.0, 0.0)), 45.0);
   ASSERT_TRUE(ground);
   EXPECT_NEAR(ground->height, 0.45, 0.05);
 }
@@ -112,7 +103,7 @@ TEST(Level, WithoutGroundItSaysSoAndTakesTheLidarsAxis) {
   walls.add(test::box_between({-12.0, 6.0, -9.0}, {12.0, 7.0, 9.0}));
   walls.add(test::box_between({-12.0, -7.0, -9.0}, {12.0, -6.0, 9.0}));
   LevelReport report;
-  const Pose T = level_pose(look(walls, sensor(0.0, 0.0, 0.0)), ground_config(), report);
+  const Pose T = level_pose(test::look(walls, sensor(0.0, 0.0, 0.0)), ground_config(), report);
   EXPECT_FALSE(report.from_ground);
   EXPECT_NE(report.message.find("no ground"), std::string::npos);
   EXPECT_EQ(T.rotation.coeffs(), Eigen::Quaterniond::Identity().coeffs());
@@ -120,8 +111,8 @@ TEST(Level, WithoutGroundItSaysSoAndTakesTheLidarsAxis) {
 
 TEST(Level, ALidarUpsideDownIsTold) {
   LevelReport report;
-  const Pose T =
-      level_pose(look(test::furnished_hall(), sensor(0.45, 180.0, 5.0)), ground_config(), report);
+  const Pose T = level_pose(test::look(test::furnished_hall(), sensor(0.45, 180.0, 5.0)),
+                            ground_config(), report);
   EXPECT_FALSE(report.from_ground);
   EXPECT_NE(report.message.find("upside down"), std::string::npos) << report.message;
   // Its mount is Ry(5) Rx(180).
@@ -132,7 +123,7 @@ TEST(Level, ALidarUpsideDownIsTold) {
 TEST(Level, AMountThatTheGroundContradictsIsTold) {
   Config::Level config = ground_config();
   config.mode = LevelMode::mount;
-  const auto cloud = look(test::furnished_hall(), sensor(0.45, 0.0, 15.0));
+  const auto cloud = test::look(test::furnished_hall(), sensor(0.45, 0.0, 15.0));
   LevelReport report;
   for (const double pitch_deg : {15.0, 8.0}) {  // the mount itself, and one not far off it
     config.mount_pitch_deg = pitch_deg;
@@ -151,7 +142,7 @@ TEST(Level, AMountThatTheGroundContradictsIsTold) {
 }
 
 TEST(Level, APlaneSteeperThanTheLimitIsNotTheGround) {
-  const auto cloud = look(test::furnished_hall(), sensor(0.45, 0.0, 25.0));
+  const auto cloud = test::look(test::furnished_hall(), sensor(0.45, 0.0, 25.0));
   EXPECT_TRUE(find_ground(cloud, 30.0));
   EXPECT_FALSE(find_ground(cloud, 20.0));
 }
@@ -166,7 +157,7 @@ TEST(Level, AGivenMountAndNoneOverrideTheGround) {
   config.mode = LevelMode::mount;
   config.mount_x = 0.3;
   config.mount_pitch_deg = 15.0;
-  const auto cloud = look(test::furnished_hall(), sensor(0.45, 0.0, 15.0));
+  const auto cloud = test::look(test::furnished_hall(), sensor(0.45, 0.0, 15.0));
   LevelReport report;
   const Pose T = level_pose(cloud, config, report);
   EXPECT_LT((roll_pitch_yaw(T.rotation) - Eigen::Vector3d(0, 15.0 * kDegree, 0)).norm(), 1e-12);

@@ -16,7 +16,7 @@
 #include "geometry/so3.hpp"
 #include "support/random.hpp"
 #include "support/scene.hpp"
-#include "support/synthetic_run.hpp"
+#include "unit/core/look.hpp"
 
 namespace surefoot {
 namespace {
@@ -36,14 +36,6 @@ test::Scene arcade() {
   return scene;
 }
 
-std::vector<Eigen::Vector3f> look(const test::Scene& scene, const Pose& T_world_lidar) {
-  std::vector<Eigen::Vector3f> returns;
-  for (const auto& p : test::take_scan(scene, test::standing(T_world_lidar), 0.0, {}).points) {
-    if (!p.isZero()) returns.push_back(p);
-  }
-  return returns;
-}
-
 Pose tilted(double roll_deg, double pitch_deg, double yaw_deg = 20.0) {
   return {from_roll_pitch_yaw({roll_deg * kDegree, pitch_deg * kDegree, yaw_deg * kDegree}),
           {0.0, 0.1, 0.45}};
@@ -58,7 +50,7 @@ TEST(Upright, WallsAndWhatLiesLevelTellWhichWayIsUp) {
     for (const double roll_deg : {-20.0, 0.0, 8.0}) {
       for (const test::Scene& scene : {test::furnished_hall(), arcade()}) {
         const Pose T_world_lidar = tilted(roll_deg, pitch_deg);
-        const auto up = find_up(look(scene, T_world_lidar), kSteepest);
+        const auto up = find_up(test::look(scene, T_world_lidar), kSteepest);
         ASSERT_TRUE(up) << roll_deg << ' ' << pitch_deg;
         EXPECT_NEAR(up->norm(), 1.0, 1e-12);
         EXPECT_LT(error_deg(*up, T_world_lidar), 2.0) << roll_deg << ' ' << pitch_deg;
@@ -68,7 +60,7 @@ TEST(Upright, WallsAndWhatLiesLevelTellWhichWayIsUp) {
 }
 
 TEST(Upright, IsTheSameWhateverTheOrderOfThePoints) {
-  std::vector<Eigen::Vector3f> cloud = look(arcade(), tilted(0.0, 28.0));
+  std::vector<Eigen::Vector3f> cloud = test::look(arcade(), tilted(0.0, 28.0));
   const auto up = find_up(cloud, kSteepest);
   std::reverse(cloud.begin(), cloud.end());
   ASSERT_TRUE(up);
@@ -76,7 +68,7 @@ TEST(Upright, IsTheSameWhateverTheOrderOfThePoints) {
 }
 
 TEST(Upright, WhatIsSteeperThanTheLimitIsNotLookedFor) {
-  const auto cloud = look(arcade(), tilted(0.0, 28.0));
+  const auto cloud = test::look(arcade(), tilted(0.0, 28.0));
   for (const double limit : {20.0, 24.0, 26.0, 28.0, 30.0}) EXPECT_FALSE(find_up(cloud, limit));
 }
 
@@ -98,7 +90,7 @@ TEST(Upright, WhereNothingStandsNothingIsTold) {
 
 TEST(Upright, LevelsAMapWhereNoGroundIsFound) {
   const Pose T_world_lidar = tilted(0.0, 28.0);
-  const auto cloud = look(arcade(), T_world_lidar);
+  const auto cloud = test::look(arcade(), T_world_lidar);
   Config::Level config = Config().level;
   config.max_tilt_deg = kSteepest;
   LevelReport report;
