@@ -106,7 +106,7 @@ BENCHMARK_CAPTURE(time_ray_caster, hilltop, "hilltop")->Name("rays/hilltop/ray_c
 class BareEmbree {
  public:
   explicit BareEmbree(const TriangleMesh& mesh)
-      : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+      : device_(new_device()), scene_(rtcNewScene(device_)) {
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(

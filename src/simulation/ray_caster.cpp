@@ -136,8 +136,7 @@ struct RayCaster::Impl {
     std::vector<Material> materials;
   };
 
-  explicit Impl(const Scene& scene)
-      : device(rtcNewDevice("threads=1")), static_materials(scene.mesh.materials) {
+  explicit Impl(const Scene& scene) : device(new_device()), static_materials(scene.mesh.materials) {
     if (device == nullptr) throw std::runtime_error("Embree did not start");
     fixed = make_scene(device, scene.mesh);
     has_panes = std::find(static_materials.begin(), static_materials.end(), Material::pane) !=
