@@ -12,13 +12,13 @@
 #include "commands.hpp"
 #include "io/conversion.hpp"
 #include "io/counted.hpp"
-#include "io/printable.hpp"
 #include "piped_input.hpp"
 #include "process/exit_codes.hpp"
 #include "process/interrupt.hpp"
 #include "process/progress.hpp"
 #include "reader_options.hpp"
 #include "runs/input_checks.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::app {
 
@@ -49,7 +49,7 @@ int convert(const ConvertOptions& options) {
   progress.finish();
   if (!options.quiet) {
     for (const std::string& note : outcome.notes) {
-      fmt::print(stderr, "note: {}\n", io::printable(note));
+      fmt::print(stderr, "note: {}\n", text::printable(note));
     }
     for (const std::string& loss : outcome.losses) fmt::print(stderr, "{}\n", loss);
     fmt::print("{}, {}: {}\n", io::counted(outcome.scans, "scan"),

@@ -13,10 +13,10 @@
 #include "command_line/option_checks.hpp"
 #include "command_line/option_group.hpp"
 #include "commands.hpp"
-#include "io/printable.hpp"
 #include "io/robots.hpp"
 #include "live/live_health.hpp"
 #include "live_runs/live_run.hpp"
+#include "text/printable.hpp"
 #ifdef SUREFOOT_HAS_LIVE_PAGE
 #include "live_page/page_viewer.hpp"
 #endif
@@ -85,7 +85,7 @@ void print_end(const live_runs::LiveOutcome& outcome) {
   }
   if (outcome.run.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.run.partial);
   print_frames(outcome.run);
-  fmt::print("results: {}\n", io::printable(outcome.run.folder.string()));
+  fmt::print("results: {}\n", text::printable(outcome.run.folder.string()));
 }
 
 #ifdef SUREFOOT_HAS_LIVE_PAGE

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "command_line/option_texts.hpp"
-#include "io/printable.hpp"
 #include "surefoot/config.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::app {
 
@@ -28,7 +28,7 @@ constexpr std::array kNotRecorded = {
 void refuse_run_of_another(const std::string& command, const std::filesystem::path& file) {
   if (command != "map" && command != "reference") return;
   throw ConfigError(fmt::format("{}: is of surefoot {}, which repeats it: surefoot {} --config {}",
-                                file.string(), command, command, io::shell_word(file.string())));
+                                file.string(), command, command, text::shell_word(file.string())));
 }
 
 }  // namespace

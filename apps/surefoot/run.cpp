@@ -12,7 +12,6 @@
 #include "commands.hpp"
 #include "evaluation/statistics.hpp"
 #include "io/counted.hpp"
-#include "io/printable.hpp"
 #include "map_outcome.hpp"
 #include "piped_input.hpp"
 #include "process/exit_codes.hpp"
@@ -23,6 +22,7 @@
 #include "run_options.hpp"
 #include "runs/odometry_run.hpp"
 #include "surefoot/quantile.hpp"
+#include "text/printable.hpp"
 #ifdef SUREFOOT_HAS_PCAP
 #include "live/live_log.hpp"
 #endif
@@ -51,7 +51,7 @@ void print_outcome(const runs::RunOutcome& outcome, const runs::RunOptions& opti
   if (outcome.partial > 0) fmt::print("  {:5} partial, left out\n", outcome.partial);
   if (outcome.unreadable > 0) fmt::print("  {:5} unreadable\n", outcome.unreadable);
   print_frames(outcome);
-  fmt::print("results: {}\n", io::printable(outcome.folder.string()));
+  fmt::print("results: {}\n", text::printable(outcome.folder.string()));
 }
 
 #ifdef SUREFOOT_HAS_PCAP
@@ -83,7 +83,8 @@ void complete_options(CLI::App& command, runs::RunOptions& options) {
     (void)runs::config_of(options);  // it says best what is wrong with a file
     const std::string taken = restore_options(command, options.config_file, options.input);
     if (!taken.empty() && !options.quiet) {
-      fmt::print(stderr, "note: from {}: {}\n", options.config_file.string(), io::printable(taken));
+      fmt::print(stderr, "note: from {}: {}\n", options.config_file.string(),
+                 text::printable(taken));
     }
   }
   if (options.input.empty()) {

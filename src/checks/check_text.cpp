@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/decimal_time.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::checks {
 namespace {
@@ -18,7 +18,7 @@ class Rows {
   explicit Rows(int width) : width_(width) {}
 
   void add(const char* name, const std::string& value) {
-    text_ += fmt::format("{:<{}} {}\n", name, width_, io::printable(value));
+    text_ += fmt::format("{:<{}} {}\n", name, width_, text::printable(value));
   }
   [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -109,7 +109,7 @@ std::string to_text(const std::vector<io::TopicSurvey>& topics) {
   Rows rows(14);
   add_topics(rows, topics);
   for (const io::TopicSurvey& survey : topics) {
-    if (survey.usable) rows.add("scans by", "--topic " + io::shell_word(survey.topic.name));
+    if (survey.usable) rows.add("scans by", "--topic " + text::shell_word(survey.topic.name));
   }
   return rows.text();
 }

@@ -20,6 +20,7 @@
 #include "command_line/suggestion.hpp"
 #include "process/exit_codes.hpp"
 #include "process/standard_streams.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::command_line {
 namespace {
@@ -97,15 +98,6 @@ int parse(CLI::App& app, int argc, const char* const* argv) {
   return process::kDone;
 }
 
-/// Names of files and topics may hold what a terminal acts on; a list of them has lines.
-std::string shown(std::string text) {
-  const auto acts = [](char c) {
-    return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f;
-  };
-  std::replace_if(text.begin(), text.end(), acts, '?');
-  return text;
-}
-
 }  // namespace
 
 int run_program(CLI::App& app, const std::string& version, int argc, char** argv,
@@ -117,14 +109,15 @@ int run_program(CLI::App& app, const std::string& version, int argc, char** argv
     const int parsed = parse(app, argc, argv);
     return parsed != process::kDone ? parsed : exit_code;
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "surefoot: {}\n", shown(text_of(error)));
+    // Names of files and topics may hold what a terminal acts on; a list of them has lines.
+    fmt::print(stderr, "surefoot: {}\n", text::printable_lines(text_of(error)));
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::broken_pipe) process::end_without_reader();
-    fmt::print(stderr, "surefoot: {}\n", shown(error.what()));
+    fmt::print(stderr, "surefoot: {}\n", text::printable_lines(error.what()));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "surefoot: takes more memory than there is\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "surefoot: {}\n", shown(error.what()));
+    fmt::print(stderr, "surefoot: {}\n", text::printable_lines(error.what()));
   }
   return process::kBadInput;
 }

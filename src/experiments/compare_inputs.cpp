@@ -13,11 +13,11 @@
 #include <utility>
 
 #include "io/file_writer.hpp"
-#include "io/printable.hpp"
 #include "process/child_process.hpp"
 #include "process/interrupt.hpp"
 #include "runs/run_truth.hpp"
 #include "simulation/standard_suite.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::experiments {
 
@@ -143,7 +143,7 @@ std::vector<std::string> folder_names(const std::vector<fs::path>& paths) {
 }
 
 std::vector<std::string> shown_names(const std::vector<fs::path>& paths) {
-  return unique_names(paths, [](const std::string& text) { return io::printable(text); });
+  return unique_names(paths, [](const std::string& text) { return text::printable(text); });
 }
 
 std::vector<CompareInput> find_inputs(const CompareOptions& options) {

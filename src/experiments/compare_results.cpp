@@ -12,7 +12,6 @@
 #include "experiments/run_record.hpp"
 #include "experiments/seed_scenes.hpp"
 #include "io/file_writer.hpp"
-#include "io/printable.hpp"
 #include "io/trajectory_files.hpp"
 #include "process/machine.hpp"
 #include "runs/run_files.hpp"
@@ -20,6 +19,7 @@
 #include "runs/scans_csv.hpp"
 #include "runs/trajectory_inputs.hpp"
 #include "surefoot/seconds.hpp"
+#include "text/printable.hpp"
 #ifdef SUREFOOT_HAS_PICTURES
 #include "experiments/compare_figures.hpp"
 #endif
@@ -121,7 +121,7 @@ class ResultMaker {
       truth_part = truth;
       path = evaluation::aligned(estimate, result.evaluation->alignment);
     } catch (const std::exception& error) {
-      result.runs.front().error = "not evaluated: " + io::printable(error.what());
+      result.runs.front().error = "not evaluated: " + text::printable(error.what());
     }
   }
 
@@ -171,7 +171,7 @@ ComparedRecording compare_recording(const CompareOptions& options, const Compare
   try {
     truth = read_truth(input);
   } catch (const std::exception& error) {
-    no_truth = io::printable(error.what());
+    no_truth = text::printable(error.what());
   }
   if (no_truth.empty()) {
     recording.truth_length = evaluation::path_lengths(truth).back();

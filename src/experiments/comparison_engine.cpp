@@ -15,9 +15,9 @@
 #include "experiments/comparison_plan.hpp"
 #include "experiments/fingerprint.hpp"
 #include "io/counted.hpp"
-#include "io/printable.hpp"
 #include "process/exit_codes.hpp"
 #include "process/folder_lock.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::experiments {
 
@@ -50,7 +50,7 @@ bool has_truth(const CompareOptions& options, const CompareInput& input) {
   } catch (const std::exception& error) {
     if (options.needs_every_truth) throw;
     fmt::print(stderr, "surefoot: {}: no truth to compare with: {}\n", input.title,
-               io::printable(error.what()));
+               text::printable(error.what()));
     return false;
   }
 }
@@ -100,7 +100,8 @@ void say(const CompareOptions& options, const std::string& text) {
 /// Whatever was not done before; false if it was interrupted.
 bool work_through(const CompareOptions& options, RunQueue& queue, const std::string& what) {
   queue.skip_done(options.retry_failed);
-  say(options, fmt::format("{} runs: {}; {} done before", queue.tasks(), what, queue.done()));
+  say(options,
+      fmt::format("{}: {}; {} done before", io::counted(queue.tasks(), "run"), what, queue.done()));
   if (queue.work()) return true;
   say(options, fmt::format("interrupted; what was done, {} of {} runs, is kept in {}: the same "
                            "command again goes on from there",

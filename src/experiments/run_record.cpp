@@ -11,11 +11,11 @@
 #include "evaluation/statistics.hpp"
 #include "experiments/fingerprint.hpp"
 #include "io/file_writer.hpp"
-#include "io/printable.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_yaml.hpp"
 #include "runs/scans_csv.hpp"
 #include "surefoot/quantile.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::experiments {
 
@@ -143,7 +143,7 @@ evaluation::MeasuredRun measured_run(const fs::path& folder, const RunRecord& re
   } catch (const std::exception& error) {
     if (run.error.empty()) run.error = error.what();
   }
-  run.error = io::printable(run.error);
+  run.error = text::printable(run.error);
   return run;
 }
 

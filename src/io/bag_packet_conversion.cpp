@@ -11,7 +11,7 @@
 #include "io/messages/packet_message.hpp"
 #include "io/packet_choice.hpp"
 #include "io/packets/datagram_writer.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -35,7 +35,7 @@ OpenOptions options_for(const ConversionRequest& request) {
 BagTopic packet_topic(const ConversionRequest& request, const OpenOptions& options) {
   BagTopic bag = open_bag_topic(request.input, options);
   if (is_packet_type(bag.topic.type)) return bag;
-  throw ReadError(request.input.string() + ": " + printable(bag.topic.name) +
+  throw ReadError(request.input.string() + ": " + text::printable(bag.topic.name) +
                   " holds points, which cannot be turned back into packets; expected a sensor's "
                   "packets for a capture");
 }
@@ -90,7 +90,7 @@ void copy_packets(const ConversionRequest& request, const Topic& topic,
                       [&](const MessagePacket& packet) { copy.add(packet, message->logged_ns); });
     } catch (const ReadError& error) {
       ++outcome.unreadable;
-      listener.complain("cut short: " + printable(error.what()));
+      listener.complain("cut short: " + text::printable(error.what()));
     }
     listener.progress(outcome.scans, 0.5 + 0.5 * bag->progress());
   }

@@ -17,7 +17,7 @@
 #include "io/file_writer.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/packet_conversion.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -103,8 +103,8 @@ std::string one_by_one(const ConversionRequest& request) {
     std::replace(name.begin(), name.end(), '/', '_');
     fs::path output = request.output;
     output.replace_filename(output.stem().string() + name + output.extension().string());
-    text += "\n  surefoot convert " + shell_word(request.input.string()) + ' ' +
-            shell_word(output.string()) + " --topic " + shell_word(topic);
+    text += "\n  surefoot convert " + text::shell_word(request.input.string()) + ' ' +
+            text::shell_word(output.string()) + " --topic " + text::shell_word(topic);
     if (!request.format.empty()) text += " --to " + request.format;
   }
   return text;
@@ -172,7 +172,7 @@ void Conversion::open_input() {
       open_lane(topic, true);
     } catch (const ReadError& error) {
       if (!request_.topics.empty() || topics.scans.size() == 1) throw;
-      listener_.complain("copied as it is: " + printable(error.what()));
+      listener_.complain("copied as it is: " + text::printable(error.what()));
     }
   }
   if (lanes_.empty()) throw ReadError(request_.input.string() + ": no topic's scans can be read");
@@ -210,7 +210,7 @@ std::unique_ptr<ScanSink> Conversion::make_sink(const ConversionLane& lane, cons
 
 void Conversion::leave_out(const std::string& why) {
   ++outcome_.unreadable;
-  listener_.complain("left out: " + printable(why));
+  listener_.complain("left out: " + text::printable(why));
 }
 
 // When it came, among messages of other topics.
@@ -279,7 +279,8 @@ void Conversion::finish() {
   for (const auto& lane : lanes_) {
     outcome_.points += lane->points();
     if (lane->sink() != nullptr) lane->sink()->finish();
-    const std::string topic = lanes_.size() > 1 ? printable(lane->recording().topic()) + ": " : "";
+    const std::string topic =
+        lanes_.size() > 1 ? text::printable(lane->recording().topic()) + ": " : "";
     for (const std::string& note : lane->recording().notes()) {
       const std::string line = topic + note;
       const bool known =
@@ -336,7 +337,7 @@ ConversionOutcome convert_recording(const ConversionRequest& asked,
     if (std::find(begin, end, topic) == end) request.topics.push_back(topic);
   }
   if (!request.sink.topic.empty() && !is_topic_name(request.sink.topic)) {
-    throw std::invalid_argument("--out-topic: got '" + printable(request.sink.topic) +
+    throw std::invalid_argument("--out-topic: got '" + text::printable(request.sink.topic) +
                                 "', expected a name such as /robot_1/points");
   }
   if (is_of_packets(request)) {

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "io/printable.hpp"
 #include "surefoot/seconds.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 
@@ -27,7 +27,7 @@ void ConversionLane::leave_out_part() {
   if (!item_ || item_->remark.empty()) return;
   std::optional<ScanItem> second = recording_->next();
   if (!second) return;
-  left_out_ = "left out: " + printable(item_->name) + ": " + item_->remark;
+  left_out_ = "left out: " + text::printable(item_->name) + ": " + item_->remark;
   item_ = std::move(second);
 }
 
@@ -73,11 +73,11 @@ std::vector<std::string> ConversionLane::losses() const {
   if (!sink_) return lines;
   if (!left_out_.empty()) lines.push_back(left_out_);
   if (const std::string fields = sink_->lost(); !fields.empty()) {
-    lines.push_back("lost: fields that are not written to it: " + printable(fields));
+    lines.push_back("lost: fields that are not written to it: " + text::printable(fields));
   }
   std::istringstream remarks(sink_->remark());
   for (std::string line; std::getline(remarks, line);) lines.push_back(line);
-  for (const std::string& loss : field_losses_) lines.push_back("lost: " + printable(loss));
+  for (const std::string& loss : field_losses_) lines.push_back("lost: " + text::printable(loss));
   if (rounded_by_ > 0.0) {
     std::array<char, 32> metres;
     std::snprintf(metres.data(), metres.size(), "%.2g", rounded_by_);

@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "geometry/returns.hpp"
-#include "io/printable.hpp"
 #include "io/recording_filter.hpp"
 #include "io/recording_summary.hpp"
 #include "io/scan_builder.hpp"
 #include "io/sweep_span.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 
@@ -71,9 +71,10 @@ std::string time_like_field(std::string_view layout) {
 
 std::string no_times_text(std::string_view layout) {
   const std::string field = time_like_field(layout);
-  return kNoTimes + (field.empty() ? kDeriveThem
-                                   : "Is it the field '" + printable(field) + "'? --time-field " +
-                                         shell_word(field) + " reads it");
+  return kNoTimes + (field.empty()
+                         ? kDeriveThem
+                         : "Is it the field '" + text::printable(field) + "'? --time-field " +
+                               text::shell_word(field) + " reads it");
 }
 
 double azimuth_of(const Eigen::Vector3f& point) {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "io/file_writer.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::live {
 namespace {
@@ -61,7 +61,7 @@ UsedScans used_scans(const std::filesystem::path& log) {
   if (!file) throw io::ReadError(log.string() + ": cannot read it: " + std::strerror(errno));
   std::string line;
   if (!std::getline(file, line) || line != kHeader) {
-    throw io::ReadError(log.string() + ": got '" + io::printable(line.substr(0, 80)) +
+    throw io::ReadError(log.string() + ": got '" + text::printable(line.substr(0, 80)) +
                         "', expected the log of a " + "live run, which begins '" +
                         std::string(kHeader) + "'");
   }
@@ -74,7 +74,7 @@ UsedScans used_scans(const std::filesystem::path& log) {
     if (parsed.ec != std::errc{} || parsed.ptr == end || *parsed.ptr != ',') {
       if (file.eof()) break;  // a last line that was not finished
       throw io::ReadError(log.string() + ": line " + std::to_string(number) + ": got '" +
-                          io::printable(line.substr(0, 80)) +
+                          text::printable(line.substr(0, 80)) +
                           "', expected 'stamp,scan,fate,latency'");
     }
     if (line == "0,,reset,") is_reset = true;

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "io/printable.hpp"
 #include "live/live_health.hpp"
 #include "runs/run_bag.hpp"
 #include "runs/run_files.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::live_runs {
 
@@ -52,7 +52,7 @@ live::LiveInput open_input(LiveRequest& request, live::CommandQueue& commands,
                            const LiveListener& listener) {
   live::LiveInput input = live::open_live_input(
       request.source, request.run.reader, commands,
-      [&listener](const std::string& text) { listener.say("note: " + io::printable(text)); });
+      [&listener](const std::string& text) { listener.say("note: " + text::printable(text)); });
   request.run.input = input.path;
   request.run.is_live = !input.is_kept;
   std::copy(input.repeated_by.begin(), input.repeated_by.end(),

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "report/picture_mark.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::report {
 
@@ -23,34 +24,6 @@ namespace {
 cairo_status_t append(void* sink, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(sink)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
-}
-
-// Length of the UTF-8 sequence at `at`, 0 if there is none that is well-formed (RFC 3629).
-std::size_t utf8_length(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return lead >= 0x20 && lead != 0x7F ? 1 : 0;
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  const bool overlong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xF0 && byte(1) < 0x90);
-  const bool not_a_character = (lead == 0xED && byte(1) > 0x9F) || (lead == 0xF4 && byte(1) > 0x8F);
-  return overlong || not_a_character ? 0 : length;
-}
-
-// cairo drops everything drawn after text that is not UTF-8, so that such text must not reach it.
-std::string printable(const std::string& text) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = utf8_length(text, at);
-    length == 0 ? result.append("?") : result.append(text, at, length);
-    at += std::max<std::size_t>(length, 1);
-  }
-  return result;
 }
 
 void set_source(cairo_t* cairo, const Color& color) {
@@ -221,7 +194,8 @@ void Canvas::text(const std::string& text, const Pixel& at, const TextStyle& sty
   if (style.upward) cairo_rotate(page_->cairo, -0.5 * std::numbers::pi);
   cairo_move_to(page_->cairo, shift, 0.0);
   set_source(page_->cairo, style.color);
-  cairo_show_text(page_->cairo, printable(text).c_str());
+  // cairo drops everything drawn after text that is not UTF-8.
+  cairo_show_text(page_->cairo, text::printable(text).c_str());
   cairo_new_path(page_->cairo);
   cairo_restore(page_->cairo);
 }
@@ -229,7 +203,7 @@ void Canvas::text(const std::string& text, const Pixel& at, const TextStyle& sty
 double Canvas::text_width(const std::string& text, const TextStyle& style) {
   set_font(page_->cairo, style);
   cairo_text_extents_t extents;
-  cairo_text_extents(page_->cairo, printable(text).c_str(), &extents);
+  cairo_text_extents(page_->cairo, text::printable(text).c_str(), &extents);
   return extents.x_advance;
 }
 

@@ -11,8 +11,8 @@
 
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::ros1 {
 namespace {
@@ -52,7 +52,7 @@ class TopicSubscription final : public live::TopicSource {
       return live::Received::nothing;
     }
     if (!is_readable(topic_.type)) {
-      throw io::ReadError(name() + ": it is a " + io::printable(topic_.type) +
+      throw io::ReadError(name() + ": it is a " + text::printable(topic_.type) +
                           ", of which no scans can be made" + others());
     }
     arrival = std::move(*taken_);
@@ -68,7 +68,7 @@ class TopicSubscription final : public live::TopicSource {
     std::string text;
     for (const auto& [topic, type] : Node::topics()) {
       if (!is_readable(type)) continue;
-      text += "\n  " + io::printable(topic) + " (" + io::printable(type) + ")";
+      text += "\n  " + text::printable(topic) + " (" + text::printable(type) + ")";
     }
     if (text.empty()) return "; no topic that scans can be made of is there";
     return "; topics that scans can be made of:" + text;

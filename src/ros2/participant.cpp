@@ -17,9 +17,9 @@
 
 #include "io/bags/message_source.hpp"
 #include "io/messages/message_writer.hpp"
-#include "io/printable.hpp"
 #include "ros2/names.hpp"
 #include "ros2/raw_type.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::ros2 {
 namespace {
@@ -150,7 +150,7 @@ void for_each_publication(dds_entity_t reader, const std::string& own, Visitor&&
 
 Participant::Participant(const ParticipantOptions& options) : options_(options) {
   if (!is_node_name(options_.node)) {
-    throw std::invalid_argument("ROS 2 node: got '" + io::printable(options_.node) +
+    throw std::invalid_argument("ROS 2 node: got '" + text::printable(options_.node) +
                                 "', expected a name such as robot_1");
   }
   const auto fail = [&](dds_return_t error, const std::string& said) {

@@ -13,11 +13,11 @@
 #include "io/bags/topic_name.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
 #include "ros2/cyclone_log.hpp"
 #include "ros2/names.hpp"
 #include "ros2/raw_type.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::ros2 {
 namespace {
@@ -36,7 +36,7 @@ class TopicSubscription final : public live::TopicSource {
   TopicSubscription(std::shared_ptr<Participant> participant, SubscriptionOptions options)
       : participant_(std::move(participant)), options_(std::move(options)), begun_(Clock::now()) {
     if (!io::is_topic_name(options_.topic)) {
-      throw std::invalid_argument("ROS 2 topic: got '" + io::printable(options_.topic) +
+      throw std::invalid_argument("ROS 2 topic: got '" + text::printable(options_.topic) +
                                   "', expected a name such as /robot_1/points");
     }
     options_.topic = topic_of(wire_topic(options_.topic));
@@ -74,7 +74,7 @@ class TopicSubscription final : public live::TopicSource {
         ++rest;
         continue;
       }
-      readable += "\n  " + io::printable(topic.name) + " (" + io::printable(topic.type) + ", " +
+      readable += "\n  " + text::printable(topic.name) + " (" + text::printable(topic.type) + ", " +
                   (topic.reliable ? "reliable" : "best effort") + ")";
     }
     if (readable.empty()) {
@@ -97,7 +97,7 @@ class TopicSubscription final : public live::TopicSource {
     }
     const auto other = std::find_if(seen.begin(), seen.end(), named);
     if (other != seen.end()) {
-      throw io::ReadError(name() + ": it is a " + io::printable(other->type) +
+      throw io::ReadError(name() + ": it is a " + text::printable(other->type) +
                           ", of which no scans can be made" + others());
     }
     if (!said_ && Clock::now() - begun_ > kPatience) say_once("nobody publishes it yet" + others());

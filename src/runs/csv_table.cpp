@@ -10,14 +10,14 @@
 #include "io/ascii_values.hpp"
 #include "io/file_reader.hpp"
 #include "io/recording.hpp"
-#include "io/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace surefoot::runs {
 
 using io::ReadError;
 
 std::string csv_quoted(std::string_view text) {
-  const unsigned last = io::is_utf8(text) ? 0xFF : 0x7E;
+  const unsigned last = text::is_utf8(text) ? 0xFF : 0x7E;
   std::string result = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::runs {
 
@@ -16,12 +16,12 @@ constexpr std::size_t kMostTimes = 100'000;  // the last ones are kept
 void RunAccount::say_notes_of(const io::Recording& recording) {
   const std::vector<std::string>& all = recording.notes();
   for (; said_.size() < all.size(); said_.push_back(all[said_.size()])) {
-    listener_.say("note: " + io::printable(all[said_.size()]));
+    listener_.say("note: " + text::printable(all[said_.size()]));
   }
 }
 
 void RunAccount::leave_out(const io::ScanItem& item) {
-  const std::string text = "left out: " + io::printable(item.error);
+  const std::string text = "left out: " + text::printable(item.error);
   if (++outcome_.unreadable <= kMostNoted) note(text);
   listener_.complain ? listener_.complain(text) : listener_.say(text);
 }
@@ -38,13 +38,13 @@ void RunAccount::add(const io::ScanItem& item, const Estimate& estimate, double 
 void RunAccount::tell(const io::ScanItem& item, const Estimate& estimate) {
   const bool serious = !estimate.trusted() || estimate.status == Status::first_scan;
   if (serious && estimate.status != last_status_) {
-    listener_.say(fmt::format("{}: {}: {}", io::printable(item.name), to_string(estimate.status),
+    listener_.say(fmt::format("{}: {}: {}", text::printable(item.name), to_string(estimate.status),
                               estimate.message));
   }
   last_status_ = estimate.status;
   if (!estimate.trusted()) return;
   if (estimate.segment < last_segment_) {
-    listener_.say(fmt::format("{}: came home: it goes on in segment {}", io::printable(item.name),
+    listener_.say(fmt::format("{}: came home: it goes on in segment {}", text::printable(item.name),
                               estimate.segment));
   }
   last_segment_ = estimate.segment;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::runs {
 
@@ -18,7 +18,7 @@ std::optional<io::ScanItem> RunScans::first() {
   if (!first || first->remark.empty() || is_chosen) return first;
   auto second = recording_->next();
   if (!second) return first;
-  left_out_ = fmt::format("left out: {}: {}", io::printable(first->name), first->remark);
+  left_out_ = fmt::format("left out: {}: {}", text::printable(first->name), first->remark);
   return second;
 }
 

@@ -8,8 +8,8 @@
 
 #include "io/file_writer.hpp"
 #include "io/recording.hpp"
-#include "io/utf8.hpp"
 #include "runs/config_file.hpp"
+#include "text/utf8.hpp"
 
 namespace surefoot::runs {
 
@@ -17,7 +17,7 @@ namespace {
 
 /// Text as it is; what is none as YAML's !!binary, in base64.
 void emit(YAML::Emitter& out, const std::string& value) {
-  if (io::is_utf8(value)) {
+  if (text::is_utf8(value)) {
     out << value;
   } else {
     out << YAML::Binary(reinterpret_cast<const unsigned char*>(value.data()), value.size());

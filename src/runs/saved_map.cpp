@@ -8,11 +8,11 @@
 
 #include "io/file_reader.hpp"
 #include "io/file_writer.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
 #include "mapping/map_on_disk.hpp"
 #include "runs/output_folder.hpp"
 #include "runs/run_files.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::runs {
 
@@ -41,9 +41,10 @@ void require_map_in(const std::filesystem::path& folder) {
     throw io::ReadError(folder.string() + ": holds no " + kSavedMapFile +
                         "; expected a folder that surefoot map has written");
   }
-  const std::string again = std::filesystem::exists(folder / kDescriptionFile, ignored)
-                                ? "--config " + io::shell_word((folder / kDescriptionFile).string())
-                                : "INPUT";
+  const std::string again =
+      std::filesystem::exists(folder / kDescriptionFile, ignored)
+          ? "--config " + text::shell_word((folder / kDescriptionFile).string())
+          : "INPUT";
   throw io::ReadError(folder.string() + ": holds a run without a " + kSavedMapFile +
                       "; 'surefoot map' makes one of the same recording: surefoot map " + again +
                       " -o FOLDER");

@@ -13,11 +13,11 @@
 #include "io/ascii_values.hpp"
 #include "io/bags/bag_files.hpp"
 #include "io/column_names.hpp"
-#include "io/printable.hpp"
 #include "io/stamps.hpp"
 #include "io/trajectory_files.hpp"
 #include "runs/run_files.hpp"
 #include "runs/run_truth.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::runs {
 namespace {
@@ -33,6 +33,13 @@ void refuse_recording(const fs::path& path) {
   }
   throw io::ReadError(path.string() + ": is a recording, with its " + kTruthFile +
                       "; expected an estimate: a trajectory, or the folder of a run");
+}
+
+void refuse_other_folder(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored) || io::is_bag_input(path, {})) return;
+  throw io::ReadError(path.string() + ": is a folder without a " + kTrajectoryFile +
+                      "; expected a trajectory, or the folder of a run");
 }
 
 /// What an estimate is called: its file without extension, or the run's folder.
@@ -191,6 +198,7 @@ Trajectory read_estimate(const fs::path& path, const ReferenceTrajectory& refere
                          const std::string& topic) {
   refuse_recording(path);
   const fs::path file = trajectory_file(path);
+  refuse_other_folder(file);
   refuse_stamped(file, reference);
   Trajectory estimate = is_table(file, !reference.is_format_given)
                             ? read_table(file, reference, topic)
@@ -236,7 +244,7 @@ std::vector<std::string> estimate_names(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
   for (const fs::path& path : paths) {
     const std::string name = name_of(path);
-    names.push_back(io::printable(uses[name] == 1 ? name : path.string()));
+    names.push_back(text::printable(uses[name] == 1 ? name : path.string()));
   }
   return names;
 }

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/utf8.hpp"
+#include "text/utf8.hpp"
 
-namespace surefoot::io {
+namespace surefoot::text {
 
 /// A text from a file as one line that a terminal can show: control characters, also those of
 /// two bytes (U+0080 to U+009F), and what is no UTF-8 become '?'.
@@ -24,6 +24,16 @@ namespace surefoot::io {
   return line;
 }
 
+/// The same for a text of several lines.
+[[nodiscard]] inline std::string printable_lines(std::string_view text) {
+  std::string lines;
+  for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n')) {
+    lines += printable(text.substr(0, end)) + "\n";
+    text.remove_prefix(end + 1);
+  }
+  return lines + printable(text);
+}
+
 /// The same as one word of a command that can be pasted into a shell, whatever the text holds.
 [[nodiscard]] inline std::string shell_word(std::string_view text) {
   constexpr std::string_view kPlain =
@@ -35,4 +45,4 @@ namespace surefoot::io {
   return word + "'";
 }
 
-}  // namespace surefoot::io
+}  // namespace surefoot::text

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace surefoot::io {
+namespace surefoot::text {
 
 /// Bytes of the letter that begins at `at` (RFC 3629); 0 where none does.
 [[nodiscard]] inline std::size_t utf8_length(std::string_view text, std::size_t at) {
@@ -36,4 +36,4 @@ namespace surefoot::io {
   return true;
 }
 
-}  // namespace surefoot::io
+}  // namespace surefoot::text

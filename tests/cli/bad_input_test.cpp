@@ -215,6 +215,17 @@ TEST(BadInput, NamesAreShownAsWhatATerminalDoesNotActOn) {
   EXPECT_EQ(file_content(scratch.path() / "page.html").find('\x1b'), std::string::npos);
 }
 
+TEST(BadInput, BytesThatAreNoTextAreNotShown) {
+  const ScratchFolder scratch;
+  write_content(scratch.path() / "route",
+                "\xFF\xFE\x9B"
+                "31m");
+  const ProcessResult result =
+      run_surefoot({"simulate", "campus", "--route", "route", "-o", "out"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 2) << result;
+  EXPECT_NE(result.errors.find("'???31m'"), std::string::npos) << result;
+}
+
 TEST(BadInput, MissingPath) {
   const ScratchFolder scratch;
   expect_input_refused({"run", "nowhere"}, "nowhere", scratch);

@@ -16,8 +16,8 @@
 #include "io/file_reader.hpp"
 #include "io/files/folder_listing.hpp"
 #include "io/files/scan_files.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -126,7 +126,7 @@ class BagParts final : public MessageSource {
         follow_in_time_(metadata.files.size() > 1),
         announced_messages_(metadata.messages) {
     for (const std::string& name : missing) {
-      note("metadata.yaml names " + printable(name) + ", which is not there");
+      note("metadata.yaml names " + text::printable(name) + ", which is not there");
     }
   }
 
@@ -247,7 +247,7 @@ std::string why_no_bag_files(const fs::path& path) {
   if (missing.empty()) return {};
   const std::string more =
       missing.size() > 1 ? " and " + std::to_string(missing.size() - 1) + " more" : "";
-  return "metadata.yaml names " + printable(missing.front()) + more + ", which " +
+  return "metadata.yaml names " + text::printable(missing.front()) + more + ", which " +
          (missing.size() > 1 ? "are" : "is") + " not there";
 }
 

@@ -11,8 +11,8 @@
 #include "io/bags/topic_survey.hpp"
 #include "io/messages/cloud_message.hpp"
 #include "io/messages/packet_message.hpp"
-#include "io/printable.hpp"
 #include "io/robots.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -61,7 +61,7 @@ std::string missed_text(const OpenOptions& options, const std::string& taken) {
   std::string names;
   for (const std::string& name : likely) names += (names.empty() ? "" : ", ") + name;
   return "topic: " + options.dataset + " has " + names + ", this bag has no scans there; " +
-         printable(taken) + " is taken instead";
+         text::printable(taken) + " is taken instead";
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void TopicRecordingParts::note_late_topics() {
     const auto is_same = [&](const Topic& one) { return one.name == topic.name; };
     const bool scans = is_cloud_type(topic.type) || is_packet_type(topic.type);
     if (!scans || std::any_of(seen.begin(), seen.end(), is_same)) continue;
-    names += (names.empty() ? "" : ", ") + printable(topic.name);
+    names += (names.empty() ? "" : ", ") + text::printable(topic.name);
     seen.push_back(topic);
   }
   if (!names.empty()) {

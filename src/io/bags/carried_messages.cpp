@@ -4,7 +4,7 @@
 
 #include "io/bags/bag_files.hpp"
 #include "io/counted.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -117,7 +117,7 @@ std::vector<std::string> CarriedMessages::losses() const {
   std::vector<std::string> lines;
   for (const auto& [key, way] : ways_) {
     if (lines.size() >= kMostLines) break;
-    const std::string topic = printable(key.first) + " (" + printable(key.second) + ")";
+    const std::string topic = text::printable(key.first) + " (" + text::printable(key.second) + ")";
     if (!way.topic) {
       lines.push_back("lost: " + std::to_string(way.messages) + " messages of " + topic + ": " +
                       way.why);

@@ -6,7 +6,7 @@
 #include <new>
 
 #include "io/bags/compression.hpp"
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -79,7 +79,7 @@ std::shared_ptr<const TopicDefinition> MessageSource::keep(TopicDefinition defin
 }
 
 void MessageSource::note_lost(const Topic& topic, std::string_view why) {
-  note("a message of " + printable(topic.name) + " is passed over: " + std::string(why));
+  note("a message of " + text::printable(topic.name) + " is passed over: " + std::string(why));
 }
 
 std::optional<std::span<const std::byte>> MessageSource::read_message_bytes(

@@ -12,8 +12,8 @@
 #include "io/messages/message_reader.hpp"
 #include "io/messages/packet_message.hpp"
 #include "io/packets/packet_scans.hpp"
-#include "io/printable.hpp"
 #include "surefoot/seconds.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -93,10 +93,11 @@ void take_metadata(const Message& message, BagSurvey& found) {
 std::string line_of(const TopicSurvey& survey) {
   char rate[40];
   std::snprintf(rate, sizeof(rate), "%.1f Hz", survey.rate_hz());
-  std::string line = "  " + printable(survey.topic.name) + "  " + printable(survey.topic.type);
+  std::string line =
+      "  " + text::printable(survey.topic.name) + "  " + text::printable(survey.topic.type);
   if (survey.messages > 1) line += std::string("  ") + rate;
-  if (!survey.frame.empty()) line += "  frame " + printable(survey.frame);
-  if (!survey.content.empty()) line += "  " + printable(survey.content);
+  if (!survey.frame.empty()) line += "  frame " + text::printable(survey.frame);
+  if (!survey.content.empty()) line += "  " + text::printable(survey.content);
   return line;
 }
 
@@ -198,7 +199,7 @@ const TopicSurvey& choose_topic(const std::vector<TopicSurvey>& topics, const st
                        " topics that scans can be made of:" + list(usable) +
                        "\ntake one, by the same command with:";
     for (const TopicSurvey& survey : usable) {
-      text += "\n  --topic " + shell_word(survey.topic.name);
+      text += "\n  --topic " + text::shell_word(survey.topic.name);
     }
     throw ReadError(text);
   }

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "io/counted.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -67,6 +67,12 @@ Sorted sort_folder(const std::filesystem::path& folder) {
   return sorted;
 }
 
+// What surefoot run has left also holds a map.ply.
+bool holds_a_run(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  return std::filesystem::exists(folder / "run.yaml", ignored);
+}
+
 // Folders below, a few levels deep, that hold scans or captures: "a/b, a/c". Not all are looked at.
 std::string folders_with_scans(const std::filesystem::path& folder) {
   constexpr int kDeepest = 4;
@@ -81,8 +87,8 @@ std::string folders_with_scans(const std::filesystem::path& folder) {
     if (it.depth() >= kDeepest) it.disable_recursion_pending();
     const std::filesystem::path& file = it->path();
     if (it.depth() == 0 || !it->is_regular_file(ignored)) continue;
-    if (scan_file_kind(file) || is_capture(file)) {
-      found.insert(printable(file.parent_path().lexically_relative(folder).string()));
+    if ((scan_file_kind(file) || is_capture(file)) && !holds_a_run(file.parent_path())) {
+      found.insert(text::printable(file.parent_path().lexically_relative(folder).string()));
     }
   }
   std::string names;

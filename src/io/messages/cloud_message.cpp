@@ -6,8 +6,8 @@
 
 #include "io/messages/livox_message.hpp"
 #include "io/messages/point_cloud2.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -20,7 +20,7 @@ bool is_livox_type(std::string_view type) {
 }  // namespace
 
 std::string sensor_of(const CloudMessage& cloud) {
-  return "frame '" + printable(cloud.frame) + "'" +
+  return "frame '" + text::printable(cloud.frame) + "'" +
          (cloud.lidar ? ", LiDAR " + std::to_string(*cloud.lidar) : "");
 }
 

@@ -9,8 +9,8 @@
 #include "io/ascii_values.hpp"
 #include "io/file_kind.hpp"
 #include "io/file_reader.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
+#include "text/printable.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -73,7 +73,7 @@ MetadataFile metadata_beside(const fs::path& capture) {
   }
   const auto taken = [](const std::pair<fs::path, std::string>& one) {
     return MetadataFile{one.second, "the sensor's metadata: from " +
-                                        printable(one.first.filename().string()) +
+                                        text::printable(one.first.filename().string()) +
                                         ", whose name is most like the capture's"};
   };
   if (!beginning.first.empty()) return taken(beginning);
@@ -81,7 +81,7 @@ MetadataFile metadata_beside(const fs::path& capture) {
   if (longer.empty()) return {};
   std::string names;
   for (const auto& [file, text] : longer) {
-    names += (names.empty() ? "" : ", ") + printable(file.filename().string());
+    names += (names.empty() ? "" : ", ") + text::printable(file.filename().string());
   }
   return {{}, "any of these may be its metadata: " + names};
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
-#include "io/printable.hpp"
+#include "text/printable.hpp"
 
 #include <gtest/gtest.h>
 
-namespace surefoot::io {
+namespace surefoot::text {
 namespace {
 
 TEST(Printable, NothingThatATerminalObeys) {
@@ -25,5 +25,20 @@ TEST(Printable, WhatIsNoUtf8) {
   EXPECT_EQ(shell_word("a \xFC"), "'a ?'");
 }
 
+TEST(Printable, LinesOfAText) {
+  EXPECT_EQ(printable_lines("topics:\n  a\x1b\n  H\xFC\n\nb"), "topics:\n  a?\n  H?\n\nb");
+  EXPECT_EQ(printable_lines("one\n"), "one\n");
+  EXPECT_EQ(printable_lines(""), "");
+}
+
+TEST(ShellWord, IsOneWordWhateverItHolds) {
+  EXPECT_EQ(shell_word("/a/b_1.bag"), "/a/b_1.bag");
+  EXPECT_EQ(shell_word("my bag"), "'my bag'");
+  EXPECT_EQ(shell_word("/x$(touch y)`z`"), "'/x$(touch y)`z`'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word("a\x1b\n"), "'a?\?'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
 }  // namespace
-}  // namespace surefoot::io
+}  // namespace surefoot::text

@@ -8,7 +8,6 @@
 #include "io/bags/topic_survey.hpp"
 #include "io/file_writer.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
-#include "io/printable.hpp"
 #include "io/recording.hpp"
 #include "io/scan_sink.hpp"
 #include "unit/io/bags/support.hpp"
@@ -292,15 +291,6 @@ fs::path two_topics(const test::TemporaryFolder& folder) {
   }
   bag->finish();
   return file;
-}
-
-TEST(ShellWord, IsOneWordWhateverItHolds) {
-  EXPECT_EQ(shell_word("/a/b_1.bag"), "/a/b_1.bag");
-  EXPECT_EQ(shell_word("my bag"), "'my bag'");
-  EXPECT_EQ(shell_word("/x$(touch y)`z`"), "'/x$(touch y)`z`'");
-  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
-  EXPECT_EQ(shell_word("a\x1b\n"), "'a?\?'");
-  EXPECT_EQ(shell_word(""), "''");
 }
 
 TEST(BagRecording, SeveralTopicsAreListedWithTheWayToTakeEach) {
