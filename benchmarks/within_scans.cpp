@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "evaluation/association.hpp"
+#include "geometry/se3.hpp"
 #include "geometry/so3.hpp"
 #include "io/recording.hpp"
 #include "io/trajectory_files.hpp"
@@ -124,9 +125,7 @@ WithinScans within_scans(const std::vector<Pair>& pairs) {
 
 /// The covariance of a pose in its own axes.
 Matrix6 in_lidar_axes(const Estimate& estimate) {
-  const Eigen::Matrix3d R = estimate.T_world_lidar.rotation.toRotationMatrix().transpose();
-  Matrix6 turn = Matrix6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = R;
+  const Matrix6 turn = turned_axes(estimate.T_world_lidar.rotation.conjugate());
   return turn * estimate.covariance * turn.transpose();
 }
 

@@ -104,7 +104,7 @@ meanwhile. Before finish() all but add() raises RuntimeError, after it add() doe
           py::arg("map"),
           "Joins it to a saved map (file, or the folder with its map.surefoot): then all that "
           "follows is in that one's frame, and save() writes both as one. Else nothing changes. "
-          "Raises ReadError.")
+          "Raises ReadError; RuntimeError where it is joined to one already.")
       .def(
           "trajectory",
           [](Self& self) {

@@ -62,7 +62,8 @@ class Mapper {
 
   /// Joins the map to a saved one: map.surefoot, or the folder that it lies in. Where that succeeds
   /// everything below is in that one's frame, and save() writes both as one; else nothing changes.
-  /// Throws std::runtime_error that names the file if it cannot be read.
+  /// Throws std::runtime_error that names the file if it cannot be read, std::logic_error after it
+  /// succeeded: a walk is joined to one map.
   JoinReport join(const std::filesystem::path& map);
 
   /// T_map_lidar at mid-scan, one an estimate that was added and trusted, after all loops. Without

@@ -11,6 +11,7 @@
 #include "core/information.hpp"
 #include "core/preprocess.hpp"
 #include "core/scan_clock.hpp"
+#include "geometry/se3.hpp"
 
 namespace surefoot {
 
@@ -101,9 +102,7 @@ Estimate Odometry::State::in_world(Estimate estimate) const {
   estimate.stamp_ns = estimate.trajectory.mid_ns();
   estimate.trajectory = estimate.trajectory.moved(T_world_map);
   estimate.T_world_lidar = estimate.trajectory.at(0.5);
-  Matrix6 turn = Matrix6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
-      T_world_map.rotation.toRotationMatrix();
+  const Matrix6 turn = turned_axes(T_world_map.rotation);
   estimate.covariance = turn * estimate.covariance * turn.transpose();
   for (DegenerateDirection& weak : estimate.degenerate) weak.direction = turn * weak.direction;
   return estimate;

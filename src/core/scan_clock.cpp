@@ -17,6 +17,12 @@ constexpr int kClockWasSet = 2, kClockStays = 10, kMostRefused = 1'000'000;
 // [ns] between two scans; stamps that are farther apart tell no period.
 constexpr std::int64_t kMostPeriod = 10'000'000'000;
 
+// [ns] By so much time at most scans that were refused are taken to have lasted.
+constexpr std::int64_t kMostTaken = (kMostRefused + 1) * kMostPeriod;
+
+// [ns] Nothing that goes on from here leaves the range of 64 bits: it is the year 2261.
+constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max() - 2 * kMostTaken;
+
 // [ns] half of what two stamps may be apart: 146 years.
 constexpr std::int64_t kLongest = std::int64_t{1} << 61;
 
@@ -28,11 +34,14 @@ bool are_far_apart(std::int64_t a_ns, std::int64_t b_ns) {
 }  // namespace
 
 std::string ScanClock::objection(std::int64_t mid_ns, std::int64_t end_ns) const {
+  std::int64_t told_end_ns = 0;
+  if (__builtin_add_overflow(end_ns, ahead_ns_, &told_end_ns) || told_end_ns > kLatest) {
+    return "scan's mid-scan stamp " + std::to_string(mid_ns) +
+           " ns is too near the end of what 64 bits hold";
+  }
   if (!last_mid_ns_) return {};
   const std::int64_t last = *last_mid_ns_ - ahead_ns_;
-  std::int64_t told_end_ns = 0;
-  if (are_far_apart(std::max(mid_ns, last), last) ||
-      __builtin_add_overflow(end_ns, ahead_ns_, &told_end_ns)) {
+  if (are_far_apart(std::max(mid_ns, last), last)) {
     return "scan's mid-scan stamp " + std::to_string(mid_ns) +
            " ns is more than 146 years after the last scan's " + std::to_string(last) + " ns";
   }
@@ -43,7 +52,6 @@ std::string ScanClock::objection(std::int64_t mid_ns, std::int64_t end_ns) const
 
 /// Whether a scan goes on from so many refused before it that nobody waits for the old time.
 bool ScanClock::stays(std::int64_t mid_ns) const {
-  constexpr std::int64_t kMostTaken = (kMostRefused + 1) * kMostPeriod;  // as in follow()
   std::int64_t back_ns = 0;
   return refused_ >= kClockStays && mid_ns > refused_mid_ns_ &&
          !__builtin_sub_overflow(*last_mid_ns_, mid_ns, &back_ns) &&

@@ -10,10 +10,6 @@
 
 namespace surefoot {
 
-/// A local map lets go of what is far when the sensor went this share of its radius, not at every
-/// scan.
-inline constexpr double kCleaningShare = 0.05;
-
 /// Open-addressing hash table from voxel keys to indices into some array, and into a second one if
 /// need be. It never shrinks.
 class VoxelTable {

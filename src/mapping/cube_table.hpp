@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/pages.hpp"
@@ -26,6 +27,14 @@ class CubeTable {
     if (fresh) blocks_.add().fill(kNone);
     const VoxelIndex within = cube - block * (1 << kBits);
     return blocks_[found][within.x() << 2 * kBits | within.y() << kBits | within.z()];
+  }
+
+  /// Calls `use(stored)` with what is stored for each cube, kNone among it.
+  template <typename Use>
+  void for_all(const Use& use) {
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+      for (std::uint32_t& stored : blocks_[block]) use(stored);
+    }
   }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 #include "mapping/held_pieces.hpp"
 #include "mapping/moved_things.hpp"
@@ -62,6 +63,7 @@ std::vector<bool> FinishedWalk::moved(const std::vector<Eigen::Vector3f>& points
 }
 
 MapJoin FinishedWalk::join(const SavedMap& map) {
+  if (is_joined_) throw std::logic_error("a walk that was joined to a map is joined to no other");
   MapJoin join = join_maps(map, map_);
   if (!join.joint) return join;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
@@ -70,6 +72,7 @@ MapJoin FinishedWalk::join(const SavedMap& map) {
   }
   frames_.assign(poses_.size(), 0);
   map_ = *join.joint;
+  is_joined_ = true;
   return join;
 }
 

@@ -37,7 +37,8 @@ class FinishedWalk {
   [[nodiscard]] std::vector<bool> moved(const std::vector<Eigen::Vector3f>& points,
                                         const std::vector<std::int64_t>& times_ns) const;
 
-  /// Joins it to a map: then all that follows is in that map's frame. Else nothing changes.
+  /// Joins it to a map: then all that follows is in that map's frame, and it is joined to no other
+  /// (std::logic_error). Else nothing changes.
   MapJoin join(const SavedMap& map);
 
   /// T_map_odometry at a time along the walk; smooth between the pieces. None where nothing holds
@@ -58,7 +59,8 @@ class FinishedWalk {
   std::vector<Pose> poses_;          // of them, corrected
   std::vector<std::size_t> held_;    // of them, which are held together
   std::vector<std::size_t> frames_;  // of them, numbered as they come
-  std::vector<bool> placed_;         // whether anything holds them in the map
+  bool is_joined_ = false;
+  std::vector<bool> placed_;  // whether anything holds them in the map
   SavedMap map_;
   std::shared_ptr<CloudFile> clouds_;
 };

@@ -110,10 +110,9 @@ class JointPlaces {
     double nearest = kNear;
     const auto& poses = placement_->solved.poses;
     for (const std::size_t place : placement_->of_first) {
-      Eigen::Vector3d apart = poses[place].translation - poses[query].translation;
-      apart.z() *= 4.0;  // storeys are areas of their own
-      if (apart.norm() < nearest) {
-        nearest = apart.norm();
+      const double apart = area_distance(poses[place].translation, poses[query].translation);
+      if (apart < nearest) {
+        nearest = apart;
         result = place;
       }
     }

@@ -26,8 +26,6 @@ bool over_each_other(const Pose& T_place_query) {
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-constexpr double kTurn = 6.0 * std::numbers::pi / 180.0;  // a sector of the descriptors
-
 /// Whether the odometry leaves it open that a rough pose is right. A corridor looks the same the
 /// other way round; the odometry knows.
 bool left_open(const Pose& rough, const Pose& by_odometry, const Matrix6& drift) {
@@ -46,18 +44,12 @@ bool left_open(const Pose& rough, const Pose& by_odometry, const Matrix6& drift)
 std::vector<Pose> starts_of(const Pose& by_descriptor, const Pose& by_odometry,
                             const Matrix6& drift) {
   constexpr double kKnown = 4.0;  // [m] standard deviation
-  constexpr double kAside = 0.4;  // [m]
   std::vector<Pose> rough;
   if (left_open(by_descriptor, by_odometry, drift)) rough.push_back(by_descriptor);
   if (std::sqrt(drift.topLeftCorner<3, 3>().trace()) < kKnown) rough.push_back(by_odometry);
   std::vector<Pose> starts;
   for (const Pose& pose : rough) {
-    for (const double side : {0.0, -1.0, 1.0}) {
-      starts.push_back(
-          pose *
-          se3_exp(
-              (Twist() << side * kAside, -side * kAside, 0.0, 0.0, 0.0, side * kTurn).finished()));
-    }
+    for (const Pose& start : turned_both_ways(pose)) starts.push_back(start);
   }
   return starts;
 }

@@ -2,9 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "mapping/map_builder.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "surefoot/seconds.hpp"
 
 namespace surefoot::mapping {
+
+namespace {
+
+// Points whose cubes were emptied and are taken again: fewer are not worth the time to drop them.
+constexpr std::size_t kFewReplaced = 20'000;
+
+}  // namespace
 
 bool MapBuilder::forgotten(const Frame& frame, std::size_t point) const {
   if (frame.emptied.empty()) return false;
@@ -33,12 +43,37 @@ void MapBuilder::add(const DeskewedScan& scan, const Pose& T_world_lidar, const 
     const Eigen::Vector3d point = R * scan.points[i].cast<double>() + T_world_lidar.translation;
     const auto next = static_cast<std::uint32_t>(points_.size());
     std::uint32_t& taken_by = frame.taken.at(voxel_index(point, inverse_voxel_));
-    if (taken_by != CubeTable::kNone && !forgotten(frame, taken_by)) continue;
+    if (taken_by != CubeTable::kNone) {
+      if (!forgotten(frame, taken_by)) continue;
+      ++replaced_;
+    }
     taken_by = next;
     points_.emplace_back(point.cast<float>());
     first_seen_.push_back(static_cast<float>(seconds(when.after_ns)));
     if (has_intensities_) intensities_.push_back(scan.intensities[i]);
   }
+  if (scans_.back().first_point == points_.size()) scans_.pop_back();
+  if (replaced_ > std::max(kFewReplaced, points_.size() / 2)) drop_forgotten();
+}
+
+/// Who stands where people walk sees the same cubes again and again.
+void MapBuilder::drop_forgotten() {
+  std::vector<std::uint32_t> place(points_.size(), CubeTable::kNone);
+  std::uint32_t kept = 0;
+  for_points([&](std::size_t i, const Scan& scan) {
+    if (!forgotten(frames_.at(scan.when.frame), i)) place[i] = kept++;
+  });
+  MapBuilder left = without_forgotten();
+  points_ = std::move(left.points_);
+  intensities_ = std::move(left.intensities_);
+  first_seen_ = std::move(left.first_seen_);
+  scans_ = std::move(left.scans_);
+  for (auto& [number, frame] : frames_) {
+    frame.taken.for_all([&](std::uint32_t& point) {
+      if (point != CubeTable::kNone) point = place[point];
+    });
+  }
+  replaced_ = 0;
 }
 
 void MapBuilder::forget(const Cubes& cubes, const When& when) {
@@ -84,9 +119,9 @@ MapBuilder MapBuilder::without_forgotten() const {
   left.has_intensities_ = has_intensities_;
   const Scan* last = nullptr;
   for_points([&](std::size_t i, const Scan& scan) {
+    if (forgotten(frames_.at(scan.when.frame), i)) return;
     if (&scan != last) left.scans_.push_back({left.points_.size(), scan.when});
     last = &scan;
-    if (forgotten(frames_.at(scan.when.frame), i)) return;
     left.points_.push_back(points_[i]);
     left.first_seen_.push_back(first_seen_[i]);
     if (has_intensities_) left.intensities_.push_back(intensities_[i]);

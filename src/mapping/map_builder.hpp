@@ -69,6 +69,8 @@ class MapBuilder {
   };
 
   [[nodiscard]] bool forgotten(const Frame& frame, std::size_t point) const;
+  /// For good; what is left keeps its order.
+  void drop_forgotten();
   /// Calls `use(i, scan)` with each point, as they came.
   template <typename Use>
   void for_points(const Use& use) const;
@@ -81,6 +83,7 @@ class MapBuilder {
   std::vector<Eigen::Vector3f> points_;  // [m] their frame
   std::vector<float> intensities_;
   std::vector<float> first_seen_;  // [s]
+  std::size_t replaced_ = 0;       // points whose cubes are other points' by now
 };
 
 }  // namespace surefoot::mapping

@@ -33,9 +33,7 @@ bool is_sure(const Matrix6& covariance) {
 }
 
 Matrix6 turned(const Matrix6& covariance, const Eigen::Quaterniond& R_axes_frame) {
-  Matrix6 turn = Matrix6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() =
-      R_axes_frame.toRotationMatrix().transpose();
+  const Matrix6 turn = turned_axes(R_axes_frame.conjugate());
   return turn * covariance * turn.transpose();
 }
 

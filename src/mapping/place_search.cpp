@@ -19,15 +19,19 @@ std::vector<PlaceIndex::Match> distinct_places(const PlaceIndex& index,
   for (const PlaceIndex::Match& match : all) {
     const Eigen::Vector3d& at = pieces[match.place].T_world_piece.translation;
     const bool known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
-      // Storeys are areas of their own.
-      Eigen::Vector3d apart = pieces[other.place].T_world_piece.translation - at;
-      apart.z() *= 4.0;
-      return apart.norm() < kSameArea;
+      return area_distance(pieces[other.place].T_world_piece.translation, at) < kSameArea;
     });
     if (!known) result.push_back(match);
     if (result.size() == most) break;
   }
   return result;
+}
+
+double area_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  constexpr double kHeightCounts = 4.0;
+  Eigen::Vector3d apart = a - b;
+  apart.z() *= kHeightCounts;
+  return apart.norm();
 }
 
 Pose rough_pose(const PlaceIndex::Match& match, const Submap& place, const Submap& seen) {
@@ -40,11 +44,13 @@ Pose rough_pose(const PlaceIndex::Match& match, const Submap& place, const Subma
 
 std::vector<Pose> turned_both_ways(const Pose& pose) {
   constexpr double kTurn = 6.0 * std::numbers::pi / 180.0;  // a sector of the descriptors
+  constexpr double kAside = 0.4;                            // [m]
   std::vector<Pose> result;
   for (const double side : {0.0, -1.0, 1.0}) {
     result.push_back(
         pose *
-        se3_exp((Twist() << 0.4 * side, -0.4 * side, 0.0, 0.0, 0.0, side * kTurn).finished()));
+        se3_exp(
+            (Twist() << kAside * side, -kAside * side, 0.0, 0.0, 0.0, side * kTurn).finished()));
   }
   return result;
 }

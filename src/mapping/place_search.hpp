@@ -23,6 +23,9 @@ namespace surefoot::mapping {
 [[nodiscard]] Pose rough_pose(const PlaceIndex::Match& match, const Submap& place,
                               const Submap& seen);
 
+/// How far apart two places are as areas [m]: those of storeys are areas of their own.
+[[nodiscard]] double area_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 /// From where registration starts about a rough pose: there, and turned a little both ways.
 [[nodiscard]] std::vector<Pose> turned_both_ways(const Pose& pose);
 

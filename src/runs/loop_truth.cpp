@@ -18,7 +18,6 @@ namespace surefoot::runs {
 namespace {
 
 constexpr double kRevisit = 3.0;  // [m]
-constexpr double kHeight = 1.2;   // half a storey: above a place is another one [m]
 
 // [ns] Between these a robot moves evenly; a truth may be much finer, and as large as all else.
 constexpr std::int64_t kTruthStep = 10'000'000;
@@ -80,7 +79,7 @@ LoopTruth judge_loops(const mapping::WalkMapper& mapper, const Trajectory& truth
     for (std::size_t k = 0; k < i && !revisit; ++k) {
       const Eigen::Vector3d apart = poses[i].translation - poses[k].translation;
       revisit = pieces[i].way - pieces[k].way >= way_between && apart.norm() < kRevisit &&
-                std::abs(apart.z()) < kHeight;
+                std::abs(apart.z()) < mapping::kHalfStorey;
     }
     result.revisits.push_back(revisit);
     const bool found =

@@ -234,6 +234,12 @@ void OdometryRun::know_all(Reference reference, std::optional<io::ScanItem>& ite
   observe();
   shares_ = kWriting;
   account_.note("a reference: every scan against the map of all of them");
+  for (const int segment : reference.unrefined()) {
+    account_.note(
+        fmt::format("segment {} stays as the odometry has it: what its scans saw does not "
+                    "hold all of them to each other",
+                    segment));
+  }
   scans_.begin_again(io::open_recording(options_.input, options_.reader));
   item = scans_.first();
 }

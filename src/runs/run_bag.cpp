@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "geometry/so3.hpp"
 #include "io/messages/point_cloud2_writer.hpp"
 #include "io/messages/pose_messages.hpp"
 #include "report/joined_names.hpp"
@@ -22,18 +23,12 @@ constexpr std::int64_t kMapPeriodNs = 1'000'000'000;
 // Of the path: for listeners 0.3 MB a message, for files 2.5.
 constexpr std::size_t kListenersPoses = 1 << 12, kFilePoses = 1 << 15;
 
-Eigen::Matrix3d cross(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
-
 /// The pose's covariance for a frame that sits at T_lidar_written: a rotation of the LiDAR moves it
 /// by the lever between the two.
 Matrix6 moved_covariance(const Estimate& estimate, const Pose& T_lidar_written) {
   const Eigen::Vector3d lever = estimate.T_world_lidar.rotation * T_lidar_written.translation;
   Matrix6 change = Matrix6::Identity();
-  change.block<3, 3>(0, 3) = -cross(lever);
+  change.block<3, 3>(0, 3) = -hat(lever);
   return change * estimate.covariance * change.transpose();
 }
 

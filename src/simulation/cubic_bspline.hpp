@@ -6,12 +6,22 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace surefoot::simulation {
+
+/// Weights of the four controls about a place between two knots, `u` in [0, 1] from the first.
+[[nodiscard]] inline std::array<double, 4> bspline_weights(double u) {
+  const double v = 1.0 - u;
+  const double w0 = v * v * v / 6.0;
+  const double w1 = (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0;
+  const double w3 = u * u * u / 6.0;
+  return {w0, w1, 1.0 - w0 - w1 - w3, w3};
+}
 
 /// A curve in `Channels` dimensions over the knots 0, step, 2 step, ... The curve does not pass
 /// through its control points: it is their smoothing. Outside the knots it stays at its end.
@@ -34,11 +44,7 @@ class CubicBSpline {
 
   [[nodiscard]] Value operator()(double parameter) const {
     const auto [first, u] = locate(parameter);
-    const double v = 1.0 - u;
-    const double w0 = v * v * v / 6.0;
-    const double w1 = (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0;
-    const double w3 = u * u * u / 6.0;
-    const double w2 = 1.0 - w0 - w1 - w3;
+    const auto [w0, w1, w2, w3] = bspline_weights(u);
     return w0 * controls_[first] + w1 * controls_[first + 1] + w2 * controls_[first + 2] +
            w3 * controls_[first + 3];
   }

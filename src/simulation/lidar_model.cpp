@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "sensors/velodyne/velodyne_model.hpp"
 #include "sensors/velodyne/vlp16.hpp"
 
 namespace surefoot::simulation {
@@ -48,25 +49,18 @@ LidarModel vlp16_model() {
 /// is the other), as does the unit of distance; the firing times with its src/lib/rawdata.cc. The
 /// beams cross 42.4 mm from the axis (velodyne_decoder, as above), hence their heights on it.
 LidarModel vlp32_model() {
-  struct Angles {
-    double elevation_deg;
-    double azimuth_deg;
-  };
-  constexpr std::array<Angles, 32> kAngles = {
-      {{-25.0, 1.4},  {-1.0, -4.2},   {-1.667, 1.4}, {-15.639, -1.4}, {-11.31, 1.4}, {0.0, -1.4},
-       {-0.667, 4.2}, {-8.843, -1.4}, {-7.254, 1.4}, {0.333, -4.2},   {-0.333, 1.4}, {-6.148, -1.4},
-       {-5.333, 4.2}, {1.333, -1.4},  {0.667, 4.2},  {-4.0, -1.4},    {-4.667, 1.4}, {1.667, -4.2},
-       {1.0, 1.4},    {-3.667, -4.2}, {-3.333, 4.2}, {3.333, -1.4},   {2.333, 1.4},  {-2.667, -1.4},
-       {-3.0, 1.4},   {7.0, -1.4},    {4.667, 1.4},  {-2.333, -4.2},  {-2.0, 4.2},   {15.0, -1.4},
-       {10.333, 1.4}, {-1.333, -1.4}}};
   constexpr double kCrossing = 0.0424;  // [m]
   LidarModel model;
   model.name = "vlp32";
-  for (std::size_t laser = 0; laser < kAngles.size(); ++laser) {
-    const double elevation = kAngles[laser].elevation_deg * kDegree;
+  const auto& models = sensors::velodyne_models();
+  const auto& lasers = std::find_if(models.begin(), models.end(), [](const auto& known) {
+                         return known.name == "VLP-32C";
+                       })->lasers;
+  for (std::size_t laser = 0; laser < lasers.size(); ++laser) {
+    const double elevation = lasers[laser].elevation_deg * kDegree;
     model.lasers.push_back({.offset_ns = vlp16::kLaserNs * static_cast<double>(laser / 2),
                             .elevation = elevation,
-                            .azimuth_offset = kAngles[laser].azimuth_deg * kDegree,
+                            .azimuth_offset = lasers[laser].azimuth_deg * kDegree,
                             .vertical_origin = -kCrossing * std::tan(elevation)});
   }
   model.sequence_ns = vlp16::kSequenceNs;

@@ -91,14 +91,9 @@ double smooth_noise(const CounterRandom& random, std::uint64_t channel, double p
   constexpr double kRestore = 1.0 / 0.6917;
   constexpr std::uint64_t kChannelStride = 1ULL << 32;
   const double knot = std::floor(parameter);
-  const double u = parameter - knot;
-  const double v = 1.0 - u;
   const auto counter =
       channel * kChannelStride + static_cast<std::uint64_t>(static_cast<std::int64_t>(knot) + 16);
-  const double w0 = v * v * v / 6.0;
-  const double w1 = (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0;
-  const double w3 = u * u * u / 6.0;
-  const double w2 = 1.0 - w0 - w1 - w3;
+  const auto [w0, w1, w2, w3] = bspline_weights(parameter - knot);
   return kRestore * (w0 * random.normal(counter) + w1 * random.normal(counter + 1) +
                      w2 * random.normal(counter + 2) + w3 * random.normal(counter + 3));
 }

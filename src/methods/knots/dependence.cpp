@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/se3.hpp"
 #include "geometry/triangular_solves.hpp"
 
 namespace surefoot {
@@ -14,12 +15,6 @@ namespace {
 
 // What is usual of the neighbours' sums fades so much slower than what they differ by from it.
 constexpr double kUsualFades = 0.5;
-
-Matrix6 turn_of(const Eigen::Quaterniond& rotation) {
-  Matrix6 turn = Matrix6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation.toRotationMatrix();
-  return turn;
-}
 
 double variance_of(const KnotRegistration& found) {
   return found.rigid.weighted_squares / std::max(found.rigid.count, 1);
@@ -34,7 +29,7 @@ double freedom_of(const KnotRegistration& found) {
 }  // namespace
 
 Matrix6 Dependence::applied(const Matrix6& covariance, const Eigen::Quaterniond& rotation) const {
-  const Matrix6 turn = turn_of(rotation);
+  const Matrix6 turn = turned_axes(rotation);
   const Twist scale = factors_.cwiseSqrt();
   const Matrix6 own = turn.transpose() * covariance * turn;
   return turn * scale.asDiagonal() * own * scale.asDiagonal() * turn.transpose();
@@ -79,7 +74,7 @@ void Dependence::learn(const KnotRegistration& found, const Eigen::Quaterniond& 
     learnt_ = 0;
   }
   ++learnt_;
-  const Matrix6 turn = turn_of(rotation);
+  const Matrix6 turn = turned_axes(rotation);
   const Matrix6 information = turn.transpose() * found.rigid.H * turn;
   const double fades = std::max(rate, 1.0 / learnt_);
   const Matrix6 fluctuation = freedom_of(found) * fluctuation_of(found.neighbours, rotation, rate);

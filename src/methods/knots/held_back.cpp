@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/se3.hpp"
 #include "methods/knots/knot_window.hpp"
 
 namespace surefoot {
@@ -31,8 +32,7 @@ constexpr double kAlike = 0.4;
 
 Matrix6 HeldBack::covariance(const Twist& held_back, const Twist& fluctuation,
                              const Eigen::Quaterniond& rotation) const {
-  Matrix6 turn = Matrix6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation.toRotationMatrix();
+  const Matrix6 turn = turned_axes(rotation);
   const double tilt = std::max({fluctuation[3], fluctuation[4], kLeast});
   const Twist own = held_back - turn * mean_;
   // [K23]

@@ -14,9 +14,16 @@
 
 namespace surefoot {
 
-/// A scan that is shorter has no times; no two knots are nearer [s, ns].
+/// A scan that is shorter has no times [s, ns].
 inline constexpr double kInstant = 1e-3;
 inline constexpr std::int64_t kInstantNs = 1'000'000;
+
+/// [s] From knot to knot of a scan by itself, of so many segments; of one without times as if each
+/// were an instant.
+[[nodiscard]] double usual_step(const PreparedScan& scan, int segments);
+/// Segments of a scan that begins with a gap, `span` [s] with it: about as long as the scan's, and
+/// up to three times as many.
+[[nodiscard]] int segments_over(double span, const PreparedScan& scan, int segments);
 
 /// The last two knots before a scan, with what is known of them.
 struct KnotEnd {

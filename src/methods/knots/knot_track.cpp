@@ -62,8 +62,7 @@ void KnotTrack::take_over(const KnotTrack& lost) {
 void KnotTrack::begin(const ScanPart& first, const Pose& T_map_lidar, bool is_levelled) {
   const PreparedScan& scan = first.scan;
   const ScanTrajectory trajectory({T_map_lidar, T_map_lidar}, scan.start_ns, scan.end_ns);
-  const double duration = seconds(scan.end_ns - scan.start_ns);
-  end_.step = std::max(duration, kInstant) / config().knots.segments;
+  end_.step = usual_step(scan, config().knots.segments);
   end_.stamp_ns = scan.end_ns;
   end_.prior = at_rest(T_map_lidar, end_.step);
   velocity_ = Twist::Zero();

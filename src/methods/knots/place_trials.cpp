@@ -43,7 +43,7 @@ KnotPoints points_of(const PreparedScan& scan, const std::vector<std::uint32_t>&
 
 KnotEnd begin_at(const Pose& place, const PreparedScan& scan, const Config::Knots& config) {
   constexpr double kSince = 0.5;  // [s] that a place is as vague as after walking so long
-  const double step = std::max(seconds(scan.end_ns - scan.start_ns) / config.segments, kInstant);
+  const double step = usual_step(scan, config.segments);
   return {at_rest(place, step, kSince), std::min(scan.start_ns, scan.end_ns - kInstantNs), step};
 }
 

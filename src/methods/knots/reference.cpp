@@ -35,6 +35,7 @@ struct Reference::State {
   Odometry odometry;
   PointChoice choice;
   std::map<int, WholeWay> ways;  // by segment
+  std::vector<int> unrefined;
   struct Added {
     Estimate estimate;
     std::optional<std::size_t> scan;  // of its segment's way
@@ -75,14 +76,18 @@ void Reference::State::keep(const Scan& scan, Estimate estimate) {
 bool Reference::refine(const std::function<bool(double)>& goes_on) {
   const double all = static_cast<double>(state_->ways.size()) * kPasses;
   int done = 0;
+  state_->unrefined.clear();
   for (auto& [segment, way] : state_->ways) {
     for (int pass = 0; pass < kPasses; ++pass) {
       if (goes_on && !goes_on(done++ / all)) return false;
-      if (way.size() > 1) (void)way.refine();
+      if (way.size() < 2 || way.refine()) continue;
+      if (pass == 0) state_->unrefined.push_back(segment);
     }
   }
   return true;
 }
+
+std::vector<int> Reference::unrefined() const { return state_->unrefined; }
 
 /// What the passes moved, moves what lies between two scans of a way, too.
 std::vector<Estimate> Reference::State::answers() const {

@@ -18,9 +18,6 @@ namespace surefoot {
 
 namespace {
 
-// As knots: a gap that is bridged takes up to so many times a scan's segments.
-constexpr double kMostSegments = 3.0;
-
 // Solutions on one map; each moves the knots by a tenth of the one before, or less.
 constexpr int kSteps = 3;
 
@@ -39,10 +36,7 @@ KnotWindow window_of(const PreparedScan& scan, const ScanTrajectory& trajectory,
   window.begin_ns = last ? last->end_ns : std::min(scan.start_ns, scan.end_ns - kInstantNs);
   window.end_ns = scan.end_ns;
   const double span = seconds(window.end_ns - window.begin_ns);
-  const double segment = seconds(scan.end_ns - scan.start_ns) / usual;
-  const double wanted = segment > 0.0 ? std::clamp(span / segment, 1.0, kMostSegments * usual)
-                                      : static_cast<double>(usual);
-  const auto segments = static_cast<int>(std::lround(wanted));
+  const int segments = segments_over(span, scan, usual);
   window.step = window.first_step = span / segments;
   const auto at = [&](int k) {
     return trajectory.at_time(window.begin_ns + std::llround(1e9 * window.step * k));
@@ -69,9 +63,9 @@ bool WholeWay::add(PreparedScan scan, const Estimate& estimate) {
   const WayScan* const last = scans_.empty() ? nullptr : &scans_.back();
   const double longest = session_.config.motion_prior.max_extrapolation;
   const bool goes_on = last && seconds(scan.start_ns - last->window.end_ns) <= longest;
-  const double segment = seconds(scan.end_ns - scan.start_ns) / config_.segments;
-  const double span = last ? seconds(scan.end_ns - last->window.end_ns) : kInstant;
-  if (span < std::max(last ? segment : 0.0, kInstant)) return false;
+  if (last && seconds(scan.end_ns - last->window.end_ns) < usual_step(scan, config_.segments)) {
+    return false;
+  }
   KnotWindow window =
       window_of(scan, estimate.trajectory, goes_on ? &last->window : nullptr, config_.segments);
   const std::size_t first = knots() - (goes_on ? 2 : 0);

@@ -17,6 +17,9 @@ constexpr std::size_t kLanes = 4;  // points compared at once: one SSE or NEON v
 constexpr float kFarAway = 1e15F;  // unused places: farther than anything, and its square finite
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
+// What is far is let go of when the sensor went this share of the radius, not at every scan.
+constexpr double kCleaningShare = 0.05;
+
 // A strip as narrow as this, RMS, is noise about a line, such as one ring on a wall, not a plane
 // [m].
 constexpr double kNarrow = 0.05;

@@ -213,16 +213,20 @@ TEST_P(OdometryStatus, EqualPointTimesAreLegal) {
 }
 
 TEST_P(OdometryStatus, StampsAtTheEndsOfTheirTypeDoNotCrash) {
-  for (const std::int64_t stamp : {std::numeric_limits<std::int64_t>::max() - 200'000'000,
-                                   std::numeric_limits<std::int64_t>::min() + 200'000'000}) {
+  constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kYear = 31'556'952'000'000'000;
+  for (const std::int64_t stamp :
+       {kLast - kYear, std::numeric_limits<std::int64_t>::min() + 200'000'000}) {
     Odometry odometry(config());
     Scan scan = walk().front();
+    scan.stamp_ns = kLast - 200'000'000;  // too near the end for anything to come after it
+    EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
     scan.stamp_ns = stamp;
     EXPECT_EQ(odometry.add_scan(scan).status, Status::first_scan);
     EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
     scan.stamp_ns = -stamp;  // 584 years later, or earlier
     EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
-    scan.stamp_ns = std::numeric_limits<std::int64_t>::max() - 5;
+    scan.stamp_ns = kLast - 5;
     EXPECT_EQ(odometry.add_scan(scan).status, Status::rejected);
   }
 }

@@ -110,12 +110,22 @@ TEST_F(ScanClockTest, StampsFromTheEndsOfTimeDoNotOverflow) {
   constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
   constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min();
   EXPECT_EQ(offer(0), 0);
-  EXPECT_NE(clock_.objection(kLast, kLast).find("146 years"), std::string::npos);
+  EXPECT_NE(clock_.objection(kLast / 2 + kLast / 3, kLast / 2 + kLast / 3).find("146 years"),
+            std::string::npos);
   for (int i = 0; i < 30; ++i) {
     EXPECT_FALSE(offer(kLast - 30 + i));
     EXPECT_FALSE(offer(kFirst + i));
   }
   EXPECT_EQ(offer(kPeriod), 0);
+}
+
+// What would go on from there would go on beyond them.
+TEST_F(ScanClockTest, AFirstStampAtTheEndOfTimeIsRefused) {
+  constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
+  EXPECT_NE(clock_.objection(kLast, kLast).find("64 bits"), std::string::npos);
+  EXPECT_FALSE(offer(kLast));
+  EXPECT_FALSE(offer(kLast - kHour));
+  EXPECT_EQ(offer(1'700'000'000'000'000'000), 0);
 }
 
 // A scan's end is told by the time that goes on, too.

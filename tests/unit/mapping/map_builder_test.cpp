@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace surefoot::mapping {
@@ -52,6 +53,42 @@ TEST(MapBuilder, WhatWasForgottenAndIsSeenAgainIsThereAgain) {
   map.forget({1.0, {Eigen::Vector3d(1.5, 0.5, 0.5)}}, {kSecond, 0});
   map.add(one_point(), Pose{}, {2 * kSecond, 0});
   EXPECT_EQ(map.without_forgotten().first_seen(), std::vector<float>{2.0F});
+}
+
+/// A crowd that comes and goes in a cube of 1 m, beside a wall that stays.
+DeskewedScan crowd_and_wall() {
+  DeskewedScan scan;
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3f point(0.05F + 0.1F * static_cast<float>(i % 10),
+                                0.05F + 0.1F * static_cast<float>(i / 10 % 10),
+                                0.05F + 0.1F * static_cast<float>(i / 100));
+    scan.points.push_back(point);
+    scan.points.emplace_back(point + Eigen::Vector3f(5.0F, 0.0F, 0.0F));
+    scan.intensities.insert(scan.intensities.end(), {1.0F, 2.0F});
+  }
+  return scan;
+}
+
+TEST(MapBuilder, WhoStandsWherePeopleWalkTakesNoMoreMemoryForIt) {
+  MapBuilder map(0.1);
+  const DeskewedScan scan = crowd_and_wall();
+  std::size_t most = 0;
+  for (int i = 0; i < 100; ++i) {
+    map.add(scan, Pose{}, {2 * i * kSecond, 0});
+    map.forget({1.0, {Eigen::Vector3d(0.5, 0.5, 0.5)}}, {(2 * i + 1) * kSecond, 0});
+    most = std::max(most, map.points().size());
+  }
+  EXPECT_LT(most, 50'000U) << "100,000 were replaced";
+  map.add(scan, Pose{}, {200 * kSecond, 0});
+  const MapBuilder left = map.without_forgotten();
+  ASSERT_EQ(left.points().size(), 2000U);
+  ASSERT_EQ(left.intensities().size(), 2000U);
+  const std::vector<std::int64_t> seen = left.first_seen_ns();
+  for (std::size_t i = 0; i < 2000; ++i) {
+    const bool is_wall = left.points()[i].x() > 5.0F;
+    EXPECT_EQ(left.intensities()[i], is_wall ? 2.0F : 1.0F) << i;
+    EXPECT_EQ(seen[i], is_wall ? 0 : 200 * kSecond) << i;
+  }
 }
 
 TEST(MapBuilder, FramesComeTogetherWhereACorrectionJoinsThem) {

@@ -86,6 +86,7 @@ TEST_F(PublicMapping, AMapIsJoinedToASavedOneAndIsInItsFrame) {
   const Pose last =
       mapper.T_map_world(walk.scans.back().stamp_ns).value() * walk.scans.back().T_world_lidar;
   EXPECT_EQ(last.translation, trajectory.back().pose.translation);
+  EXPECT_THROW((void)mapper.join(folder()), std::logic_error) << "it is joined already";
   mapper.save(folder() / "joint.surefoot");
   EXPECT_GT(fs::file_size(folder() / "joint.surefoot"), fs::file_size(file()));
 }

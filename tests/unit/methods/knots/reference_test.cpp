@@ -56,6 +56,7 @@ BothAnswers both_of(const std::vector<Scan>& scans, int threads = 1) {
   BothAnswers both;
   for (const Scan& scan : scans) both.online.push_back(reference.add_scan(scan));
   EXPECT_TRUE(reference.refine());
+  EXPECT_TRUE(reference.unrefined().empty());
   Odometry answers = reference.replay();
   both.reference = add_scans(answers, scans);
   return both;
