@@ -24,25 +24,29 @@ io::EarthPlace earth_place(const std::array<double, 4>& given) {
   const auto [latitude, longitude, height, azimuth] = given;
   if (!(std::abs(latitude) <= 90.0 && std::abs(longitude) <= 180.0 && std::abs(height) <= 1e5 &&
         std::abs(azimuth) <= 360.0)) {
-    throw CLI::ValidationError("--tiles-at",
-                               "expected a latitude of -90 to 90, a longitude of -180 to 180, a "
-                               "height of up to 100 km, an azimuth of -360 to 360");
+    throw CLI::ValidationError(
+        "--tiles-at", fmt::format("got {} {} {} {}, expected a latitude of -90 to 90, a longitude "
+                                  "of -180 to 180, a height of up to 100 km, an azimuth of -360 to "
+                                  "360",
+                                  latitude, longitude, height, azimuth));
   }
   return {latitude, longitude, height, azimuth};
 }
 
 void add_elevation_options(CLI::App& command, runs::MapExport& files) {
-  command.add_option(
+  CLI::Option* elevation = command.add_option(
       "--elevation", files.elevation,
       "heights of the ground, to FILE.asc and FILE_variance.asc (ESRI ASCII grid), or "
       "with slope, steps, roughness and traversability to FILE.tif (GeoTIFF)");
   command.add_option("--elevation-cell", files.elevation_cell, "[m]")
       ->check(command_line::number_within(0.02, 10.0))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(elevation);
   const auto add = [&](const char* name, double& value, const char* help, double most) {
     command.add_option(name, value, help)
         ->check(command_line::number_within(0.001, most))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->needs(elevation);
   };
   add("--robot-radius", files.robot.radius,
       "for traversability: of a disc that covers the body [m]", 5.0);
@@ -75,16 +79,19 @@ void add_point_options(CLI::App& command, ExportOptions& options) {
 }
 
 void add_surface_options(CLI::App& command, runs::MapExport& files) {
-  command.add_option("--mesh", files.mesh, "surfaces as triangles, to this PLY, OBJ or STL file");
+  CLI::Option* mesh = command.add_option("--mesh", files.mesh,
+                                         "surfaces as triangles, to this PLY, OBJ or STL file");
   command
       .add_option("--mesh-cell", files.triangles.cell, "edges of triangles are about as long [m]")
       ->check(command_line::number_within(0.05, 2.0))
-      ->capture_default_str();
-  command.add_option("--grid", files.grid,
-                     "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
+      ->capture_default_str()
+      ->needs(mesh);
+  CLI::Option* grid = command.add_option(
+      "--grid", files.grid, "occupancy grid, to FILE.pgm and FILE.yaml as map_server reads them");
   command.add_option("--grid-cell,--cell", files.occupancy.cell, "of the occupancy grid [m]")
       ->check(command_line::number_within(0.01, 10.0))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(grid);
 }
 
 void print_exported(const runs::MapExport& files, const runs::MapExported& done) {
@@ -121,8 +128,10 @@ void add_export_command(CLI::App& app, int& /*exit_code*/) {
   add_point_options(*command, *options);
   add_surface_options(*command, files);
   add_elevation_options(*command, files);
-  command->add_option("--frame", files.frame,
-                      "of a map whose frames nothing joins this one alone, from 0 on");
+  command
+      ->add_option("--frame", files.frame,
+                   "of a map whose frames nothing joins this one alone, from 0 on")
+      ->check(command_line::whole_number(0));
   command->add_flag("--overwrite", files.overwrite, "write also where files are already");
   command->callback([command, options] {
     if (command->count("--tiles-at") > 0) options->files.tiles_at = earth_place(options->place);

@@ -24,7 +24,8 @@ void add_map_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
   command->add_flag("--no-loops", options->no_loops, "find loops, but move nothing")
-      ->excludes("--map");
+      ->excludes("--map")
+      ->excludes("--loop-closure");
   command->callback([command, options, &exit_code] {
     options->loop_closure = options->save_map = true;
     exit_code = run_recording(*command, *options);

@@ -62,7 +62,7 @@ void add_map_options(CLI::App& command, runs::RunOptions& options) {
                   "a map that surefoot map has written, or its folder: continue it; this run's map "
                   "is joined to it, and map.surefoot and trajectory_optimized.tum are in its frame")
       ->type_name(command_line::kFileType);
-  command.add_flag("--no-map", options.no_map, "do not write map.ply");
+  command.add_flag("--no-map", options.no_map, "do not write map.ply")->excludes("--map-voxel");
 }
 
 void add_result_options(CLI::App& command, runs::RunOptions& options) {

@@ -84,13 +84,15 @@ void simulate(const SimulateArguments& arguments, int& exit_code) {
         return !guard.interrupted();
       });
   progress.finish();
+  const bool is_whole = done == request.scans;
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!arguments.quiet) {
-    fmt::print(stderr, "{}: {} in {:.1f} s to {}\n", request.scene, io::counted(done, "scan"),
-               seconds, arguments.output);
+    fmt::print(stderr, "{}: {}{} in {:.1f} s to {}\n", request.scene,
+               is_whole ? "" : "interrupted, ", io::counted(done, "scan"), seconds,
+               arguments.output);
   }
-  if (done < request.scans) exit_code = process::kInterrupted;
+  if (!is_whole) exit_code = process::kInterrupted;
 }
 
 void add_motion_options(CLI::App& command, SimulateArguments& arguments) {

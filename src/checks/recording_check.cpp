@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "checks/mended_stamps.hpp"
 #include "checks/motion_sentences.hpp"
@@ -49,8 +50,13 @@ class Check {
       result_.findings.insert(result_.findings.begin(), {true, "odd ranges", *odd, 0, ""});
     }
     result_.time_sentences = time_sentences(result_.figures);
-    if (options_.motion && result_.figures.scans >= kLeastScans && !listener_.interrupted()) {
-      try_motion();
+    if (options_.motion && !listener_.interrupted()) {
+      if (result_.figures.scans >= kLeastScans) {
+        try_motion();
+      } else {
+        result_.notes.push_back("the motion is not asked, of fewer than " +
+                                std::to_string(kLeastScans) + " scans");
+      }
     }
     std::stable_sort(result_.findings.begin(), result_.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.suffers > b.suffers; });

@@ -127,19 +127,34 @@ void adapt(evaluation::EvaluationOptions& options, const runs::ReferenceTrajecto
   }
 }
 
-/// Options that somebody gave and that say nothing where poses are paired by their rows.
-void tell_idle(const evaluation::AssociationOptions& given, const EvaluationListener& listener) {
-  const evaluation::AssociationOptions usual;
-  const auto idle = [&](bool is_given, const char* flag) {
-    if (!is_given) return;
-    listener.note(std::string(flag) +
-                  " counts for nothing here: KITTI's files, which have no stamps, are paired by "
-                  "row");
+/// Options that somebody gave and that say nothing beside the others.
+void tell_idle(const evaluation::EvaluationOptions& given, bool by_row,
+               const EvaluationListener& listener) {
+  using Method = evaluation::AssociationMethod;
+  const evaluation::EvaluationOptions usual;
+  const evaluation::AssociationOptions& pairs = given.association;
+  const auto idle = [&](bool is_given, const char* flag, const char* why) {
+    if (is_given) listener.note(std::string(flag) + " counts for nothing here: " + why);
   };
-  idle(given.method != usual.method, "--pair");
-  idle(given.max_difference != usual.max_difference, "--max-diff");
-  idle(given.max_gap != usual.max_gap, "--max-gap");
-  idle(given.offset != usual.offset, "--offset");
+  const bool finds_gap = pairs.max_gap != usual.association.max_gap;
+  const bool finds_nearest = pairs.max_difference != usual.association.max_difference;
+  if (by_row) {
+    const char* const why = "KITTI's files, which have no stamps, are paired by row";
+    idle(pairs.method != usual.association.method, "--pair", why);
+    idle(finds_nearest, "--max-diff", why);
+    idle(finds_gap, "--max-gap", why);
+    idle(pairs.offset != usual.association.offset, "--offset", why);
+  } else {
+    idle(finds_gap && pairs.method != Method::interpolate, "--max-gap",
+         "it is for --pair interpolate");
+    idle(finds_nearest && pairs.method != Method::nearest, "--max-diff",
+         "it is for --pair nearest");
+  }
+  const evaluation::PairOptions& stretches = given.stretches;
+  idle(!stretches.all_pairs && stretches.tolerance != usual.stretches.tolerance,
+       "--delta-tolerance", "it is for --all-pairs");
+  idle(given.alignment_poses != 0 && given.alignment == evaluation::AlignmentMethod::none,
+       "--align-poses", "nothing is aligned");
 }
 
 /// Of what is asked for and no estimate so short has.
@@ -211,7 +226,7 @@ std::vector<Evaluation> evaluate_estimates(const EvaluationRequest& request,
     listener.note("--topic counts for nothing here: no estimate is a bag");
   }
   evaluation::EvaluationOptions options = request.evaluation;
-  if (reference.format == runs::TrajectoryFormat::kitti) tell_idle(options.association, listener);
+  tell_idle(options, reference.format == runs::TrajectoryFormat::kitti, listener);
   adapt(options, reference);
   const std::vector<std::string> names = runs::estimate_names(request.estimates);
   std::vector<Evaluation> evaluations;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include "io/recording.hpp"
+#include "io/idle_options.hpp"
 
 #include <array>
 
@@ -46,39 +47,6 @@ std::vector<std::string> folder_notes(const std::filesystem::path& path, bool as
   return notes;
 }
 
-// Options that somebody gave and that say nothing about this kind of recording.
-std::vector<std::string> idle_options(const OpenOptions& options, bool as_bag, bool packets) {
-  const OpenOptions usual;
-  const bool files = !as_bag && !packets;
-  std::vector<std::string> notes;
-  const auto idle = [&](bool given, const char* option, const char* of) {
-    if (given) notes.push_back(std::string(option) + " counts for nothing here: it is for " + of);
-  };
-  if (!as_bag) idle(!options.topic.empty(), "--topic", "bags");
-  if (!files) idle(!options.stamps_file.empty(), "--stamps", "folders of scans");
-  if (!files) idle(!options.format.empty(), "--format", "folders of scans");
-  if (!files) idle(options.kitti_hdl64_correction, "--kitti-correction", "files of scans");
-  if (as_bag || files) idle(options.udp_port != 0, "--udp-port", "captures");
-  const bool derived = options.derive_times != DeriveTimes::no;
-  const bool kept = options.time_direction != TimeDirection::none;
-  if (!kept) idle(derived, "--derive-times", "scans that keep their times, not --point-times none");
-  if (!derived) idle(options.spin != usual.spin, "--spin", "--derive-times");
-  if (packets) {
-    const char* const of = "points that come with their fields";
-    idle(!options.time_field.empty(), "--time-field", of);
-    idle(options.time_unit != usual.time_unit, "--time-unit", of);
-    idle(options.time_reference != usual.time_reference, "--time-reference", of);
-  } else {
-    const char* const of = "a sensor's packets";
-    idle(!options.sensor.empty(), "--sensor", of);
-    idle(!options.calibration_file.empty(), "--calibration", of);
-    idle(options.dual_return != usual.dual_return, "--return", of);
-    idle(!options.beam_origins, "--no-vertical-correction", of);
-    idle(options.cut_azimuth_deg != 0.0 && !derived, "--cut", of);
-  }
-  return notes;
-}
-
 /// A recording with notes more.
 class NotedRecording final : public RecordingFilter {
  public:
@@ -99,7 +67,9 @@ std::unique_ptr<Recording> with_notes(std::unique_ptr<Recording> recording,
   const bool as_bag = is_bag_input(path, options);
   const bool packets = recording->capture_counts().packets > 0;
   std::vector<std::string> notes = folder_notes(path, as_bag);
-  for (std::string& text : idle_options(options, as_bag, packets)) notes.push_back(std::move(text));
+  for (std::string& text : idle_options(options, {as_bag, packets})) {
+    notes.push_back(std::move(text));
+  }
   if (notes.empty()) return recording;
   return std::make_unique<NotedRecording>(std::move(recording), notes);
 }

@@ -105,11 +105,11 @@ struct UsualValues {
 
 // `margins`: of the width of where nearly all lie, but at least `least_margin`.
 UsualValues usual_values(const std::vector<double>& values, double margins, double least_margin) {
-  constexpr std::size_t kSample = 2000;
+  constexpr std::size_t kLookedAt = 2000;
   constexpr double kTail = 0.05;
   if (values.size() < 100) return {};  // too few to call one of them stray
   std::vector<double> sample;
-  for (std::size_t i = 0; i < values.size(); i += values.size() / kSample + 1) {
+  for (std::size_t i = 0; i < values.size(); i += values.size() / kLookedAt + 1) {
     sample.push_back(values[i]);
   }
   std::sort(sample.begin(), sample.end());

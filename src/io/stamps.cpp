@@ -13,6 +13,7 @@
 #include "io/ascii_values.hpp"
 #include "io/decimal_time.hpp"
 #include "io/recording.hpp"
+#include "io/saturated.hpp"
 
 namespace surefoot::io {
 namespace {
@@ -145,6 +146,13 @@ std::optional<std::vector<std::int64_t>> stamps_with_nanoseconds(
   return are_alike ? std::nullopt : std::optional(stamps);
 }
 
+/// One or the other may be wild, and is mended then.
+bool are_of_no_time(const std::vector<std::int64_t>& stamps) {
+  return !stamps.empty() && std::all_of(stamps.begin(), stamps.end(), [](std::int64_t stamp) {
+    return stamp != sane_time(stamp);
+  });
+}
+
 std::vector<double> intervals_of(std::vector<std::int64_t> stamps) {
   std::sort(stamps.begin(), stamps.end());
   std::vector<double> intervals;
@@ -258,6 +266,12 @@ std::vector<std::int64_t> parse_stamps(std::string_view text, std::string* unit)
     }
     stamps.push_back(*stamp);
   }
+  if (are_of_no_time(stamps)) {
+    throw ReadError("line " + std::to_string(lines.front().number) + ": " +
+                    in_quotes(lines.front().text) +
+                    " is no instant from 1834 to 2106, which stamps are expected to be; nor is any "
+                    "other");
+  }
   return stamps;
 }
 
@@ -295,6 +309,7 @@ std::optional<std::vector<std::int64_t>> stamps_from_names(
     }
     stamps.push_back(*stamp);
   }
+  if (are_of_no_time(stamps)) return std::nullopt;
   const auto with_nanoseconds = stamps_with_nanoseconds(files);
   if (with_nanoseconds && unsteadiness(*with_nanoseconds) < unsteadiness(stamps)) {
     if (unit != nullptr) *unit = "seconds and nanoseconds without leading zeros";

@@ -9,6 +9,7 @@
 
 #include "io/bags/bag_files.hpp"
 #include "io/datasets.hpp"
+#include "io/idle_options.hpp"
 #include "io/packets/metadata_file.hpp"
 #include "io/robots.hpp"
 
@@ -69,6 +70,17 @@ void open_topic(LiveInput& input, const LiveSource& source, const io::OpenOption
   input.stream = topic_stream(input.network->subscribe(request.topic, say), options, source.record);
 }
 
+/// Of a topic nothing says yet whether its messages are clouds or packets.
+std::vector<std::string> idle_options(const io::OpenOptions& reader, bool of_topic) {
+  std::vector<std::string> notes = io::idle_options(reader, {of_topic, true});
+  if (!of_topic) return notes;
+  const std::vector<std::string> of_clouds = io::idle_options(reader, {true, false});
+  std::erase_if(notes, [&](const std::string& note) {
+    return std::find(of_clouds.begin(), of_clouds.end(), note) == of_clouds.end();
+  });
+  return notes;
+}
+
 void join(LiveInput& input, const TopicRequest& request, CommandQueue& commands) {
   input.network = request.join();
   if (request.publish) input.messages = input.network->publisher();
@@ -87,6 +99,7 @@ LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reade
   if (source.topics.any()) join(input, source.topics, commands);
   if (!source.topics.topic.empty()) {
     open_topic(input, source, reader, say);
+    for (const std::string& note : idle_options(reader, true)) say(note);
     return input;
   }
   const fs::path& file = file_of(source);
@@ -105,6 +118,7 @@ LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reade
   } else {
     open_packets(input, source, reader);
   }
+  for (const std::string& note : idle_options(reader, input.of_topic)) say(note);
   return input;
 }
 

@@ -152,6 +152,7 @@ std::string unfinished_text(const fs::path& estimate) {
 }
 
 RunFolder read_run_folder(const fs::path& folder) {
+  if (!fs::exists(folder)) throw ReadError(folder.string() + ": no such folder");
   if (!fs::is_directory(folder) || !fs::exists(folder / kScansFile)) {
     throw ReadError(folder.string() +
                     ": expected a folder that surefoot run has written, with a scans.csv");

@@ -32,6 +32,17 @@ std::optional<Pose> known_mount(const RunOptions& options) {
   return io::dataset_named(set).T_base_lidar;
 }
 
+/// Two answers to how the LiDAR stands, of which one would be passed over.
+void refuse_other_level(const RunOptions& options) {
+  const char* const flag = !options.extrinsic.empty() ? "--extrinsic" : "--level";
+  if (options.extrinsic.empty() && options.level.empty()) return;
+  for (const std::string& setting : options.settings) {
+    if (!setting.starts_with("level.m")) continue;  // mode, mount_x, ...
+    throw ConfigError(
+        fmt::format("--set {}: beside {}, which says it already; leave out one", setting, flag));
+  }
+}
+
 std::vector<double> extrinsic_of(const Pose& mount) {
   const Eigen::Vector3d angles = roll_pitch_yaw(mount.rotation) * (180.0 / EIGEN_PI);
   const Eigen::Vector3d& at = mount.translation;
@@ -61,6 +72,7 @@ Config config_of(const RunOptions& options) {
   if (!options.config_file.empty()) load_config_file(options.config_file, config);
   if (!options.extrinsic.empty()) set_mount(options.extrinsic, config);
   if (!options.level.empty()) set_parameter(config, "level.mode", options.level);
+  refuse_other_level(options);
   apply_settings(options.settings, config);
   validate(config);
   if (options.pose_of == "base" && config.level.mode != LevelMode::mount) {

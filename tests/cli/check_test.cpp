@@ -66,6 +66,14 @@ TEST(Check, ASoundRecordingIsFit) {
   EXPECT_NE(text.output.find("verdict      fit for a run\n"), std::string::npos) << text;
 }
 
+TEST(Check, OfFewScansItIsSaidThatTheMotionIsNotAsked) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(3));
+  const ProcessResult text = run_surefoot({"check", "in"}, scratch.path());
+  EXPECT_NE(text.output.find("the motion is not asked, of fewer than 10 scans"), std::string::npos)
+      << text;
+}
+
 TEST(Check, ATruthMayLieBesideABagThatHasNoGyroscope) {
   const ScratchFolder scratch;
   write_pcd_recording(scratch.path() / "in", trot_scans());

@@ -230,6 +230,23 @@ TEST_F(Eval, KittiFilesAreFoundOutAndPairedByRow) {
   }
 }
 
+TEST_F(Eval, WhatCountsForNothingBesideTheOthersIsTold) {
+  const auto told = [&](std::vector<std::string> given, const std::string& flag) {
+    given.insert(given.begin(), {"truth.tum", "zigzag.tum"});
+    const ProcessResult result = eval(given);
+    EXPECT_EQ(result.exit_code, 0) << result;
+    return result.errors.find(flag + " counts for nothing here") != std::string::npos;
+  };
+  EXPECT_TRUE(told({"--max-gap", "3"}, "--max-gap"));
+  EXPECT_FALSE(told({"--max-gap", "3", "--pair", "interpolate"}, "--max-gap"));
+  EXPECT_TRUE(told({"--max-diff", "3", "--pair", "interpolate"}, "--max-diff"));
+  EXPECT_FALSE(told({"--max-diff", "3"}, "--max-diff"));
+  EXPECT_TRUE(told({"--delta-tolerance", "0.5"}, "--delta-tolerance"));
+  EXPECT_FALSE(told({"--delta-tolerance", "0.5", "--all-pairs"}, "--delta-tolerance"));
+  EXPECT_TRUE(told({"--align", "none", "--align-poses", "5"}, "--align-poses"));
+  EXPECT_FALSE(told({"--align-poses", "5"}, "--align-poses"));
+}
+
 TEST_F(Eval, BadInputIsRefused) {
   write_content(scratch_.path() / "words.tum", "once upon a time\n");
   write_content(scratch_.path() / "empty.tum", "");
@@ -241,7 +258,7 @@ TEST_F(Eval, BadInputIsRefused) {
   expect_refused({"truth.tum", "none.tum"}, "none.tum");
   expect_refused({"truth.tum", "words.tum", "--json"}, "words.tum: line 1");
   expect_refused({"truth.tum", "later.tum"}, "later");
-  expect_refused({"truth.tum", "."}, "folder");
+  expect_refused({"truth.tum", "."}, "is a folder without a trajectory.tum");
   expect_refused({"truth.tum"}, "estimates");
   expect_refused({"truth.tum", "truth.tum", "--json", "--csv"}, "--csv");
   expect_refused({"truth.tum", "truth.tum", "--align", "upwards"}, "upwards");

@@ -69,8 +69,25 @@ TEST_F(LiveTest, AReplayLeavesWhatTheCaptureDoes) {
       run_surefoot(with({"live", "--replay", "hall.pcap", "--speed", "0", "-o", "live"}, kBare),
                    scratch_.path());
   ASSERT_EQ(live.exit_code, 0) << live;
+  EXPECT_EQ(live.errors.find("counts for nothing"), std::string::npos) << live;
   expect_same("offline", "live", {"trajectory.tum", "trajectory_kitti.txt", "map.ply"});
   EXPECT_EQ(content("live/live.log").find("dropped"), std::string::npos);
+}
+
+TEST_F(LiveTest, OptionsForOtherSourcesAreSaidToCountForNothing) {
+  const auto said_of = [&](const std::string& file) {
+    const ProcessResult result = run_surefoot(
+        {"live", "--replay", file, "--speed", "0", "-o", "out", "--overwrite", "--no-report",
+         "--no-picture", "--stamps", "none.txt", "--format", "ply", "--time-field", "t"},
+        scratch_.path());
+    EXPECT_EQ(result.exit_code, 0) << result;
+    return result.errors;
+  };
+  const std::string of_packets = said_of("hall.pcap");
+  for (const char* flag : {"--stamps", "--format", "--time-field"}) {
+    EXPECT_NE(of_packets.find(std::string(flag) + " counts for nothing"), std::string::npos)
+        << of_packets;
+  }
 }
 
 TEST_F(LiveTest, WhatBecameOfLoopsAndOfThePlaceInTheMapIsSaid) {

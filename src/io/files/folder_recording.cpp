@@ -203,21 +203,32 @@ class FolderRecording final : public Recording {
 
   // Where no file gives stamps: the points themselves, names that are numbers, or a rate.
   void set_other_stamps() {
-    if (!stamps_.empty()) {
-      return;
+    if (!stamps_.empty() || find_stamps_of_scans()) {
+      if (options_.rate_hz > 0.0 && options_.robot.empty()) {
+        notes_.emplace_back(
+            "stamps: not from the rate that was given, which only helps to mend them");
+      }
+    } else {
+      count_stamps();
     }
+  }
+
+  bool find_stamps_of_scans() {
     if (rule_ && rule_->reference == TimeReference::absolute) {
       notes_.emplace_back("stamps: from the points' absolute times");
       if (!are_counted(listing_.files)) put_in_order_of_times();
-      return;
+      return true;
     }
     std::string unit;
-    if (const auto named = stamps_from_names(listing_.files, &unit)) {
-      stamps_ = *named;
-      if (!are_counted(listing_.files)) put_in_order_of_stamps();
-      notes_.push_back("stamps: from the file names" + in_unit(unit));
-      return;
-    }
+    const auto named = stamps_from_names(listing_.files, &unit);
+    if (!named) return false;
+    stamps_ = *named;
+    if (!are_counted(listing_.files)) put_in_order_of_stamps();
+    notes_.push_back("stamps: from the file names" + in_unit(unit));
+    return true;
+  }
+
+  void count_stamps() {
     const bool known = options_.rate_hz > 0.0;
     const double rate_hz = known ? options_.rate_hz : kAssumedRateHz;
     const auto numbers = frame_numbers(listing_.files);

@@ -108,7 +108,11 @@ TEST(OpenRecording, ScansThatLieDeeperAndARunsParametersAreNamed) {
   const std::string deeper =
       test::message_of<ReadError>([&] { (void)open_recording(folder.path() / "drive"); });
   EXPECT_NE(deeper.find("there are some in lidar/top"), std::string::npos) << deeper;
-  const auto file = folder.write("out/run.yaml", "surefoot: 0.1.0\n");
+  const auto file = folder.write("results/out/run.yaml", "surefoot: 0.1.0\n");
+  folder.write("results/out/map.ply", "");
+  const std::string runs =
+      test::message_of<ReadError>([&] { (void)open_recording(folder.path() / "results"); });
+  EXPECT_EQ(runs.find("there are some in"), std::string::npos) << runs;
   const std::string yaml = test::message_of<ReadError>([&] { (void)open_recording(file); });
   EXPECT_NE(yaml.find("--config"), std::string::npos) << yaml;
 }
@@ -133,9 +137,12 @@ TEST(OpenRecording, OptionsThatSayNothingAboutItAreNoted) {
   EXPECT_EQ(derived.find("--cut counts for nothing here"), std::string::npos) << derived;
   EXPECT_EQ(derived.find("--spin counts for nothing here"), std::string::npos) << derived;
   EXPECT_EQ(derived.find("--derive-times counts for nothing"), std::string::npos) << derived;
+  EXPECT_EQ(derived.find("--time-field counts for nothing"), std::string::npos) << derived;
   options.time_direction = TimeDirection::none;
+  options.time_field = "t";
   const std::string left_out = notes_of(folder.path(), options);
   EXPECT_NE(left_out.find("--derive-times counts for nothing"), std::string::npos) << left_out;
+  EXPECT_NE(left_out.find("--time-field counts for nothing"), std::string::npos) << left_out;
   EXPECT_EQ(notes_of(folder.path()).find("counts for nothing"), std::string::npos);
 }
 

@@ -216,6 +216,10 @@ TEST(FolderRecording, WrongStampsFiles) {
   EXPECT_NE(counts.find("3 stamps for the 1 scans"), std::string::npos) << counts;
   folder.write("times.txt", "zero\n");
   EXPECT_NE(error_of(folder.path()).find("times.txt: line 1"), std::string::npos);
+  folder.write("times.txt", "5000000000.0\n");
+  const std::string late = error_of(folder.path());
+  EXPECT_NE(late.find("line 1: '5000000000.0' is no instant from 1834 to 2106"), std::string::npos)
+      << late;
   OpenOptions options;
   options.stamps_file = folder.write("other", "7.5\n");
   EXPECT_EQ(read_all(folder.path(), options)[0].scan->stamp_ns, 7'500'000'000);
@@ -232,6 +236,10 @@ TEST(FolderRecording, RateAndAssumption) {
   OpenOptions options;
   options.rate_hz = 20.0;
   EXPECT_EQ(read_all(folder.path(), options)[1].scan->stamp_ns, 50'000'000);
+  folder.write("times.txt", "0.0\n0.1\n");
+  EXPECT_EQ(open_recording(folder.path(), options)->notes().back(),
+            "stamps: not from the rate that was given, which only helps to mend them");
+  EXPECT_EQ(read_all(folder.path(), options)[1].scan->stamp_ns, 100'000'000);
 }
 
 TEST(FolderRecording, SkipAndSize) {

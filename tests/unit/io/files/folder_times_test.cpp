@@ -39,7 +39,8 @@ TEST(FolderRecording, StampsOfNoTimeAreKeptWithinThreeCenturies) {
   const TemporaryFolder folder;
   folder.write("a.pcd", timed_pcd<float>({0.0F, 0.0625F}));
   folder.write("b.pcd", timed_pcd<float>({0.0F, 0.0625F}));
-  folder.write("times.txt", "-9000000000\n9000000000\n");
+  folder.write("c.pcd", timed_pcd<float>({0.0F, 0.0625F}));
+  folder.write("times.txt", "-9000000000\n9000000000\n1630577758\n");
   OpenOptions options;
   options.repair_stamps = false;
   const std::vector<ScanItem> items = read_all(folder.path(), options);
