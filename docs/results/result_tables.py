@@ -11,7 +11,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 APE, FIRST = "RMSE (m)", "Maximum (m)"  # a run that is not whole has its verdict in the first row
 RELATIVE = "Relative over 10 m, RMSE (%)"
 LATEST_SET = 19  # of those with layouts of their own
-CHANGED_SET = "reporting-17"  # run by two defaults, without the other methods
 
 
 class Kept:
@@ -238,52 +237,6 @@ def made_by(table, kept):
             f"`{about['command']}`.{note}")
 
 
-def before_table(columns, names):
-    """Three sets, a figure for each in a cell; a column is a method, or a method and a figure."""
-    kept = Results("reporting-before")
-    sets = list(dict.fromkeys(name.split("/")[0] for name in kept.recordings))
-    recordings = list(dict.fromkeys(name.split("/")[1] for name in kept.recordings))
-
-    def cell(recording, column):
-        method, figure = (column, APE) if isinstance(column, str) else column
-        texts = [kept.text(f"{one}/{recording}", method, figure) for one in sets]
-        return ", ".join(text for text in texts if text != "–")
-
-    return markdown(["recording", *names],
-                    [[name, *(cell(name, column) for column in columns)] for name in recordings])
-
-
-def before():
-    table = before_table(["surefoot", ("surefoot", RELATIVE), "paper-surface", "kiss-icp"],
-                         ["surefoot", "its relative error [%]", "paper-surface of then", "kiss-icp"])
-    return made_by(table, Results("reporting-before"))
-
-
-def before_largest():
-    return f"{max(Results('reporting-before').values('surefoot')):.3f}"
-
-
-def before_median():
-    return f"{statistics.median(Results('reporting-before').values('surefoot')):.3f}"
-
-
-def before_relative():
-    values = Results("reporting-before").values("surefoot", RELATIVE)
-    return f"{statistics.median(values):.2f} %, the largest {max(values):.2f}"
-
-
-def before_count():
-    return str(len(Results("reporting-before").values("surefoot")))
-
-
-def relative_change():
-    """How many times as large the relative error became at most since the earlier table."""
-    kept, earlier = Results("reporting"), Results("reporting-before")
-    ratios = [kept.value(one, "surefoot", RELATIVE) /
-              earlier.value(f"reporting/{one}", "surefoot", RELATIVE) for one in kept.recordings]
-    return f"{min(ratios):.2f} to {max(ratios):.2f}"
-
-
 def others():
     kept = Results("reporting-8-others")
     rows = [[one, *(kept.text(one, method) for method in kept.methods)] for one in kept.recordings]
@@ -355,30 +308,6 @@ def latest_judged(ending, column):
     rows = Kept(f"reporting-{LATEST_SET}{ending}-false").rows
     at = rows[0].index(column)
     return f"{sum(int(row[at]) for row in rows[1:]):,}"
-
-
-def changed_set():
-    """One default against another on a set that neither was made on."""
-    figures = {"APE": APE, "relative error": RELATIVE, "height": "Height, RMSE (m)"}
-    rows, kept = [], None
-    for begun, ending in (("standing", ""), ("in motion", "-in-motion")):
-        kept = Results(f"{CHANGED_SET}{ending}")
-        before = Results(f"{CHANGED_SET}{ending}-before")
-        row = [begun, *(f"{statistics.median(run.values('surefoot')):.3f} / "
-                        f"{max(run.values('surefoot')):.3f}" for run in (before, kept))]
-        for figure in figures.values():
-            ratios = [kept.value(name, "surefoot", figure) / before.value(name, "surefoot", figure)
-                      for name in kept.recordings
-                      if kept.value(name, "surefoot", figure) and before.value(name, "surefoot", figure)]
-            row.append(f"{statistics.geometric_mean(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})")
-        rows.append([*row, f"{len(kept.values('surefoot'))} of {len(kept.recordings)}"])
-    head = ["begun", "before", "now", *(f"{name}, ratio" for name in figures), "whole runs"]
-    return (f"{markdown(head, rows)}\n\n"
-            f"Kept in [{CHANGED_SET}.csv](results/{CHANGED_SET}.csv), "
-            f"[-before](results/{CHANGED_SET}-before.csv), "
-            f"[-in-motion](results/{CHANGED_SET}-in-motion.csv) and "
-            f"[-in-motion-before](results/{CHANGED_SET}-in-motion-before.csv): "
-            f"commit {kept.about['commit']}, and {before.about['commit']} before.")
 
 
 def drawn():
@@ -729,22 +658,14 @@ TABLES = {
     "drawn-runs": lambda: str(len(Kept("drawn").rows) - 1),
     "drawn-clean": drawn_clean,
     "drawn-median": drawn_median,
-    "changed-set": changed_set,
     "latest-set-in-motion": lambda: reporting(f"reporting-{LATEST_SET}-in-motion"),
     "earlier-sets": earlier_sets,
     "reporting-8-others": others,
     "paper-tables": paper_tables,
-    "reporting": lambda: reporting("reporting"),
     "bend": bend,
     "hard-walks": hard_walks,
     "runners": lambda: hard_walks("runners"),
     "beginnings-hilltop": lambda: hard_walks("beginnings_hilltop"),
-    "relative-change": relative_change,
-    "before": before,
-    "before-largest": before_largest,
-    "before-median": before_median,
-    "before-relative": before_relative,
-    "before-count": before_count,
     "readme": readme,
     "summary": lambda: readme("results"),
     "finer-grid": finer_grid,
