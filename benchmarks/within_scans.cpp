@@ -185,8 +185,10 @@ void print_row(const std::string& recording, const std::vector<Pair>& pairs, dou
   const WithinScans within = within_scans(pairs);
   const std::vector<double> errors =
       hole > 0.0 ? errors_across_holes(pairs) : normalised_errors(pairs);
-  fmt::print("| {} | {} | {:.1f} | {:.0f} |", std::filesystem::path(recording).filename().string(),
-             pairs.size(), 1e3 * within.attitude, 1e3 * within.deskewing);
+  const std::filesystem::path folder(recording);
+  const std::filesystem::path name = folder.has_filename() ? folder : folder.parent_path();
+  fmt::print("| {} | {} | {:.1f} | {:.0f} |", name.filename().string(), pairs.size(),
+             1e3 * within.attitude, 1e3 * within.deskewing);
   if (errors.empty()) {
     fmt::print(" – | – | – |\n");
   } else {

@@ -417,21 +417,33 @@ def threads():
     return f"{markdown(['', 'before', 'now', 'now to before'], rows)}\n\n{kept_by_turns(kept)}"
 
 
-DEFAULT_TIMES = {"one thread, median [ms]": "one", "one thread, 99th percentile [ms]": "one p99",
-                 "two threads, median [ms]": "two"}
+def default_turns():
+    """By recording and threads, the turns: before median, p99, now median, p99 [ms]."""
+    turns = {}
+    for recording, threads, *cells in Kept("default_times").rows[1:]:
+        turns.setdefault((recording, int(threads)), []).append([float(cell) for cell in cells])
+    return {key: [list(column) for column in zip(*rows)] for key, rows in turns.items()}
 
 
 def default_times():
-    kept, turns = measured_by_turns("default_times")
-    rows = [[name, *(with_range(turns[f"{when} {key}"]) for when in ("before", "now")),
-             with_range(ratios(turns[f"now {key}"], turns[f"before {key}"]))]
-            for name, key in DEFAULT_TIMES.items()]
-    return f"{markdown(['', 'before', 'now', 'now to before'], rows)}\n\n{kept_by_turns(kept)}"
+    rows = []
+    for (recording, threads), columns in default_turns().items():
+        before, now = ([statistics.median(column) for column in part] for part in (columns[:2], columns[2:]))
+        rows.append([recording, str(threads), *(f"{median:.1f} / {p99:.1f}" for median, p99 in (before, now)),
+                     *(with_range(ratios(columns[2 + k], columns[k])) for k in (0, 1))])
+    head = ["recording", "threads", "before: median / p99 [ms]", "now [ms]", "median, now to before", "p99, now to before"]
+    return f"{markdown(head, rows)}\n\n{kept_by_turns(Kept('default_times'))}"
 
 
-def default_times_ratio(key):
-    _, turns = measured_by_turns("default_times")
-    return f"{statistics.median(ratios(turns[f'now {key}'], turns[f'before {key}'])):.2f}"
+def default_times_ratio(at):
+    """Of the campus on one thread: 0 of the median, 1 of the 99th percentile."""
+    columns = default_turns()["campus", 1]
+    return f"{statistics.median(ratios(columns[2 + at], columns[at])):.2f}"
+
+
+def default_threads_ratio():
+    columns = default_turns()
+    return f"{statistics.median(ratios(columns['campus', 1][2], columns['campus', 2][2])):.2f}"
 
 
 def slow_scans():
@@ -705,8 +717,9 @@ TABLES = {
     "latency": latency,
     "latency-now": latency_now,
     "default-times": default_times,
-    "default-times-median": lambda: default_times_ratio("one"),
-    "default-times-p99": lambda: default_times_ratio("one p99"),
+    "default-threads": default_threads_ratio,
+    "default-times-median": lambda: default_times_ratio(0),
+    "default-times-p99": lambda: default_times_ratio(1),
     "threads": threads,
     "simulation-turns": simulation_turns,
     "slow-scans": slow_scans,
