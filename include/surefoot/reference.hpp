@@ -41,8 +41,8 @@ class Reference {
   /// share that is done, 0 to 1; where it says false that is the end. Returns whether all passes
   /// were made.
   bool refine(const std::function<bool(double share)>& goes_on = {});
-  /// Segments that refine() left where the odometry has them: what their scans saw does not hold
-  /// all of them to each other. In rising order; none before.
+  /// Segments that refine() left where the odometry has them: what their scans saw has no solution,
+  /// or one that no robot walks. In rising order; none before.
   [[nodiscard]] std::vector<int> unrefined() const;
   /// Answers the scans that were added, in their order, with what is known of them now. Of scans
   /// that were not registered it says what the odometry said, carried along by the scan before.

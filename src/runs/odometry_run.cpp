@@ -236,8 +236,8 @@ void OdometryRun::know_all(Reference reference, std::optional<io::ScanItem>& ite
   account_.note("a reference: every scan against the map of all of them");
   for (const int segment : reference.unrefined()) {
     account_.note(
-        fmt::format("segment {} stays as the odometry has it: what its scans saw does not "
-                    "hold all of them to each other",
+        fmt::format("segment {} stays as the odometry has it: all of its scans at once have no "
+                    "solution",
                     segment));
   }
   scans_.begin_again(io::open_recording(options_.input, options_.reader));

@@ -37,7 +37,7 @@ void refuse_other_level(const RunOptions& options) {
   const char* const flag = !options.extrinsic.empty() ? "--extrinsic" : "--level";
   if (options.extrinsic.empty() && options.level.empty()) return;
   for (const std::string& setting : options.settings) {
-    if (!setting.starts_with("level.m")) continue;  // mode, mount_x, ...
+    if (!setting.starts_with("level.mode=")) continue;
     throw ConfigError(
         fmt::format("--set {}: beside {}, which says it already; leave out one", setting, flag));
   }
