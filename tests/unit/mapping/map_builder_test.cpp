@@ -89,6 +89,9 @@ TEST(MapBuilder, WhoStandsWherePeopleWalkTakesNoMoreMemoryForIt) {
     EXPECT_EQ(left.intensities()[i], is_wall ? 2.0F : 1.0F) << i;
     EXPECT_EQ(seen[i], is_wall ? 0 : 200 * kSecond) << i;
   }
+  map.forget({1.0, {Eigen::Vector3d(5.5, 0.5, 0.5)}}, {201 * kSecond, 0});
+  map.add(scan, Pose{}, {202 * kSecond, 0});
+  EXPECT_EQ(map.without_forgotten().points().size(), 2000U) << "the wall, too, can go and come";
 }
 
 TEST(MapBuilder, FramesComeTogetherWhereACorrectionJoinsThem) {
