@@ -136,18 +136,18 @@ void tell_idle(const evaluation::EvaluationOptions& given, bool by_row,
   const auto idle = [&](bool is_given, const char* flag, const char* why) {
     if (is_given) listener.note(std::string(flag) + " counts for nothing here: " + why);
   };
-  const bool finds_gap = pairs.max_gap != usual.association.max_gap;
-  const bool finds_nearest = pairs.max_difference != usual.association.max_difference;
+  const bool gives_gap = pairs.max_gap != usual.association.max_gap;
+  const bool gives_difference = pairs.max_difference != usual.association.max_difference;
   if (by_row) {
     const char* const why = "KITTI's files, which have no stamps, are paired by row";
     idle(pairs.method != usual.association.method, "--pair", why);
-    idle(finds_nearest, "--max-diff", why);
-    idle(finds_gap, "--max-gap", why);
+    idle(gives_difference, "--max-diff", why);
+    idle(gives_gap, "--max-gap", why);
     idle(pairs.offset != usual.association.offset, "--offset", why);
   } else {
-    idle(finds_gap && pairs.method != Method::interpolate, "--max-gap",
+    idle(gives_gap && pairs.method != Method::interpolate, "--max-gap",
          "it is for --pair interpolate");
-    idle(finds_nearest && pairs.method != Method::nearest, "--max-diff",
+    idle(gives_difference && pairs.method != Method::nearest, "--max-diff",
          "it is for --pair nearest");
   }
   const evaluation::PairOptions& stretches = given.stretches;

@@ -19,20 +19,16 @@ std::vector<std::string> idle_options(const OpenOptions& options, const Recordin
   if (as_bag || files) idle(options.udp_port != 0, "--udp-port", "captures");
   const bool derived = options.derive_times != DeriveTimes::no;
   const bool kept = options.time_direction != TimeDirection::none;
-  if (!kept) idle(derived, "--derive-times", "scans that keep their times, not --point-times none");
-  if (!kept && !packets) {
-    const char* const of = "scans that keep their times, not --point-times none";
+  const char* const of_times = "scans that keep their times, not --point-times none";
+  if (!kept) idle(derived, "--derive-times", of_times);
+  if (!derived) idle(options.spin != usual.spin, "--spin", "--derive-times");
+  if (packets || !kept) {
+    const char* const of = packets ? "points that come with their fields" : of_times;
     idle(!options.time_field.empty(), "--time-field", of);
     idle(options.time_unit != usual.time_unit, "--time-unit", of);
     idle(options.time_reference != usual.time_reference, "--time-reference", of);
   }
-  if (!derived) idle(options.spin != usual.spin, "--spin", "--derive-times");
-  if (packets) {
-    const char* const of = "points that come with their fields";
-    idle(!options.time_field.empty(), "--time-field", of);
-    idle(options.time_unit != usual.time_unit, "--time-unit", of);
-    idle(options.time_reference != usual.time_reference, "--time-reference", of);
-  } else {
+  if (!packets) {
     const char* const of = "a sensor's packets";
     idle(!options.sensor.empty(), "--sensor", of);
     idle(!options.calibration_file.empty(), "--calibration", of);

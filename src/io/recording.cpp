@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Surefoot authors
 // SPDX-License-Identifier: MIT
 #include "io/recording.hpp"
-#include "io/idle_options.hpp"
 
 #include <array>
 
@@ -15,6 +14,7 @@
 #include "io/files/folder_listing.hpp"
 #include "io/files/folder_recording.hpp"
 #include "io/files/scan_files.hpp"
+#include "io/idle_options.hpp"
 #include "io/packets/capture_recording.hpp"
 #include "io/point_time_watch.hpp"
 #include "io/recording_filter.hpp"

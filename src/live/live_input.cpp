@@ -90,18 +90,9 @@ void join(LiveInput& input, const TopicRequest& request, CommandQueue& commands)
   }
 }
 
-}  // namespace
-
-LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reader,
-                          CommandQueue& commands,
-                          const std::function<void(const std::string&)>& say) {
-  LiveInput input;
-  if (source.topics.any()) join(input, source.topics, commands);
-  if (!source.topics.topic.empty()) {
-    open_topic(input, source, reader, say);
-    for (const std::string& note : idle_options(reader, true)) say(note);
-    return input;
-  }
+/// A file that is played or grows, or a socket.
+void open_file_or_packets(LiveInput& input, const LiveSource& source,
+                          const io::OpenOptions& reader) {
   const fs::path& file = file_of(source);
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored) || fs::is_directory(file, ignored)) {
@@ -117,6 +108,20 @@ LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reade
         options, {});
   } else {
     open_packets(input, source, reader);
+  }
+}
+
+}  // namespace
+
+LiveInput open_live_input(const LiveSource& source, const io::OpenOptions& reader,
+                          CommandQueue& commands,
+                          const std::function<void(const std::string&)>& say) {
+  LiveInput input;
+  if (source.topics.any()) join(input, source.topics, commands);
+  if (source.topics.topic.empty()) {
+    open_file_or_packets(input, source, reader);
+  } else {
+    open_topic(input, source, reader, say);
   }
   for (const std::string& note : idle_options(reader, input.of_topic)) say(note);
   return input;

@@ -12,7 +12,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/decimal_time.hpp"
 #include "io/scan_selection.hpp"
 #include "mapping/placed_scans.hpp"
 #include "mapping/pose_graph_solver.hpp"
@@ -38,18 +37,6 @@
 namespace surefoot::runs {
 
 namespace {
-
-/// What segments there are, if several.
-std::vector<std::string> lines_of(const std::map<int, SegmentSpan>& segments) {
-  std::vector<std::string> lines;
-  if (segments.size() < 2) return lines;
-  for (const auto& [number, span] : segments) {
-    lines.push_back(fmt::format("segment {}: {} pose{} from {} to {} s", number, span.poses,
-                                span.poses == 1 ? "" : "s", io::format_seconds(span.first_ns),
-                                io::format_seconds(span.last_ns)));
-  }
-  return lines;
-}
 
 /// Of all the work, what is done by now and what will be after the present part of it.
 struct Shares {
@@ -324,7 +311,7 @@ RunDescription OdometryRun::description(const RunOutput& output) const {
   run.scans = std::to_string(outcome_.scans());
   run.unreadable = std::to_string(outcome_.unreadable);
   run.untrusted = std::to_string(account_.untrusted());
-  run.segments = lines_of(output.segments());
+  run.segments = segment_lines(output.segments());
   run.interrupted = outcome_.interrupted ? "true" : "false";
   run.level = odometry_.level().message;
   run.pose_of = options_.pose_of;

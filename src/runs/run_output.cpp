@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/decimal_time.hpp"
 #include "io/file_writer.hpp"
 #include "io/files/ply_writer.hpp"
 #include "io/trajectory_files.hpp"
@@ -41,6 +42,17 @@ std::int64_t first_multiple(std::int64_t period, std::int64_t least) {
 }
 
 }  // namespace
+
+std::vector<std::string> segment_lines(const std::map<int, SegmentSpan>& segments) {
+  std::vector<std::string> lines;
+  if (segments.size() < 2) return lines;
+  for (const auto& [number, span] : segments) {
+    lines.push_back(fmt::format("segment {}: {} pose{} from {} to {} s", number, span.poses,
+                                span.poses == 1 ? "" : "s", io::format_seconds(span.first_ns),
+                                io::format_seconds(span.last_ns)));
+  }
+  return lines;
+}
 
 RunOutput::RunOutput(const RunOptions& options)
     : folder_(options.output, options.input, options.overwrite, map_file_of(options.continued),

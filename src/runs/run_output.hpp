@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "mapping/map_builder.hpp"
@@ -26,6 +27,9 @@ struct SegmentSpan {
   std::size_t poses = 0;
   std::int64_t first_ns = 0, last_ns = 0;
 };
+
+/// What segments there are, by their numbers, if several: a line each.
+[[nodiscard]] std::vector<std::string> segment_lines(const std::map<int, SegmentSpan>& segments);
 
 /// The trajectories and scans.csv grow line by line, so that whatever ends the run leaves whole
 /// lines; the rest is written by finish(), run.yaml last: a run that has it came to its end.

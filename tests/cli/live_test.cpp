@@ -88,6 +88,12 @@ TEST_F(LiveTest, OptionsForOtherSourcesAreSaidToCountForNothing) {
     EXPECT_NE(of_packets.find(std::string(flag) + " counts for nothing"), std::string::npos)
         << of_packets;
   }
+  // Whether a topic's messages are clouds or packets is not known when it is opened.
+  const ProcessResult made = run_surefoot({"convert", "hall.pcap", "hall.mcap"}, scratch_.path());
+  ASSERT_EQ(made.exit_code, 0) << made;
+  const std::string of_messages = said_of("hall.mcap");
+  EXPECT_NE(of_messages.find("--stamps counts for nothing"), std::string::npos) << of_messages;
+  EXPECT_EQ(of_messages.find("--time-field counts"), std::string::npos) << of_messages;
 }
 
 TEST_F(LiveTest, WhatBecameOfLoopsAndOfThePlaceInTheMapIsSaid) {
