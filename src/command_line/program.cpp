@@ -39,33 +39,42 @@ void check_command(const CLI::App& app, const std::vector<const char*>& words) {
   throw std::invalid_argument(unknown_word("subcommand", words[1], names));
 }
 
-/// Of what a subcommand did not expect, the first option: CLI11 tells its value before it.
+/// The name of an option that this one begins or resembles; none: there is no such option.
+std::string option_like(const std::string& written, const CLI::App& command) {
+  std::vector<std::string> known;
+  for (const CLI::Option* one : command.get_options()) {
+    for (const std::string& name : one->get_lnames()) known.push_back(name);
+  }
+  const std::string name = written.substr(2, written.find('=') - 2);
+  const auto longer = std::find_if(known.begin(), known.end(),
+                                   [&](const std::string& one) { return one.starts_with(name); });
+  return longer != known.end() ? *longer : nearest_word(name, known);
+}
+
+/// What a subcommand did not expect: its first option, if one is called nearly so, or all of it in
+/// the order that it was written, which CLI11 turns round.
 void check_options(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) {
     const std::vector<std::string> left = command->remaining();
+    if (left.empty()) continue;
     const auto option = std::find_if(left.begin(), left.end(), [](const std::string& word) {
       return word.starts_with("--") && word.size() > 2;
     });
-    if (option == left.end()) continue;
-    std::vector<std::string> known;
-    for (const CLI::Option* one : command->get_options()) {
-      for (const std::string& name : one->get_lnames()) known.push_back(name);
-    }
-    const std::string name = option->substr(2, option->find('=') - 2);
-    const auto longer = std::find_if(known.begin(), known.end(),
-                                     [&](const std::string& one) { return one.starts_with(name); });
-    const std::string meant = longer != known.end() ? *longer : nearest_word(name, known);
-    if (meant.empty()) continue;
+    const std::string meant = option == left.end() ? "" : option_like(*option, *command);
     throw std::invalid_argument(
-        fmt::format("{}: no option is called '{}'; did you mean '--{}'? --help shows all",
-                    command->get_name(), *option, meant));
+        meant.empty()
+            ? fmt::format("{}: not expected: {}; --help shows what is", command->get_name(),
+                          fmt::join(left, " "))
+            : fmt::format("{}: no option is called '{}'; did you mean '--{}'? --help shows all",
+                          command->get_name(), *option, meant));
   }
 }
 
 /// "PATH: why", without the name of the call that failed.
 std::string text_of(const std::filesystem::filesystem_error& error) {
-  return error.path1().empty() ? error.what()
-                               : error.path1().string() + ": " + error.code().message();
+  return error.path1().empty()
+             ? error.what()
+             : error.path1().string() + ": cannot be used: " + error.code().message();
 }
 
 /// What was printed may not have arrived: the disk may be full.

@@ -308,6 +308,30 @@ bool is_of_packets(const ConversionRequest& request) {
   return request.format.empty() ? request.output.extension() == ".pcap" : request.format == kPcap;
 }
 
+ConversionOutcome converted(const ConversionRequest& request, const ConversionListener& listener) {
+  if (!is_of_packets(request)) return Conversion(request, listener).execute();
+#ifdef SUREFOOT_HAS_PCAP
+  return convert_packets(request, listener);
+#else
+  throw std::invalid_argument(request.output.string() +
+                              ": captures cannot be written: built without libpcap "
+                              "(SUREFOOT_PCAP=OFF)");
+#endif
+}
+
+/// What only a bag has.
+std::vector<std::string> idle_sink_options(const ConversionRequest& request) {
+  std::vector<std::string> notes;
+  if (!is_of_packets(request) && is_bag(wanted_format(request))) return notes;
+  for (const auto& [value, option] :
+       {std::pair{&request.sink.topic, "--out-topic"}, std::pair{&request.sink.frame, "--frame"}}) {
+    if (!value->empty()) {
+      notes.push_back(std::string(option) + " counts for nothing here: it is for bags");
+    }
+  }
+  return notes;
+}
+
 }  // namespace
 
 const std::vector<std::string>& conversion_format_names() {
@@ -340,16 +364,9 @@ ConversionOutcome convert_recording(const ConversionRequest& asked,
     throw std::invalid_argument("--out-topic: got '" + text::printable(request.sink.topic) +
                                 "', expected a name such as /robot_1/points");
   }
-  if (is_of_packets(request)) {
-#ifdef SUREFOOT_HAS_PCAP
-    return convert_packets(request, listener);
-#else
-    throw std::invalid_argument(request.output.string() +
-                                ": captures cannot be written: built without libpcap "
-                                "(SUREFOOT_PCAP=OFF)");
-#endif
-  }
-  return Conversion(request, listener).execute();
+  ConversionOutcome outcome = converted(request, listener);
+  for (std::string& note : idle_sink_options(request)) outcome.notes.push_back(std::move(note));
+  return outcome;
 }
 
 }  // namespace surefoot::io

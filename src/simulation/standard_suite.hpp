@@ -55,14 +55,15 @@ struct SuiteSet {
     return {kStandardSuite.data(), count};
   }
 };
-inline constexpr std::array<SuiteSet, 21> kSuiteSets = {
+inline constexpr std::array<SuiteSet, 22> kSuiteSets = {
     {{"tuning", 1000, false},      {"reporting", 5000, false},   {"reporting-2", 5100, false},
      {"reporting-3", 5200, false}, {"tuning-2", 1100, true},     {"reporting-4", 5300, true},
      {"reporting-5", 5400, true},  {"reporting-6", 6100, true},  {"reporting-7", 6200, true},
      {"reporting-8", 6300, true},  {"reporting-9", 6400, true},  {"reporting-10", 6500, true},
      {"reporting-11", 6600, true}, {"reporting-12", 6700, true}, {"reporting-13", 6800, true},
      {"reporting-14", 6900, true}, {"reporting-15", 7000, true}, {"reporting-16", 7100, true},
-     {"reporting-17", 7200, true}, {"reporting-18", 7300, true}, {"reporting-19", 7400, true}}};
+     {"reporting-17", 7200, true}, {"reporting-18", 7300, true}, {"reporting-19", 7400, true},
+     {"reporting-20", 7500, true}}};
 
 /// The folder of an entry's recording in that of the set.
 [[nodiscard]] inline std::string suite_folder_name(const SuiteEntry& entry) {

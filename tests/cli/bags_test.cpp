@@ -216,6 +216,10 @@ TEST(Convert, TakesOverTopicAndFrame) {
   const ProcessResult info = run_surefoot({"info", "b.bag", "--topic", "/none"}, folder);
   EXPECT_NE(info.errors.find("/os  sensor_msgs/PointCloud2"), std::string::npos) << info;
   EXPECT_NE(info.errors.find("frame os_lidar"), std::string::npos) << info;
+  const ProcessResult idle =
+      run_surefoot({"convert", "pcd", "las", "--to", "las", "--frame", "os_lidar"}, folder);
+  EXPECT_NE(idle.errors.find("--frame counts for nothing here"), std::string::npos) << idle;
+  EXPECT_EQ(idle.errors.find("--out-topic"), std::string::npos) << idle;
 }
 
 // Coordinates of a map's grid in doubles, an integer of 64 bits, and a point without a time.

@@ -36,6 +36,8 @@ TEST_F(FirstHour, AMisspeltCommandIsRecognised) {
             std::string::npos);
   EXPECT_NE(refusal({"run", "in", "--cuont", "5"}).find("did you mean '--count'?"),
             std::string::npos);
+  EXPECT_NE(refusal({"info", "in", "-o", "out"}).find("info: not expected: -o out; --help"),
+            std::string::npos);
 }
 
 TEST_F(FirstHour, HelpSpeaksOfWords) {

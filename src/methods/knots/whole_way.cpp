@@ -21,10 +21,13 @@ namespace {
 // Solutions on one map; each moves the knots by a tenth of the one before, or less.
 constexpr int kSteps = 3;
 
-/// What is frozen and holds all of the way need not be mistrusted as what one scan is added to: no
-/// voxel is ever full, and residuals count in full, or the knots would be held back.
+// Of a voxel: of more, sums in single precision lose what another one adds.
+constexpr int kMostPoints = 1'000'000;
+
+/// What is frozen and holds all of the way need not be mistrusted as what one scan is added to:
+/// voxels are hardly ever full, and residuals count in full, or the knots would be held back.
 Config::Knots config_of_all(Config::Knots config) {
-  config.points_per_voxel = std::numeric_limits<int>::max();
+  config.points_per_voxel = kMostPoints;
   config.independence = 1.0;
   return config;
 }
