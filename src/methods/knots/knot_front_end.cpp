@@ -138,6 +138,7 @@ Estimate KnotFrontEnd::accept(const PreparedScan& scan, double hazard_now, View 
   track_.accept(registered, right, std::move(view));
   beginning_.reset();
   lost_in_a_row_ = 0;
+  if (since_found_ < kSettled) ++since_found_;
   return publish(scan, registered.told.trajectory, std::move(registered.estimate));
 }
 
@@ -161,7 +162,7 @@ Estimate KnotFrontEnd::lose(const ScanPart& thinned, RegisteredScan registered) 
   const bool after_hole = track_.whereabouts().is_after_hole(scan);
   if (wrong || after_hole || lost_in_a_row_ > config_.health.restart_after) {
     if (config_.knots.search_scans == 0) return begin_map(thinned);
-    search_ = PoseSearch{};
+    begin_search();
     track_.may_have_walked_unseen(after_hole);
   }
   estimate.covariance = unregistered_covariance(config_.health);

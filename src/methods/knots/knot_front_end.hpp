@@ -61,8 +61,12 @@ class KnotFrontEnd : public FrontEnd {
     bool has_twin = false;         // the last one that was confirmed looks as another does
     bool far = false;              // that was looked for in a large region
     int agreed = 0;                // scans that say so
+    int needed = kAgree;           // of these
     bool left = false;             // it went on in another map
   };
+
+  /// Who was found, and not lost again for so many trusted scans, is right there.
+  static constexpr int kSettled = 10;
 
   Pose begin_level(const PreparedScan& scan);
   Estimate begin_map(const ScanPart& thinned);
@@ -72,6 +76,7 @@ class KnotFrontEnd : public FrontEnd {
   Estimate lose(const ScanPart& thinned, RegisteredScan registered);
   /// Whether the scan can tell where it was taken: it was not seen before, and is not reversed.
   [[nodiscard]] bool can_be_placed() const { return !seen_again_ && !reversed_; }
+  void begin_search();
   void end_search();
   Estimate search(const ScanPart& thinned);
   [[nodiscard]] std::optional<Estimate> go_on(const ScanPart& thinned);
@@ -89,6 +94,8 @@ class KnotFrontEnd : public FrontEnd {
   std::optional<KnotBeginning> beginning_;  // until the first scan's motion is known
   std::optional<PoseSearch> search_;
   int lost_in_a_row_ = 0;  // scans that could not be registered
+  int relapses_ = 0;       // how often, one soon after the other, it was lost where it was found
+  int since_found_ = kSettled;  // trusted scans, up to this
   bool in_vain_ = false;
   int segment_ = 0;  // how often the map began anew
   LevelReport level_;

@@ -57,12 +57,13 @@ Estimate KnotFrontEnd::search(const ScanPart& thinned) {
     const double hazard_now = best->estimate.wrong_probability =
         hazard_where_lost(search_->far, *best);
     right = !is_doubtful(hazard_now) && view.beams.telling() > kBlind;
-    const bool agreed = right && search_->agreed + 1 >= kAgree;
+    const bool agreed = right && search_->agreed + 1 >= search_->needed;
     if (agreed) search_->has_twin = has_twin(track_, thinned, *best, search_->left);
     right = right && !(agreed && search_->has_twin);
     if (right && agreed) {
       best->estimate.message = search_->left ? "came home" : "found itself again";
       end_search();
+      since_found_ = 0;
       return accept(scan, hazard_now, std::move(view), std::move(*best));
     }
   }
@@ -102,6 +103,14 @@ std::optional<RegisteredScan> KnotFrontEnd::register_lost(const ScanPart& thinne
   if (!region || !can_be_placed()) return std::nullopt;
   search_->far = region->large();
   return find_place(track_, thinned, *region, search_->left);
+}
+
+/// Who is lost again soon after he was found was found wrongly, or is where places are hard to
+/// tell: each time more scans must agree.
+void KnotFrontEnd::begin_search() {
+  relapses_ = since_found_ < kSettled ? relapses_ + 1 : 0;
+  search_ = PoseSearch{};
+  search_->needed = kAgree * (1 + relapses_);
 }
 
 void KnotFrontEnd::end_search() {
