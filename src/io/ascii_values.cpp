@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/ascii_values.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "io/recording.hpp"
@@ -28,23 +31,39 @@ bool parse_whole_word(std::string_view word, T& value) {
 }
 
 template <typename T>
-bool store_as(std::string_view word, std::byte* out) {
-  T value{};
-  if (!parse_whole_word(word, value)) {
-    return false;
-  }
+void store(T value, std::byte* out) {
   std::memcpy(out, &value, sizeof(T));
+}
+
+// Who prints all columns alike writes 3.0.
+template <typename T>
+bool store_integer(std::string_view word, std::byte* out) {
+  constexpr double kExact =
+      9007199254740992.0;  // 2^53: greater ones have no fraction to be without
+  T value{};
+  double real{};
+  if (!parse_whole_word(word, value)) {
+    if (!parse_real(word, real) || real != std::trunc(real)) return false;
+    const double least = std::max(static_cast<double>(std::numeric_limits<T>::min()), -kExact);
+    const double most = std::min(static_cast<double>(std::numeric_limits<T>::max()), kExact);
+    if (real < least || real > most) return false;
+    value = static_cast<T>(real);
+  }
+  store(value, out);
   return true;
 }
 
 // A float may be written with more range than it has: 1e-50 is 0, 1e50 is infinite.
-bool store_float(std::string_view word, std::byte* out) {
+template <typename T>
+bool store_real(std::string_view word, std::byte* out) {
   double value{};
   if (!parse_real(word, value)) {
-    return false;
+    // As Microsoft's C library writes what is no number.
+    const bool none = word.ends_with("#IND") || word.ends_with("#QNAN") || word.ends_with("#SNAN");
+    if (!none) return false;
+    value = std::numeric_limits<double>::quiet_NaN();
   }
-  const auto narrow = static_cast<float>(value);
-  std::memcpy(out, &narrow, sizeof(narrow));
+  store(static_cast<T>(value), out);
   return true;
 }
 
@@ -102,25 +121,25 @@ bool parse_real(std::string_view word, double& value) { return parse_whole_word(
 bool store_number(std::string_view word, ScalarType type, std::byte* out) {
   switch (type) {
     case ScalarType::i8:
-      return store_as<std::int8_t>(word, out);
+      return store_integer<std::int8_t>(word, out);
     case ScalarType::u8:
-      return store_as<std::uint8_t>(word, out);
+      return store_integer<std::uint8_t>(word, out);
     case ScalarType::i16:
-      return store_as<std::int16_t>(word, out);
+      return store_integer<std::int16_t>(word, out);
     case ScalarType::u16:
-      return store_as<std::uint16_t>(word, out);
+      return store_integer<std::uint16_t>(word, out);
     case ScalarType::i32:
-      return store_as<std::int32_t>(word, out);
+      return store_integer<std::int32_t>(word, out);
     case ScalarType::u32:
-      return store_as<std::uint32_t>(word, out);
+      return store_integer<std::uint32_t>(word, out);
     case ScalarType::i64:
-      return store_as<std::int64_t>(word, out);
+      return store_integer<std::int64_t>(word, out);
     case ScalarType::u64:
-      return store_as<std::uint64_t>(word, out);
+      return store_integer<std::uint64_t>(word, out);
     case ScalarType::f32:
-      return store_float(word, out);
+      return store_real<float>(word, out);
     case ScalarType::f64:
-      return store_as<double>(word, out);
+      return store_real<double>(word, out);
   }
   return false;
 }

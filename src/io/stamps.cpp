@@ -331,6 +331,19 @@ bool are_counted(const std::vector<std::filesystem::path>& files) {
   });
 }
 
+std::optional<std::vector<std::int64_t>> stamps_of_frames(
+    const std::vector<std::int64_t>& stamps, const std::vector<std::filesystem::path>& files) {
+  std::vector<std::int64_t> result;
+  std::int64_t last = -1;
+  for (const std::filesystem::path& file : files) {
+    const std::optional<std::int64_t> frame = parse_whole(file.stem().string());
+    if (!frame || *frame <= last || *frame >= std::ssize(stamps)) return std::nullopt;
+    last = *frame;
+    result.push_back(stamps[static_cast<std::size_t>(last)]);
+  }
+  return result;
+}
+
 std::optional<std::vector<std::int64_t>> frame_numbers(
     const std::vector<std::filesystem::path>& files) {
   constexpr std::size_t kMostDigits = 9;

@@ -65,6 +65,11 @@ class WholeTimes {
 /// they were written, whatever a clock that was set meanwhile says.
 [[nodiscard]] bool are_counted(const std::vector<std::filesystem::path>& files);
 
+/// Of the stamps of all frames those of these files, whose names are frames' numbers, counted from
+/// zero ("0000000012.bin", as in KITTI's folders). Nothing where a name is none that has a stamp.
+[[nodiscard]] std::optional<std::vector<std::int64_t>> stamps_of_frames(
+    const std::vector<std::int64_t>& stamps, const std::vector<std::filesystem::path>& files);
+
 /// Numbers of frames in file names that end with one ("scan_0012"), counted from the first: they
 /// grow, and somewhere by one only. Nothing where they tell no more than the files' order.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> frame_numbers(

@@ -10,16 +10,15 @@
 
 namespace surefoot::sensors {
 
-/// Seconds since the epoch of a date (UTC) in six bytes: year after `year_zero`, month, day, hour,
-/// minute, second. A year of zero may mean that the other five are the seconds themselves, most
-/// significant first, as a sensor that is synchronised by PTP sends them. Nothing where they are no
-/// date. @param bytes at least six.
-[[nodiscard]] inline std::optional<std::int64_t> unix_seconds(std::span<const std::byte> bytes,
-                                                              int year_zero) {
+/// Seconds since the epoch of a date (UTC) in six bytes: year, month, day, hour, minute, second.
+/// Whatever their manuals say, sensors count the years from 1900 or 2000: of either the last two
+/// digits are the year's, of 1970 to 2069. A year of zero may mean that the other five are the
+/// seconds themselves, most significant first, as a sensor that is synchronised by PTP sends them.
+/// Nothing where they are no date. @param bytes at least six.
+[[nodiscard]] inline std::optional<std::int64_t> unix_seconds(std::span<const std::byte> bytes) {
   const auto value = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
-  // Sensors whose manual counts from 2000 were met that count from 1900.
-  const int zero = value(0) >= 100 ? 1900 : year_zero;
-  const std::chrono::year_month_day date{std::chrono::year(zero + static_cast<int>(value(0))),
+  const int digits = static_cast<int>(value(0) % 100);
+  const std::chrono::year_month_day date{std::chrono::year(digits + (digits < 70 ? 2000 : 1900)),
                                          std::chrono::month(value(1)), std::chrono::day(value(2))};
   if (date.ok() && value(3) < 24 && value(4) < 60 && value(5) <= 60) {
     const std::chrono::sys_seconds seconds =

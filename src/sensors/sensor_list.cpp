@@ -128,6 +128,9 @@ std::unique_ptr<PacketDecoder> find_decoder(std::span<const std::byte> payload,
   candidates.push_back(velodyne(payload, wanted, options, reason));
   candidates.push_back(hesai(payload, wanted, options));
   candidates.push_back(ouster(payload, wanted, options, reason));
+  if (const std::string other = other_robosense_model(payload); !other.empty()) {
+    reason = "data packets of RoboSense's " + other;
+  }
   if (wanted.empty() || wanted == plain(kRs16)) {
     candidates.push_back(std::make_unique<Rs16Decoder>(options));
   }

@@ -77,12 +77,25 @@ class FolderRecording final : public Recording {
     } catch (const ReadError& error) {
       throw ReadError(file.string() + ": " + error.what());
     }
-    if (stamps_.size() != listing_.files.size()) {
-      throw ReadError(file.string() + ": " + std::to_string(stamps_.size()) + " stamps for the " +
-                      std::to_string(listing_.files.size()) + " scans in " +
+    if (stamps_.size() != listing_.files.size()) take_stamps_by_number(file);
+    notes_.push_back("stamps: from " + file.filename().string() + in_unit(unit));
+  }
+
+  // Of a recording some of whose scans are not here.
+  void take_stamps_by_number(const std::filesystem::path& file) {
+    const auto counted = [&](const std::string& between) {
+      return std::to_string(stamps_.size()) + between + std::to_string(listing_.files.size()) +
+             " scans";
+    };
+    auto named = stamps_of_frames(stamps_, listing_.files);
+    if (!named) {
+      throw ReadError(file.string() + ": " + counted(" stamps for the ") + " in " +
                       listing_.folder.string() + "; expected as many of both");
     }
-    notes_.push_back("stamps: from " + file.filename().string() + in_unit(unit));
+    notes_.push_back(
+        counted(" stamps, of frames 0, 1, ...; taken by their names' numbers those of ") +
+        " that are here");
+    stamps_ = std::move(*named);
   }
 
   // A few scans over the whole recording, the middle one first: the first is often cut short, and

@@ -45,11 +45,13 @@ std::optional<ReadField> read_field(MessageReader& reader) {
   return field;
 }
 
-// The points without what rows are padded with.
+// The points without what rows are padded with. Data that is no larger than its points has no
+// padding, whatever the row step says: drivers write the size of all data there.
 std::span<const std::byte> without_row_padding(std::span<const std::byte> data, const Shape& shape,
                                                std::vector<std::byte>& storage) {
   const std::uint64_t row_bytes = std::uint64_t{shape.width} * shape.point_step;
   if (shape.height <= 1 || shape.row_step <= row_bytes) return data;
+  if (data.size() == shape.height * row_bytes) return data;
   for (std::uint32_t row = 0; row < shape.height; ++row) {
     const std::uint64_t begin = std::uint64_t{row} * shape.row_step;
     if (begin + row_bytes > data.size()) break;
@@ -98,11 +100,13 @@ CloudMessage read_point_cloud2(MessageReader& reader) {
   cloud.table.size = static_cast<std::size_t>(points);
   for (ReadField& field : fields) {
     const std::size_t element = size_of(field.column.type);
-    if (std::uint64_t{field.offset} + element > shape.point_step) {
+    // Of no points drivers write no step.
+    if (points > 0 && std::uint64_t{field.offset} + element > shape.point_step) {
       throw ReadError("field '" + field.column.name + "' at byte " + std::to_string(field.offset) +
                       " of points of " + std::to_string(shape.point_step) + " bytes");
     }
-    if (field.column.count > (shape.point_step - field.offset) / element) field.column.count = 1;
+    const std::uint32_t room = std::max(shape.point_step, field.offset) - field.offset;
+    if (field.column.count > room / element) field.column.count = 1;
     field.column.first = points > 0 ? data.data() + field.offset : nullptr;
     field.column.stride = shape.point_step;
     cloud.table.columns.push_back(std::move(field.column));

@@ -114,8 +114,7 @@ double HesaiDecoder::distance_unit(Bytes payload) const {
 std::size_t HesaiDecoder::read_tail(Bytes payload, Firings& firings) {
   const Bytes tail = payload.subspan(model_.tail.begin);
   const ReturnMode* mode = mode_of(u8(tail, model_.tail.return_mode));
-  const std::optional<std::int64_t> second =
-      unix_seconds(tail.subspan(model_.tail.date), model_.year_zero);
+  const std::optional<std::int64_t> second = unix_seconds(tail.subspan(model_.tail.date));
   const auto microseconds = load<std::uint32_t>(tail.data() + model_.tail.microseconds, false);
   constexpr std::uint32_t kMostMicroseconds = 2'000'000;  // with a leap second
   if (mode == nullptr || !second || microseconds > kMostMicroseconds ||

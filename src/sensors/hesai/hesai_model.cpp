@@ -267,7 +267,6 @@ HesaiModel pandar_model(const char* name, std::vector<HesaiChannel> channels, st
   model.tail.date = 16;
   model.tail.sequence = 22;
   model.sizes = {model.tail.begin + 22, model.tail.begin + 26};
-  model.year_zero = 2000;
   model.block_ns = 55'560.0;
   model.last_ns = last_ns;
   return model;

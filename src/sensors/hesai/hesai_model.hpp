@@ -39,7 +39,6 @@ struct HesaiModel {
   std::size_t unit_bytes = 4;          ///< distance, reflectivity (and confidence)
   HesaiTail tail;
   std::vector<std::size_t> sizes;  ///< of packets: without and with what is optional [bytes]
-  int year_zero = 1900;
   double block_ns = 0.0;  ///< from one block (or pair of blocks of one azimuth) to the next
   double last_ns = 0.0;   ///< time of the last block after the packet's, where blocks count back
   bool counts_forward = false;  ///< last_ns is that of the first block

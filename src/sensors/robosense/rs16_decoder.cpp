@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kPacketBytes = 1248;
 constexpr std::array<std::uint8_t, 8> kMagic = {0x55, 0xaa, 0x05, 0x0a, 0x5a, 0xa5, 0x50, 0xa0};
 constexpr std::size_t kDate = 20;
+constexpr std::size_t kModel = 30;
+constexpr std::uint8_t kRs32 = 2, kBpearl = 3;  // whose packets are alike but for this
 constexpr std::size_t kBlocksAt = 42;
 constexpr std::size_t kBlocks = 12;
 constexpr std::size_t kBlockBytes = 100;
@@ -43,7 +45,19 @@ constexpr int elevation_deg(std::size_t laser) {
   return index < 8 ? -15 + 2 * index : 15 - 2 * (index - 8);
 }
 
+bool has_magic(std::span<const std::byte> payload) {
+  return payload.size() == kPacketBytes &&
+         std::equal(kMagic.begin(), kMagic.end(), payload.begin(),
+                    [](std::uint8_t a, std::byte b) { return std::byte{a} == b; });
+}
+
 }  // namespace
+
+std::string other_robosense_model(std::span<const std::byte> payload) {
+  if (!has_magic(payload)) return {};
+  const auto model = std::to_integer<std::uint8_t>(payload[kModel]);
+  return model == kRs32 ? "RS-LiDAR-32" : model == kBpearl ? "RS-Bpearl" : "";
+}
 
 struct Rs16Decoder::Sequence {
   std::size_t channel = 0;  ///< of the first laser
@@ -54,11 +68,8 @@ struct Rs16Decoder::Sequence {
 /// The packet's time and its blocks' azimuths, and whether they hold two returns each.
 PacketKind Rs16Decoder::read_head(std::span<const std::byte> payload, Azimuths& azimuths,
                                   Firings& firings) {
-  if (payload.size() != kPacketBytes) return PacketKind::other;
-  for (std::size_t i = 0; i < kMagic.size(); ++i) {
-    if (std::to_integer<std::uint8_t>(payload[i]) != kMagic[i]) return PacketKind::other;
-  }
-  const std::optional<std::int64_t> second = unix_seconds(payload.subspan(kDate), 2000);
+  if (!has_magic(payload) || !other_robosense_model(payload).empty()) return PacketKind::other;
+  const std::optional<std::int64_t> second = unix_seconds(payload.subspan(kDate));
   const std::uint16_t milliseconds = u16(&payload[kDate + 6]);
   const std::uint16_t microseconds = u16(&payload[kDate + 8]);
   for (std::size_t block = 0; block < kBlocks; ++block) {

@@ -10,6 +10,10 @@
 
 namespace surefoot::sensors {
 
+/// Of a packet that is like an RS-LiDAR-16's but says that it is another model's: that model's
+/// name, else empty.
+[[nodiscard]] std::string other_robosense_model(std::span<const std::byte> payload);
+
 /// The RoboSense RS-LiDAR-16, at its nominal elevations of -15 to 15 deg. Frame as in its driver: x
 /// forward where the azimuth is zero, azimuth clockwise seen from above.
 class Rs16Decoder final : public PacketDecoder {

@@ -30,13 +30,24 @@ TEST(AsciiValues, ANumberIsAWholeWordAndFitsItsType) {
   std::byte out{};
   EXPECT_TRUE(store_number("255", ScalarType::u8, &out));
   EXPECT_EQ(out, std::byte{255});
-  for (const char* bad : {"256", "-1", "1.0"}) {
+  EXPECT_TRUE(store_number("3.0", ScalarType::u8, &out)) << "as who writes all columns alike";
+  EXPECT_EQ(out, std::byte{3});
+  for (const char* bad : {"256", "-1", "1.5", "256.0", "-1.0", "nan", "1e300"}) {
     EXPECT_FALSE(store_number(bad, ScalarType::u8, &out)) << bad;
   }
+  std::int64_t wide = 0;
+  EXPECT_TRUE(store_number("-5e9", ScalarType::i64, reinterpret_cast<std::byte*>(&wide)));
+  EXPECT_EQ(wide, -5'000'000'000);
+  EXPECT_FALSE(store_number("1e19", ScalarType::i64, reinterpret_cast<std::byte*>(&wide)));
   // Written with more range than a float has.
   float narrow = 0.0F;
   EXPECT_TRUE(store_number("1e50", ScalarType::f32, reinterpret_cast<std::byte*>(&narrow)));
   EXPECT_TRUE(std::isinf(narrow));
+  for (const char* none : {"nan", "-1.#IND", "1.#QNAN"}) {
+    narrow = 0.0F;
+    EXPECT_TRUE(store_number(none, ScalarType::f32, reinterpret_cast<std::byte*>(&narrow)));
+    EXPECT_TRUE(std::isnan(narrow)) << none;
+  }
 }
 
 TEST(AsciiValues, WhatIsShownOfAWordIsPrintableAndShort) {

@@ -61,6 +61,20 @@ const SavedMap& later_campus() {
   return map;
 }
 
+/// The same campus for 90 m, and another day on most of it; likewise once.
+const SavedMap& long_campus() {
+  static const SavedMap map = map_of(test::walk_through("campus", 46, of_length(90.0)));
+  return map;
+}
+const SceneWalk& later_long_walk() {
+  static const SceneWalk walk = test::walk_through("campus", 46, other_day(5.0, 80.0));
+  return walk;
+}
+const SavedMap& later_long_campus() {
+  static const SavedMap map = map_of(later_long_walk());
+  return map;
+}
+
 /// A walk down a hall of 40 x 14 m whose columns stand at equal places from both of its ends.
 SavedMap walk_through_a_symmetric_hall() {
   std::vector<Eigen::Vector3d> hall;
@@ -104,6 +118,12 @@ class MapMerge : public testing::Test {
     if (!has_solver()) GTEST_SKIP() << "built without Ceres";
   }
 };
+
+/// Both days on the campus, once for who goes on from there.
+const MapJoin& two_days() {
+  static const MapJoin join = join_maps(campus(), later_campus());
+  return join;
+}
 
 TEST_F(MapMerge, TwoDaysOnACampusAreJoinedWhereTheyLie) {
   const SavedMap& first = campus();
@@ -163,7 +183,7 @@ TEST_F(MapMerge, AWalkThatIsJoinedHasItsPosesInTheMapsFrame) {
 }
 
 TEST_F(MapMerge, WhereEnoughPlacesAgreeTheOthersAreComparedOnlyWhereTheyLie) {
-  const MapJoin everywhere = join_maps(campus(), later_campus());
+  const MapJoin& everywhere = two_days();
   MergeOptions options;
   options.survey = 5;
   options.enough = 3;
@@ -198,7 +218,7 @@ MapPair pair_of(const std::vector<Piece>& pieces, std::size_t first) {
 }
 
 TEST_F(MapMerge, MoreLoopsThatAgreeOnWhatIsNotSoDoNotOutvoteTheMapsThemselves) {
-  const MapJoin join = join_maps(campus(), later_campus());
+  const MapJoin& join = two_days();
   std::vector<Loop> loops;
   for (const Loop& loop : join.loops) {
     if (is_taken(loop)) loops.push_back(loop);
@@ -241,14 +261,12 @@ SavedMap in_two_frames(SavedMap map, std::size_t begin) {
 }
 
 TEST_F(MapMerge, StretchesThatNothingJoinsArePlacedEachWhereItLies) {
-  const SavedMap whole = map_of(test::walk_through("campus", 46, of_length(90.0)));
-  const SceneWalk walk = test::walk_through("campus", 46, other_day(5.0, 80.0));
-  const SavedMap second = map_of(walk);
+  const SavedMap &whole = long_campus(), &second = later_long_campus();
   const MapJoin join = join_maps(whole, in_two_frames(second, second.pieces.size() / 2));
   ASSERT_TRUE(join.joint) << join.message;
   EXPECT_EQ(join.held(), second.pieces.size());
   EXPECT_EQ(join.joint->pieces.size(), whole.pieces.size() + second.pieces.size());
-  const Pose T_first_second = upright(walk.truth.front());
+  const Pose T_first_second = upright(later_long_walk().truth.front());
   for (std::size_t i = 0; i < second.pieces.size(); ++i) {
     ASSERT_TRUE(join.placed[i]) << "piece " << i;
     const Pose truth = T_first_second * second.pieces[i].T_world_piece;
@@ -258,13 +276,11 @@ TEST_F(MapMerge, StretchesThatNothingJoinsArePlacedEachWhereItLies) {
 
 /// The first map's frames stay as they are.
 TEST_F(MapMerge, AMapThatBeganAnewIsJoinedToOneThatShowsItWhole) {
-  const SavedMap whole = map_of(test::walk_through("campus", 46, of_length(90.0)));
-  const SceneWalk walk = test::walk_through("campus", 46, other_day(5.0, 80.0));
-  const SavedMap torn = in_two_frames(whole, whole.pieces.size() / 2);
-  const MapJoin join = join_maps(torn, map_of(walk));
+  const SavedMap torn = in_two_frames(long_campus(), long_campus().pieces.size() / 2);
+  const MapJoin join = join_maps(torn, later_long_campus());
   ASSERT_TRUE(join.joint) << join.message;
   const Pose T_new_old = se3_exp((Twist() << 12.0, -7.0, 1.5, 0.0, 0.0, 0.9).finished());
-  const Pose T_first_second = upright(walk.truth.front());
+  const Pose T_first_second = upright(later_long_walk().truth.front());
   ASSERT_TRUE(join.placed.front());
   const Pose old = T_first_second * join.pieces[join.first].T_world_piece;
   const double in_either =
@@ -274,7 +290,7 @@ TEST_F(MapMerge, AMapThatBeganAnewIsJoinedToOneThatShowsItWhole) {
 }
 
 TEST_F(MapMerge, AJointMapIsJoinedAgain) {
-  const MapJoin join = join_maps(campus(), later_campus());
+  const MapJoin& join = two_days();
   ASSERT_TRUE(join.joint) << join.message;
   const SceneWalk walk = test::walk_through("campus", 46, other_day(35.0, 40.0));
   const MapJoin again = join_maps(*join.joint, map_of(walk));

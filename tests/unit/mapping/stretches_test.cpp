@@ -52,6 +52,16 @@ void come_home(SceneWalk& walk, std::size_t away, std::size_t home, const Pose& 
   }
 }
 
+/// A lap of a campus and half of the next, walked once for all tests.
+const SceneWalk& lap_and_a_half() {
+  static const SceneWalk walk = [] {
+    WalkOptions options;
+    options.length = 170.0;
+    return test::walk_through("campus", 46, options);
+  }();
+  return walk;
+}
+
 /// 30 m of a campus, and at once from their begin again.
 SceneWalk the_same_way_twice() {
   WalkOptions options;
@@ -201,9 +211,7 @@ TEST(StretchNumbers, CountTheBeginnings) {
 
 /// A lap of a campus and half of the next, lost in between: the second half is put where it lies.
 TEST_F(Stretches, OfACampusAreJoinedWhereTheyLie) {
-  WalkOptions options;
-  options.length = 170.0;
-  SceneWalk walk = test::walk_through("campus", 46, options);
+  SceneWalk walk = lap_and_a_half();
   const std::size_t lost = 440;  // of 680
   begin_anew(walk, lost, 4 * kScan);
   const WalkMapper mapper = mapped(walk);
@@ -214,9 +222,7 @@ TEST_F(Stretches, OfACampusAreJoinedWhereTheyLie) {
 /// The same, after which the sensor's clock was set back: no time runs backwards for that, and what
 /// was measured is put where it belongs on both sides.
 TEST_F(Stretches, AreJoinedWhereTheClockWasSetBack) {
-  WalkOptions options;
-  options.length = 170.0;
-  SceneWalk walk = test::walk_through("campus", 46, options);
+  SceneWalk walk = lap_and_a_half();
   begin_anew(walk, 440, -1000 * kScan);
   const WalkMapper mapper = mapped(walk);
   EXPECT_GE(taken_between(mapper), 2U);

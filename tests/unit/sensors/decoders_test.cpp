@@ -181,6 +181,17 @@ TEST(Rs16, SingleAndDual) {
   EXPECT_EQ(time_of(firings, 0), 55'500);
 }
 
+// Whose packets are as large and begin alike.
+TEST(Rs16, OtherModelsOfRoboSenseAreRefusedByName) {
+  auto packet = test::rs16_packet(9000, 40, 5'000);
+  for (const auto& [model, name] : {std::pair{2, "RS-LiDAR-32"}, {3, "RS-Bpearl"}}) {
+    packet[30] = static_cast<unsigned char>(model);
+    std::string reason;
+    EXPECT_EQ(find_decoder(bytes_of(packet), "", {}, reason), nullptr);
+    EXPECT_NE(reason.find(name), std::string::npos) << reason;
+  }
+}
+
 // Packets that are lost leave intervals as of single returns.
 TEST(Rs16, DualWherePacketsAreLost) {
   std::string reason;
@@ -215,17 +226,6 @@ TEST(SensorList, NamesInAnyForm) {
   ASSERT_NE(named, nullptr);
   EXPECT_EQ(named->sensor(), "HDL-64E-S2");
   EXPECT_EQ(find_decoder(bytes_of(packet), "PandarXT-16", {}, reason), nullptr);
-}
-
-TEST(Calendar, YearsAreTakenFromEitherCentury) {
-  const auto at = [](unsigned char year, int zero) {
-    const std::array<std::byte, 6> date = {std::byte{year}, std::byte{1},  std::byte{11},
-                                           std::byte{2},    std::byte{15}, std::byte{49}};
-    return unix_seconds(date, zero);
-  };
-  EXPECT_EQ(at(23, 2000), 1673403349);
-  EXPECT_EQ(at(123, 2000), 1673403349);  // as Pandar64s of the field do
-  EXPECT_EQ(at(123, 1900), 1673403349);
 }
 
 }  // namespace

@@ -208,9 +208,23 @@ TEST(KittiBin, APointStraightAboveIsLeftAsItIs) {
   EXPECT_EQ(points[0], Eigen::Vector3f(0.0F, 0.0F, 2.0F));
 }
 
+// As of a KITTI drive of which some scans are not here.
+TEST(FolderRecording, StampsOfAllFramesGoByTheFilesNumbers) {
+  const TemporaryFolder folder;
+  folder.write("0000000001.bin", kitti_scan(1));
+  folder.write("0000000003.bin", kitti_scan(1));
+  folder.write("times.txt", "0\n1\n2\n3\n");
+  const auto items = read_all(folder.path());
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_EQ(items[0].scan->stamp_ns, 1'000'000'000);
+  EXPECT_EQ(items[1].scan->stamp_ns, 3'000'000'000);
+  folder.write("0000000004.bin", kitti_scan(1));
+  EXPECT_NE(error_of(folder.path()).find("4 stamps for the 3 scans"), std::string::npos);
+}
+
 TEST(FolderRecording, WrongStampsFiles) {
   const TemporaryFolder folder;
-  folder.write("0.bin", kitti_scan(1));
+  folder.write("7.bin", kitti_scan(1));
   folder.write("times.txt", "0\n1\n2\n");
   const std::string counts = error_of(folder.path());
   EXPECT_NE(counts.find("3 stamps for the 1 scans"), std::string::npos) << counts;

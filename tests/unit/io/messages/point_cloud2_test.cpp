@@ -110,6 +110,11 @@ TEST(PointCloud2, RowsThatAreShorterThanTheirPointsFollowEachOther) {
   expect_two_points(read(Encoding::ros1, cloud), 4);
 }
 
+TEST(PointCloud2, ARowStepOfAllTheDataIsNoPadding) {
+  const std::string cloud = ros1_cloud({2, 2, 18, 72}, points(0) + points(0));
+  expect_two_points(read(Encoding::ros1, cloud), 4);
+}
+
 TEST(PointCloud2, TheLastRowNeedsNoPaddingAndALoneRowIsNotCopied) {
   const std::string two = ros1_cloud({2, 2, 18, 40}, points(4) + points(0));
   expect_two_points(read(Encoding::ros1, two), 4);
@@ -134,6 +139,7 @@ TEST(PointCloud2, PointsThatAreNotThereAreRefused) {
 TEST(PointCloud2, ACloudOfNoPointsMayBeOfNothing) {
   const std::string nothing = ros1_cloud({0, 0, 0, 0}, "", false);
   EXPECT_EQ(read(Encoding::ros1, nothing).table.size, 0U);
+  EXPECT_EQ(read(Encoding::ros1, ros1_cloud({1, 0, 0, 0}, "")).table.size, 0U);
   const std::string fields = ros1_cloud({1, 0, 18, 0}, "");
   for (const Column& column : read(Encoding::ros1, fields).table.columns) {
     EXPECT_EQ(column.first, nullptr) << column.name;
