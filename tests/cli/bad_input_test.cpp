@@ -307,11 +307,19 @@ TEST_P(StampsFile, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(All, StampsFile,
                          testing::Values(BadStamps{"empty", ""}, BadStamps{"too_few", "0.0\n0.1\n"},
-                                         BadStamps{"too_many", "0\n1\n2\n3\n"},
                                          BadStamps{"words", "0.0\nsoon\n0.2\n"},
                                          BadStamps{"not_a_number", "0.0\nnan\n0.2\n"},
                                          BadStamps{"beyond_64_bits", "0\n1e300\n2\n"}),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+// Names that count frames tell which stamps are theirs; "last" does not.
+TEST(BadInput, StampsOfScansThatNobodyCanTell) {
+  const ScratchFolder scratch;
+  write_pcd_recording(scratch.path() / "in", hall_scans(3));
+  fs::rename(scratch.path() / "in" / "000002.pcd", scratch.path() / "in" / "last.pcd");
+  write_content(scratch.path() / "in" / "times.txt", "0\n1\n2\n3\n");
+  expect_input_refused({"run", "in", "-o", "out"}, "times.txt: 4 stamps for the 3 scans", scratch);
+}
 
 /// Statuses of scans.csv that are "rejected".
 std::size_t rejected_scans(const ScratchFolder& scratch) {
